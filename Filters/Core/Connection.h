@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Connection_h
+#define DirectionFields_Connection_h
+
+#include "Metric.h"
+#include "TriangleMesh.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// Discrete Levi-Civita connection of a mesh: angles in the tangent cones of the vertices, scaled
+/// to close up to 2 pi at interior vertices and unscaled at boundary vertices (a flat patch stays
+/// flat), and the parallel transport along edges. For vectors; a field of degree n takes n times
+/// the rotations and curvatures.
+///
+/// Angles at a vertex count counter-clockwise from a reference edge: on the boundary the first edge
+/// of the fan, else the edge to the neighbour of lexicographically smallest coordinates, so that
+/// they depend on no numbering. KCPS13 section 6.1; the holonomy here is never wrapped.
+struct Connection
+{
+  Connection(const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& points);
+
+  /// Scaled angle of the corner at the tail of each half-edge.
+  std::vector<double> CornerAngle;
+  /// theta_i(ij) of each half-edge i -> j.
+  std::vector<double> EdgeAngle;
+  /// Sum of the scaled corner angles of each vertex: 2 pi in the interior; on the boundary the
+  /// angle of the last edge of the fan, which has no outgoing half-edge.
+  std::vector<double> AngleSum;
+  /// rho_ij = theta_j(ji) + pi - theta_i(ij) of each edge in its direction: a vector at angle phi
+  /// in i arrives at angle phi + rho in j.
+  std::vector<double> Rotation;
+  /// Curvature of each triangle, the sum of its scaled corner angles - pi; n times it is the
+  /// holonomy Omega of a field of degree n.
+  std::vector<double> Curvature;
+
+  /// rho along a half-edge.
+  double RotationAlong(const TriangleMesh& mesh, Index h) const
+  {
+    const double rho = this->Rotation[mesh.Edge(h)];
+    return mesh.GivesDirection(h) ? rho : -rho;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_MeshError_h
+#define DirectionFields_MeshError_h
+
+#include "Types.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace DirectionFields
+{
+/// A surface that cannot be processed. what() names the cause and the remedy in sentences for the
+/// user; ids in it are point ids of the surface given.
+class MeshError : public std::runtime_error
+{
+public:
+  enum class Kind
+  {
+    /// A triangle refers to a point that does not exist.
+    InvalidPointId,
+    /// A coordinate of a used point is NaN or infinite. Id: the first such point.
+    NonFinitePoint,
+    /// An edge belongs to more than two triangles. Id: one of its points.
+    NonManifoldEdge,
+    /// Triangles meet in a point without sharing edges there. Id: the point.
+    NonManifoldVertex,
+    /// The triangles of a component cannot be wound consistently (Möbius strip, Klein bottle).
+    /// Id: a point of an edge where the contradiction shows.
+    NonOrientable
+  };
+
+  MeshError(Kind kind, Index id, const std::string& what)
+    : std::runtime_error(what)
+    , Kind_(kind)
+    , Id_(id)
+  {
+  }
+
+  Kind GetKind() const { return this->Kind_; }
+  /// The first offending point.
+  Index GetId() const { return this->Id_; }
+
+private:
+  Kind Kind_;
+  Index Id_;
+};
+}
+
+#endif

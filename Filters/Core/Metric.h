@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Metric_h
+#define DirectionFields_Metric_h
+
+#include "TriangleMesh.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// Intrinsic geometry of a mesh: edge lengths, and the corner angles and areas that follow from
+/// them. Everything else is computed from these.
+///
+/// Lengths are in units of the mean edge length of their component, so that nothing depends on the
+/// scale of the input. Where a triangle is (nearly) without area its shortest edge is lengthened
+/// until the triangle inequality holds by a millionth of its longest edge (mollification after
+/// Sharp and Crane: A Laplacian for Nonmanifold Triangle Meshes, 2020, but locally).
+struct Metric
+{
+  /// Throws MeshError where coordinates are so large that their differences overflow.
+  Metric(const TriangleMesh& mesh, const std::vector<Vector3>& points);
+
+  /// Squared length of each edge.
+  std::vector<double> SquaredLength;
+  /// Angle of the corner at the tail of each half-edge, radians, in (0, pi).
+  std::vector<double> CornerAngle;
+  /// Area of each triangle.
+  std::vector<double> Area;
+  /// Mean edge length of each component in the input's unit.
+  std::vector<double> Unit;
+  /// Area of each component, in Unit^2.
+  std::vector<double> ComponentArea;
+  /// Triangles whose edges had to be lengthened.
+  Index DegenerateTriangles = 0;
+};
+}
+
+#endif

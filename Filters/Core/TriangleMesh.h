@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_TriangleMesh_h
+#define DirectionFields_TriangleMesh_h
+
+#include "DirectionField.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// Half-edge structure of an oriented manifold triangle mesh, with or without boundary.
+///
+/// Half-edge 3 t + c runs from corner c of triangle t to corner (c + 1) % 3. Triangles, edges and
+/// vertices are numbered component by component, so that everything of a component is contiguous.
+/// Vertices are the used points in the order of their first use.
+class TriangleMesh
+{
+public:
+  /// Ranges of numbers, the end excluded.
+  struct Component
+  {
+    Index FirstTriangle, EndTriangle;
+    Index FirstEdge, EndEdge;
+    Index FirstVertex, EndVertex;
+    bool Closed;
+
+    Index Vertices() const { return this->EndVertex - this->FirstVertex; }
+    Index Edges() const { return this->EndEdge - this->FirstEdge; }
+    Index Triangles() const { return this->EndTriangle - this->FirstTriangle; }
+  };
+
+  /// Winds every component like the majority of its triangles. Throws MeshError.
+  explicit TriangleMesh(const Surface& surface);
+
+  static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index Previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  Index GetNumberOfVertices() const { return static_cast<Index>(this->VertexPoint.size()); }
+  Index GetNumberOfEdges() const { return static_cast<Index>(this->EdgeHalfEdge.size()); }
+  Index GetNumberOfTriangles() const { return static_cast<Index>(this->Corners.size() / 3); }
+  Index GetNumberOfHalfEdges() const { return static_cast<Index>(this->Corners.size()); }
+
+  Index Tail(Index h) const { return this->Corners[h]; }
+  Index Head(Index h) const { return this->Corners[Next(h)]; }
+  /// None on the boundary.
+  Index Twin(Index h) const { return this->Twins[h]; }
+  Index Edge(Index h) const { return this->Edges[h]; }
+  /// The half-edge that gives an edge its direction.
+  Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
+  bool GivesDirection(Index h) const { return this->EdgeHalfEdge[this->Edges[h]] == h; }
+  /// An outgoing half-edge of a vertex; on the boundary the first one counter-clockwise.
+  Index Outgoing(Index vertex) const { return this->VertexHalfEdge[vertex]; }
+  bool IsBoundary(Index vertex) const { return this->Twins[this->VertexHalfEdge[vertex]] == None; }
+  /// The next outgoing half-edge counter-clockwise; None after the last one of a boundary vertex.
+  Index NextOutgoing(Index h) const { return this->Twins[Previous(h)]; }
+
+  const std::vector<Component>& GetComponents() const { return this->Components; }
+  /// Input point of a vertex.
+  Index Point(Index vertex) const { return this->VertexPoint[vertex]; }
+  /// Input triangle of a triangle.
+  Index InputTriangle(Index triangle) const { return this->TriangleInput[triangle]; }
+  /// DegenerateTriangles is left to the metric.
+  const Repairs& GetRepairs() const { return this->Repaired; }
+
+private:
+  void CollectTriangles(const Surface& surface);
+  bool MatchEdges(bool refuse);
+  void RemoveDuplicates();
+  void Orient();
+  void Renumber();
+  void LinkVertices();
+
+  std::vector<Index> Corners;
+  std::vector<Index> Twins;
+  std::vector<Index> Edges;
+  std::vector<Index> EdgeHalfEdge;
+  std::vector<Index> VertexHalfEdge;
+  std::vector<Index> VertexPoint;
+  std::vector<Index> TriangleInput;
+  std::vector<Component> Components;
+  Repairs Repaired;
+
+  /// While building: the component and the turn of each triangle as it came.
+  std::vector<Index> TriangleComponent;
+  std::vector<char> Turned;
+};
+}
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Connection.h"
+#include "Metric.h"
+#include "TangentFrames.h"
+#include "TestMeshes.h"
+#include "TriangleMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace DirectionFields;
+using namespace TestMeshes;
+
+namespace
+{
+struct Geometry
+{
+  explicit Geometry(const Surface& surface)
+    : Points(surface.Points)
+    , Mesh(surface)
+    , Lengths(this->Mesh, this->Points)
+    , Transport(this->Mesh, this->Lengths, this->Points)
+    , Frames(this->Mesh, this->Lengths, this->Transport, this->Points)
+  {
+  }
+  std::vector<Vector3> Points;
+  TriangleMesh Mesh;
+  Metric Lengths;
+  Connection Transport;
+  TangentFrames Frames;
+};
+
+double Wrapped(double angle)
+{
+  return std::remainder(angle, 2.0 * Pi);
+}
+}
+
+TEST(Metric, RightTriangle)
+{
+  const Surface s{ { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh mesh(s);
+  const Metric metric(mesh, s.Points);
+  EXPECT_DOUBLE_EQ(metric.Unit[0], 4.0);
+  EXPECT_NEAR(metric.Area[0] * 16.0, 6.0, 1e-14);
+  EXPECT_NEAR(metric.CornerAngle[0], Pi / 2.0, 1e-15);
+  EXPECT_NEAR(metric.CornerAngle[1], std::atan2(4.0, 3.0), 1e-15);
+  EXPECT_NEAR(metric.CornerAngle[2], std::atan2(3.0, 4.0), 1e-15);
+  EXPECT_EQ(metric.DegenerateTriangles, 0);
+}
+
+TEST(Metric, CornerAnglesOfATriangleSumToPi)
+{
+  const Surface s = Jittered(Torus(17, 11), 0.08, 3);
+  const TriangleMesh mesh(s);
+  const Metric metric(mesh, s.Points);
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    EXPECT_NEAR(metric.CornerAngle[3 * t] + metric.CornerAngle[3 * t + 1] +
+        metric.CornerAngle[3 * t + 2],
+      Pi, 1e-12);
+  }
+}
+
+TEST(Metric, SameAtAnyScale)
+{
+  const Surface s = Potato(2);
+  const TriangleMesh mesh(s);
+  const Metric metric(mesh, s.Points);
+  for (const double scale : { 1e-150, 1e-9, 1e9, 1e150 })
+  {
+    const Surface scaled =
+      Transformed(s, scale * Eigen::Matrix3d::Identity(), Vector3::Zero());
+    const Metric other(mesh, scaled.Points);
+    EXPECT_NEAR(other.Unit[0] / metric.Unit[0] / scale, 1.0, 1e-13);
+    for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      EXPECT_NEAR(other.CornerAngle[h], metric.CornerAngle[h], 1e-12);
+    }
+  }
+}
+
+TEST(Metric, DegenerateTrianglesGetAnglesAndArea)
+{
+  // A point on the diagonal of a square: one triangle has no area. And a doubled point.
+  const Surface flat{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } } };
+  const Surface doubled{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 0 } },
+    { { 0, 1, 2 }, { 0, 2, 4 }, { 4, 2, 3 } } };
+  const Surface point{ { { 2, 2, 2 }, { 2, 2, 2 }, { 2, 2, 2 } }, { { 0, 1, 2 } } };
+  for (const Surface& s : { flat, doubled, point })
+  {
+    const TriangleMesh mesh(s);
+    const Metric metric(mesh, s.Points);
+    EXPECT_EQ(metric.DegenerateTriangles, 1);
+    for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      EXPECT_GT(metric.CornerAngle[h], 1e-10);
+      EXPECT_GT(metric.Area[h / 3], 1e-8);
+    }
+    // What has area changes by the millionth only.
+    if (s.Points.size() > 3)
+    {
+      EXPECT_NEAR(metric.Area[0] * metric.Unit[0] * metric.Unit[0], 0.5, 1e-5);
+    }
+  }
+}
+
+TEST(Connection, TotalCurvatureIsTwoPiChi)
+{
+  const std::vector<std::pair<Surface, int>> surfaces = { { Tetrahedron(), 2 }, { Cube(), 2 },
+    { Potato(2), 2 }, { Torus(12, 9), 0 }, { DoubleTorus(), -2 } };
+  for (const auto& [surface, chi] : surfaces)
+  {
+    const Geometry g(surface);
+    double sum = 0.0;
+    for (const double curvature : g.Transport.Curvature)
+    {
+      sum += curvature;
+    }
+    EXPECT_NEAR(sum, 2.0 * Pi * chi, 1e-10);
+  }
+}
+
+TEST(Connection, TransportAroundATriangleIsItsCurvature)
+{
+  for (const Surface& surface : { Cube(), Potato(2), Hemisphere(2), Jittered(Disk(5), 0.1, 1) })
+  {
+    const Geometry g(surface);
+    for (Index t = 0; t < g.Mesh.GetNumberOfTriangles(); ++t)
+    {
+      double sum = 0.0;
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        sum += g.Transport.RotationAlong(g.Mesh, h);
+      }
+      EXPECT_NEAR(Wrapped(sum - g.Transport.Curvature[t]), 0.0, 1e-12);
+    }
+  }
+}
+
+TEST(Connection, FlatPatchStaysFlatUpToItsBoundary)
+{
+  const Geometry g(Transformed(Disk(6), ObliqueRotation(1.1), { 1, 2, 3 }));
+  for (const double curvature : g.Transport.Curvature)
+  {
+    EXPECT_NEAR(curvature, 0.0, 1e-12);
+  }
+  // Transport between any two vertices keeps the direction in space.
+  for (Index e = 0; e < g.Mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index i = g.Mesh.Tail(g.Mesh.HalfEdge(e));
+    const Index j = g.Mesh.Head(g.Mesh.HalfEdge(e));
+    const double rho = g.Transport.Rotation[e];
+    EXPECT_LT((g.Frames.X[i] - std::cos(rho) * g.Frames.X[j] - std::sin(rho) * g.Frames.Y[j]).norm(),
+      1e-12);
+  }
+}
+
+TEST(TangentFrames, AreOrthonormalAndPointOutwards)
+{
+  const Geometry g(Icosphere(3));
+  for (Index v = 0; v < g.Mesh.GetNumberOfVertices(); ++v)
+  {
+    const Vector3& p = g.Points[g.Mesh.Point(v)];
+    EXPECT_GT(g.Frames.Normal[v].dot(p), 0.999);
+    EXPECT_NEAR(g.Frames.X[v].norm(), 1.0, 1e-14);
+    EXPECT_NEAR(g.Frames.X[v].dot(g.Frames.Normal[v]), 0.0, 1e-14);
+    EXPECT_NEAR(g.Frames.X[v].cross(g.Frames.Y[v]).dot(g.Frames.Normal[v]), 1.0, 1e-14);
+  }
+}
+
+TEST(TangentFrames, AnglesFitTheEdges)
+{
+  const Geometry g(Potato(3));
+  // On a fine smooth surface the angle theta in the frame is the projected edge's own.
+  for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Index i = g.Mesh.Tail(h);
+    const Vector3 edge = g.Points[g.Mesh.Point(g.Mesh.Head(h))] - g.Points[g.Mesh.Point(i)];
+    const double angle = std::atan2(edge.dot(g.Frames.Y[i]), edge.dot(g.Frames.X[i]));
+    EXPECT_NEAR(Wrapped(angle - g.Transport.EdgeAngle[h]), 0.0, 0.05);
+  }
+}
+
+TEST(TangentFrames, DependOnlyOnTheShapeUpToTheReferenceAngle)
+{
+  // The direction of a fixed edge's angle in space is the same whichever edge angle 0 stands for.
+  const Surface surface = Potato(2);
+  const Eigen::Matrix3d rotation = ObliqueRotation(2.2);
+  const Geometry g(surface);
+  const Geometry turned(Transformed(surface, rotation, { -4, 1, 2 }));
+  int otherReference = 0;
+  for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Index v = g.Mesh.Tail(h);
+    const double a = g.Transport.EdgeAngle[h];
+    const double b = turned.Transport.EdgeAngle[h];
+    otherReference += std::abs(Wrapped(a - b)) > 0.1;
+    const Vector3 inSpace = std::cos(a) * g.Frames.X[v] + std::sin(a) * g.Frames.Y[v];
+    const Vector3 inTurned = std::cos(b) * turned.Frames.X[v] + std::sin(b) * turned.Frames.Y[v];
+    EXPECT_LT((rotation * inSpace - inTurned).norm(), 1e-12);
+  }
+  EXPECT_GT(otherReference, 0);
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_TestMeshes_h
+#define DirectionFields_TestMeshes_h
+
+#include "DirectionField.h"
+
+/// Surfaces with known geometry. All closed ones are wound counter-clockwise as seen from outside.
+namespace TestMeshes
+{
+using DirectionFields::Index;
+using DirectionFields::Surface;
+using DirectionFields::Vector3;
+
+Surface Tetrahedron();
+Surface Octahedron();
+Surface Icosahedron();
+/// Unit cube, two triangles a side.
+Surface Cube();
+/// Unit sphere: the icosahedron, each triangle split in four `levels` times. 10 4^levels + 2 vertices.
+Surface Icosphere(int levels);
+/// The upper half of the icosphere, cut along triangles.
+Surface Hemisphere(int levels);
+/// Square [0, size]^2 in the plane z = 0 with cells^2 squares of two triangles.
+Surface Square(int cells, double size = 1.0);
+/// Unit disk in the plane z = 0 of `rings` rings around a central vertex.
+Surface Disk(int rings);
+/// Open cylinder of radius 1 about the z axis.
+Surface Cylinder(int around, int along, double height);
+Surface Torus(int around, int across, double majorRadius = 1.0, double minorRadius = 0.4);
+/// Closed surface of genus 2: two tori joined where they overlap, on a cubic lattice of the cell size.
+Surface DoubleTorus();
+/// Strip of quads closed with a half turn.
+Surface MoebiusStrip(int segments);
+/// A closed surface without symmetries, like a potato, of 10 4^levels + 2 vertices.
+Surface Potato(int levels);
+/// The points moved by pseudo-random vectors of at most the length given.
+Surface Jittered(Surface surface, double length, unsigned seed);
+
+Surface Transformed(const Surface& surface, const Eigen::Matrix3d& linear, const Vector3& shift);
+/// A rotation about an oblique axis.
+Eigen::Matrix3d ObliqueRotation(double angle);
+Surface Joined(const Surface& a, const Surface& b);
+/// Points in the order given by a seed, and so the triangles, with their corners turned around.
+/// newPoint[i] is the new number of point i, newTriangle likewise.
+Surface Shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newPoint,
+  std::vector<Index>& newTriangle);
+}
+
+#endif

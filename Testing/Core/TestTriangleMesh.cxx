@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshError.h"
+#include "TestMeshes.h"
+#include "TriangleMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace DirectionFields;
+using namespace TestMeshes;
+
+namespace
+{
+/// The kind and id of the error of a surface; the message must name the id.
+std::pair<MeshError::Kind, Index> ErrorOf(const Surface& surface)
+{
+  try
+  {
+    const TriangleMesh mesh(surface);
+  }
+  catch (const MeshError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(std::to_string(error.GetId())), std::string::npos)
+      << error.what();
+    return { error.GetKind(), error.GetId() };
+  }
+  ADD_FAILURE() << "no error";
+  return { MeshError::Kind::InvalidPointId, -7 };
+}
+
+void ExpectConsistent(const TriangleMesh& mesh)
+{
+  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Index twin = mesh.Twin(h);
+    if (twin != None)
+    {
+      ASSERT_EQ(mesh.Twin(twin), h);
+      ASSERT_EQ(mesh.Tail(twin), mesh.Head(h));
+      ASSERT_EQ(mesh.Head(twin), mesh.Tail(h));
+      ASSERT_EQ(mesh.Edge(twin), mesh.Edge(h));
+    }
+  }
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    ASSERT_EQ(mesh.Tail(mesh.Outgoing(v)), v);
+  }
+}
+}
+
+TEST(TriangleMesh, CountsOfKnownSurfaces)
+{
+  const std::vector<std::pair<Surface, int>> surfaces = { { Tetrahedron(), 2 }, { Octahedron(), 2 },
+    { Cube(), 2 }, { Icosphere(2), 2 }, { Torus(7, 5), 0 }, { DoubleTorus(), -2 },
+    { Disk(4), 1 }, { Cylinder(9, 3, 1.0), 0 }, { Square(3), 1 } };
+  for (const auto& [surface, chi] : surfaces)
+  {
+    const TriangleMesh mesh(surface);
+    ExpectConsistent(mesh);
+    ASSERT_EQ(mesh.GetComponents().size(), 1u);
+    EXPECT_EQ(
+      mesh.GetNumberOfVertices() - mesh.GetNumberOfEdges() + mesh.GetNumberOfTriangles(), chi);
+    EXPECT_EQ(mesh.GetRepairs().ReversedTriangles, 0);
+  }
+  EXPECT_TRUE(TriangleMesh(Torus(7, 5)).GetComponents()[0].Closed);
+  EXPECT_FALSE(TriangleMesh(Disk(4)).GetComponents()[0].Closed);
+}
+
+TEST(TriangleMesh, BoundaryVerticesStartAtTheFirstEdgeOfTheFan)
+{
+  const TriangleMesh mesh(Disk(4));
+  Index boundary = 0;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    boundary += mesh.IsBoundary(v);
+  }
+  EXPECT_EQ(boundary, 24);
+}
+
+TEST(TriangleMesh, ComponentsAreContiguous)
+{
+  // Triangles of two surfaces alternate.
+  const Surface joined = Joined(Cube(), Tetrahedron());
+  Surface mixed{ joined.Points, {} };
+  for (std::size_t k = 0; k < 12; ++k)
+  {
+    mixed.Triangles.push_back(joined.Triangles[k]);
+    if (k < 4)
+    {
+      mixed.Triangles.push_back(joined.Triangles[12 + k]);
+    }
+  }
+  const TriangleMesh mesh(mixed);
+  ExpectConsistent(mesh);
+  ASSERT_EQ(mesh.GetComponents().size(), 2u);
+  const auto& cube = mesh.GetComponents()[0];
+  const auto& tetrahedron = mesh.GetComponents()[1];
+  EXPECT_EQ(cube.Vertices(), 8);
+  EXPECT_EQ(cube.Edges(), 18);
+  EXPECT_EQ(cube.Triangles(), 12);
+  EXPECT_EQ(tetrahedron.Vertices(), 4);
+  EXPECT_EQ(tetrahedron.Edges(), 6);
+  EXPECT_EQ(tetrahedron.FirstVertex, 8);
+  for (Index t = tetrahedron.FirstTriangle; t < tetrahedron.EndTriangle; ++t)
+  {
+    EXPECT_EQ(mesh.InputTriangle(t) % 2, 1);
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      EXPECT_GE(mesh.Point(mesh.Tail(h)), 8);
+    }
+  }
+}
+
+TEST(TriangleMesh, TurnsTheMinority)
+{
+  Surface s = Icosphere(2);
+  for (const std::size_t t : { 3u, 4u, 50u, 100u, 319u })
+  {
+    std::swap(s.Triangles[t][0], s.Triangles[t][1]);
+  }
+  const TriangleMesh mesh(s);
+  ExpectConsistent(mesh);
+  EXPECT_EQ(mesh.GetRepairs().ReversedTriangles, 5);
+  // All point outwards again.
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const Vector3& a = s.Points[mesh.Point(mesh.Tail(3 * t))];
+    const Vector3& b = s.Points[mesh.Point(mesh.Tail(3 * t + 1))];
+    const Vector3& c = s.Points[mesh.Point(mesh.Tail(3 * t + 2))];
+    EXPECT_GT((b - a).cross(c - a).dot(a), 0.0);
+  }
+}
+
+TEST(TriangleMesh, IgnoresCollapsedAndDuplicateTriangles)
+{
+  Surface s = Octahedron();
+  s.Triangles.insert(s.Triangles.begin(), { 2, 2, 4 });
+  s.Triangles.push_back({ 4, 0, 2 });
+  s.Triangles.push_back({ 2, 0, 4 });
+  const TriangleMesh mesh(s);
+  ExpectConsistent(mesh);
+  EXPECT_EQ(mesh.GetNumberOfTriangles(), 8);
+  EXPECT_EQ(mesh.GetRepairs().CollapsedTriangles, 1);
+  EXPECT_EQ(mesh.GetRepairs().DuplicateTriangles, 2);
+  EXPECT_TRUE(mesh.GetComponents()[0].Closed);
+  // The first of the equal ones stays.
+  EXPECT_EQ(mesh.InputTriangle(0), 1);
+  EXPECT_EQ(mesh.InputTriangle(7), 8);
+
+  const TriangleMesh pillow(Surface{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 1 } } });
+  EXPECT_EQ(pillow.GetNumberOfTriangles(), 1);
+  EXPECT_EQ(pillow.GetRepairs().DuplicateTriangles, 1);
+}
+
+TEST(TriangleMesh, RefusesInvalidPointIds)
+{
+  Surface s = Tetrahedron();
+  s.Triangles[2][1] = 4;
+  EXPECT_EQ(ErrorOf(s), std::pair(MeshError::Kind::InvalidPointId, Index(4)));
+  s.Triangles[2][1] = -1;
+  EXPECT_EQ(ErrorOf(s), std::pair(MeshError::Kind::InvalidPointId, Index(-1)));
+}
+
+TEST(TriangleMesh, RefusesNonFiniteCoordinatesOfUsedPointsOnly)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  {
+    Surface s = Icosahedron();
+    s.Points[5].y() = bad;
+    s.Points[9].x() = bad;
+    EXPECT_EQ(ErrorOf(s), std::pair(MeshError::Kind::NonFinitePoint, Index(5)));
+    Surface unused = Icosahedron();
+    unused.Points.emplace_back(bad, bad, bad);
+    EXPECT_NO_THROW(TriangleMesh{ unused });
+  }
+}
+
+TEST(TriangleMesh, RefusesNonManifoldEdges)
+{
+  Surface fin = Square(2);
+  fin.Points.emplace_back(0.5, 0.25, 1.0);
+  // A third triangle on the edge from the middle of the lower side to the center.
+  fin.Triangles.push_back({ 1, 4, 9 });
+  EXPECT_EQ(ErrorOf(fin), std::pair(MeshError::Kind::NonManifoldEdge, Index(1)));
+}
+
+TEST(TriangleMesh, RefusesNonManifoldVertices)
+{
+  // A bow-tie within a component, and two components that share a point.
+  Surface bow = Disk(2);
+  bow.Triangles.erase(bow.Triangles.begin() + 1);
+  bow.Triangles.erase(bow.Triangles.begin() + 3);
+  EXPECT_EQ(ErrorOf(bow), std::pair(MeshError::Kind::NonManifoldVertex, Index(0)));
+  const Surface touching{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
+    { { 1, 2, 0 }, { 0, 3, 4 } } };
+  EXPECT_EQ(ErrorOf(touching), std::pair(MeshError::Kind::NonManifoldVertex, Index(0)));
+}
+
+TEST(TriangleMesh, RefusesNonOrientableSurfaces)
+{
+  EXPECT_EQ(ErrorOf(MoebiusStrip(12)).first, MeshError::Kind::NonOrientable);
+}
+
+TEST(TriangleMesh, EmptySurface)
+{
+  const TriangleMesh mesh(Surface{});
+  EXPECT_EQ(mesh.GetNumberOfTriangles(), 0);
+  EXPECT_TRUE(mesh.GetComponents().empty());
+}
