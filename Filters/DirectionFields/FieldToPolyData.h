@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef FieldToPolyData_h
+#define FieldToPolyData_h
+
+#include "DirectionField.h"
+#include "PolyDataToSurface.h"
+
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// Adds the field's point, cell and field data to a copy of the polydata it was computed from.
+/// The directions and the magnitude are double if the points are, else float.
+void AddFieldArrays(
+  const TriangulatedPolyData& input, const Result& field, vtkPolyData* output);
+
+/// Makes a vertex at the centroid of every triangle whose index is not 0. points: of the input.
+void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,
+  vtkPolyData* singularities);
+}
+
+#endif

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PolyDataToSurface.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr vtkIdType MostPoints = std::numeric_limits<Index>::max();
+/// Three half-edges each.
+constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
+
+/// Appends the triangles of one cell after the other.
+class Triangulator
+{
+public:
+  Triangulator(vtkPoints* points, TriangulatedPolyData& result)
+    : Points(points)
+    , Result(result)
+  {
+    // vtkPolygon warns about each polygon that it cannot cut, but a fan is an answer to those.
+    // An observer keeps the warnings from the screen.
+    vtkNew<vtkCallbackCommand> silence;
+    this->Polygon->AddObserver("WarningEvent", silence);
+    this->Polygon->AddObserver("ErrorEvent", silence);
+  }
+
+  void AddStrip(vtkIdType cell, vtkIdType size, const vtkIdType* points)
+  {
+    for (vtkIdType i = 0; i + 2 < size; ++i)
+    {
+      // Every other triangle of a strip runs backwards.
+      const vtkIdType odd = i % 2;
+      this->AddTriangle(cell, points[i], points[i + 1 + odd], points[i + 2 - odd]);
+    }
+  }
+
+  void AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* points)
+  {
+    if (size == 3)
+    {
+      this->AddTriangle(cell, points[0], points[1], points[2]);
+      return;
+    }
+    this->SetCorners(size, points);
+    const vtkIdType corners = this->Polygon->PointIds->GetNumberOfIds();
+    if (size < 3)
+    {
+      return;
+    }
+    if (corners < 3)
+    {
+      // Nothing but repetitions: one collapsed triangle, so that the cell is counted as such.
+      this->AddTriangle(cell, points[0], points[0], points[0]);
+    }
+    else if (corners == 3 || !this->CutEars())
+    {
+      for (vtkIdType i = 1; i + 1 < corners; ++i)
+      {
+        this->AddTriangle(cell, this->Corners[0], this->Corners[i], this->Corners[i + 1]);
+      }
+    }
+    else
+    {
+      for (vtkIdType i = 0; i + 2 < this->Ears->GetNumberOfIds(); i += 3)
+      {
+        this->AddTriangle(cell, this->Corners[this->Ears->GetId(i)],
+          this->Corners[this->Ears->GetId(i + 1)], this->Corners[this->Ears->GetId(i + 2)]);
+      }
+    }
+  }
+
+private:
+  void AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k)
+  {
+    this->Result.Mesh.Triangles.push_back({ ToIndex(i), ToIndex(j), ToIndex(k) });
+    this->Result.CellOfTriangle.push_back(cell);
+  }
+
+  /// Ids that fit no Index name no point either.
+  static Index ToIndex(vtkIdType id)
+  {
+    return id < 0 || id > MostPoints ? None : static_cast<Index>(id);
+  }
+
+  /// The corners without consecutive repetitions, which would disturb the cutting of ears.
+  void SetCorners(vtkIdType size, const vtkIdType* points)
+  {
+    this->Corners.clear();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (this->Corners.empty() || this->Corners.back() != points[i])
+      {
+        this->Corners.push_back(points[i]);
+      }
+    }
+    while (this->Corners.size() > 1 && this->Corners.front() == this->Corners.back())
+    {
+      this->Corners.pop_back();
+    }
+    const vtkIdType corners = static_cast<vtkIdType>(this->Corners.size());
+    this->Polygon->PointIds->SetNumberOfIds(corners);
+    for (vtkIdType i = 0; i < corners; ++i)
+    {
+      this->Polygon->PointIds->SetId(i, i);
+    }
+  }
+
+  /// False if the polygon cannot be cut; else Ears holds the triangles as positions in Corners.
+  bool CutEars()
+  {
+    const vtkIdType corners = static_cast<vtkIdType>(this->Corners.size());
+    this->Polygon->Points->SetDataTypeToDouble();
+    this->Polygon->Points->SetNumberOfPoints(corners);
+    for (vtkIdType i = 0; i < corners; ++i)
+    {
+      const vtkIdType id = this->Corners[i];
+      if (id < 0 || id >= this->Points->GetNumberOfPoints())
+      {
+        return false;
+      }
+      double point[3];
+      this->Points->GetPoint(id, point);
+      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+      {
+        return false;
+      }
+      this->Polygon->Points->SetPoint(i, point);
+    }
+    // The one signature that all versions of VTK share; vtkPolygon hides it in some.
+    vtkCell* polygon = this->Polygon;
+    return polygon->Triangulate(0, this->Ears, this->EarPoints) != 0 &&
+      this->Ears->GetNumberOfIds() == 3 * (corners - 2);
+  }
+
+  vtkPoints* Points;
+  TriangulatedPolyData& Result;
+  std::vector<vtkIdType> Corners;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+  vtkNew<vtkPoints> EarPoints;
+};
+
+void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
+{
+  if (count > most)
+  {
+    throw std::length_error("The input has " + std::to_string(count) + " " + what +
+      ", but at most " + std::to_string(most) +
+      " can be processed. Decimate it or process it in parts.");
+  }
+}
+}
+
+TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
+{
+  TriangulatedPolyData result;
+  vtkPoints* points = polyData->GetPoints();
+  const vtkIdType numberOfPoints = polyData->GetNumberOfPoints();
+  vtkCellArray* polys = polyData->GetPolys();
+  vtkCellArray* strips = polyData->GetStrips();
+  vtkIdType numberOfTriangles = 0;
+  for (vtkCellArray* cells : { polys, strips })
+  {
+    numberOfTriangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+  }
+  RequireNumberable("points", numberOfPoints, MostPoints);
+  RequireNumberable("triangles", numberOfTriangles, MostTriangles);
+
+  result.Mesh.Points.resize(static_cast<size_t>(numberOfPoints));
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    points->GetPoint(i, result.Mesh.Points[i].data());
+  }
+  if (numberOfPoints == 0)
+  {
+    return result;
+  }
+  result.Mesh.Triangles.reserve(static_cast<size_t>(std::max<vtkIdType>(numberOfTriangles, 0)));
+  result.CellOfTriangle.reserve(result.Mesh.Triangles.capacity());
+
+  auto ghosts = vtkUnsignedCharArray::SafeDownCast(
+    polyData->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const auto isHidden = [ghosts](vtkIdType cell)
+  {
+    return ghosts && cell < ghosts->GetNumberOfValues() &&
+      (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
+  };
+
+  Triangulator triangulator(points, result);
+  vtkNew<vtkIdList> ids;
+  vtkIdType cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  for (vtkIdType i = 0; i < polys->GetNumberOfCells(); ++i, ++cell)
+  {
+    if (!isHidden(cell))
+    {
+      polys->GetCellAtId(i, ids);
+      triangulator.AddPolygon(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
+    }
+  }
+  for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i, ++cell)
+  {
+    if (!isHidden(cell))
+    {
+      strips->GetCellAtId(i, ids);
+      triangulator.AddStrip(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
+    }
+  }
+  return result;
+}
+}

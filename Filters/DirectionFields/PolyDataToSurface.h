@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef PolyDataToSurface_h
+#define PolyDataToSurface_h
+
+#include "DirectionField.h"
+
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// The polygons and strips of a vtkPolyData as triangles.
+struct TriangulatedPolyData
+{
+  /// All points of the vtkPolyData, so that point ids stay the user's.
+  Surface Mesh;
+  /// For each triangle its cell, in the numbering of the vtkPolyData: vertices, lines, polygons,
+  /// strips.
+  std::vector<vtkIdType> CellOfTriangle;
+};
+
+/// Triangles are taken as they are. Polygons are cut by their ears; one that cannot be cut so
+/// (no area, self-intersecting) becomes a fan. Strips are unrolled with alternating winding.
+/// Vertices, lines and cells marked as hidden in vtkGhostType give no triangle.
+///
+/// Throws std::length_error for more points or triangles than Index can number.
+TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData);
+}
+
+#endif

@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every kind of cell that polydata can have.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkPlaneSource.h"
+#include "vtkStripper.h"
+#include "vtkSuperquadricSource.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+using namespace TestChecks;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> FieldOf(vtkPolyData* mesh, int degree = 4)
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(mesh);
+  filter->SetDegree(degree);
+  filter->Update();
+  CHECK(messages->IsEmpty());
+  return filter->GetOutput();
+}
+
+void TestQuads()
+{
+  // A quad of a plane is cut without turning the field.
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(7, 5);
+  plane->Update();
+  auto flat = FieldOf(plane->GetOutput());
+  CHECK(flat->GetNumberOfCells() == 35);
+  CHECK(std::abs(FieldValue(flat, "Eigenvalue")) < 1e-9);
+  CHECK(SumOfIndices(flat->GetCellData()) == 0);
+
+  // The quads of a torus, and the same cut by VTK.
+  auto quads = TestMeshes::QuadTorus(24, 12);
+  vtkNew<vtkTriangleFilter> cut;
+  cut->SetInputData(quads);
+  cut->Update();
+  auto triangles = cut->GetOutput();
+  CHECK(triangles->GetNumberOfCells() == 2 * quads->GetNumberOfCells());
+  auto onQuads = FieldOf(quads);
+  auto onTriangles = FieldOf(triangles);
+  CheckDirections(onTriangles, 4, 1e-12);
+  CHECK(LargestAngle(onQuads, onTriangles, 4) < 1e-3);
+  CHECK(onQuads->GetCellData()->GetArray("SingularityIndex")->GetNumberOfTuples() == 24 * 12);
+
+  vtkNew<vtkSuperquadricSource> superquadric;
+  superquadric->ToroidalOn();
+  superquadric->Update();
+  // The source closes no seam, which makes it an open surface that must work all the same.
+  auto field = FieldOf(superquadric->GetOutput());
+  CHECK(Direction(field, 3) != nullptr);
+}
+
+/// Strips in whatever order give the field of their triangles; the index of a strip is the sum.
+void TestStrips()
+{
+  auto mesh = TestMeshes::Pebble(2);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(mesh);
+  stripper->Update();
+  vtkPolyData* strips = stripper->GetOutput();
+  REQUIRE(strips->GetNumberOfStrips() > 1);
+  REQUIRE(strips->GetNumberOfCells() < mesh->GetNumberOfCells() / 2);
+  auto onStrips = FieldOf(strips);
+  auto onTriangles = FieldOf(mesh);
+  CHECK(LargestAngle(onStrips, onTriangles, 4) < 1e-3);
+  CHECK(SumOfIndices(onStrips->GetCellData()) == 8);
+  CHECK(onStrips->GetCellData()->GetArray("SingularityIndex")->GetNumberOfTuples() ==
+    strips->GetNumberOfCells());
+}
+
+/// Vertices and lines stay, count in the order of the cells, and have the index 0.
+void TestVertsAndLines()
+{
+  auto mesh = TestMeshes::Pebble(2);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(mesh);
+  stripper->Update();
+  vtkPolyData* strips = stripper->GetOutput();
+
+  // All four kinds: the first half of the triangles, and the strips of another pebble.
+  auto twice = TestMeshes::BesideEachOther(mesh, mesh, 5.0);
+  const vtkIdType triangles = mesh->GetNumberOfCells();
+  const vtkIdType points = mesh->GetNumberOfPoints();
+  vtkNew<vtkCellArray> polys, stripCells, verts, lines;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    mesh->GetPolys()->GetCellAtId(i, ids);
+    polys->InsertNextCell(ids);
+  }
+  for (vtkIdType i = 0; i < strips->GetStrips()->GetNumberOfCells(); ++i)
+  {
+    strips->GetStrips()->GetCellAtId(i, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      ids->SetId(k, ids->GetId(k) + points);
+    }
+    stripCells->InsertNextCell(ids);
+  }
+  verts->InsertNextCell({ 0 });
+  verts->InsertNextCell({ 1, 2, 3 });
+  lines->InsertNextCell({ 4, 5, 6 });
+  twice->SetVerts(verts);
+  twice->SetLines(lines);
+  twice->SetPolys(polys);
+  twice->SetStrips(stripCells);
+  vtkNew<vtkDoubleArray> mine;
+  mine->SetName("mine");
+  mine->SetNumberOfTuples(twice->GetNumberOfCells());
+  mine->FillValue(7.0);
+  twice->GetCellData()->AddArray(mine);
+
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(twice);
+  filter->Update();
+  vtkPolyData* field = filter->GetOutput();
+  CHECK(field->GetNumberOfVerts() == 2 && field->GetNumberOfLines() == 1);
+  CHECK(field->GetCellData()->GetArray("mine") == mine);
+  auto index = vtkIntArray::SafeDownCast(field->GetCellData()->GetArray("SingularityIndex"));
+  REQUIRE(index && index->GetNumberOfTuples() == twice->GetNumberOfCells());
+  int sums[3] = { 0, 0, 0 };
+  for (vtkIdType cell = 0; cell < index->GetNumberOfTuples(); ++cell)
+  {
+    sums[cell < 3 ? 0 : (cell < 3 + triangles ? 1 : 2)] += index->GetValue(cell);
+  }
+  CHECK(index->GetValue(0) == 0 && index->GetValue(1) == 0 && index->GetValue(2) == 0);
+  CHECK(sums[1] == 8 && sums[2] == 8);
+  vtkDataArray* cells = filter->GetOutput(1)->GetPointData()->GetArray("CellId");
+  double range[2];
+  cells->GetRange(range);
+  CHECK(range[0] >= 3 && range[1] >= 3 + triangles);
+  for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+  {
+    CHECK(index->GetValue(static_cast<vtkIdType>(cells->GetTuple1(i))) != 0 ||
+      cells->GetTuple1(i) >= 3 + triangles);
+  }
+}
+
+/// No polygons and strips: zero everywhere, and no error.
+void TestWithoutSurface()
+{
+  for (const bool withCells : { false, true })
+  {
+    vtkNew<vtkPolyData> mesh;
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, 0.0, 0.0);
+    points->InsertNextPoint(1.0, 0.0, 0.0);
+    mesh->SetPoints(points);
+    if (withCells)
+    {
+      vtkNew<vtkCellArray> verts, lines;
+      verts->InsertNextCell({ 0 });
+      lines->InsertNextCell({ 0, 1 });
+      mesh->SetVerts(verts);
+      mesh->SetLines(lines);
+    }
+    auto field = FieldOf(mesh, 6);
+    REQUIRE(field->GetNumberOfPoints() == 2);
+    CHECK(field->GetNumberOfCells() == (withCells ? 2 : 0));
+    for (int k = 0; k < 6; ++k)
+    {
+      REQUIRE(Direction(field, k));
+      CHECK(vtkMath::Norm(Direction(field, k)->GetTuple3(0)) == 0.0);
+      CHECK(vtkMath::Norm(Direction(field, k)->GetTuple3(1)) == 0.0);
+    }
+    CHECK(SumOfIndices(field->GetCellData()) == 0);
+    CHECK(field->GetFieldData()->GetArray("Eigenvalue")->GetNumberOfTuples() == 0);
+  }
+
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(empty);
+  filter->Update();
+  CHECK(messages->IsEmpty());
+  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
+}
+
+/// Concave, with repeated corners, too small: each polygon gives what can be made of it.
+void TestPolygons()
+{
+  // An L of one polygon; the fan from its first corner would leave it.
+  auto concave = TestMeshes::Make(
+    { { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 } },
+    { { 5, 0, 1, 2, 3, 4 } });
+  auto field = FieldOf(concave);
+  CHECK(FieldValue(field, "EulerCharacteristic") == 1);
+  CHECK(std::abs(FieldValue(field, "Eigenvalue")) < 1e-9);
+  CHECK(vtkMath::Norm(Direction(field, 0)->GetTuple3(3)) > 0.99);
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    // The corner folded over would turn the normal: the order about +z tells.
+    double side[3];
+    vtkMath::Cross(
+      Direction(field, 0)->GetTuple3(i), std::array<double, 3>{ 0, 0, 1 }.data(), side);
+    CHECK(vtkMath::Dot(side, Direction(field, 1)->GetTuple3(i)) < -0.99);
+  }
+
+  // Corners repeated one after the other, at the ends too, change nothing.
+  auto repeated = TestMeshes::QuadCube();
+  auto cells = TestMeshes::Cells{ { 0, 0, 3, 2, 2, 1, 0 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 },
+    { 1, 2, 6, 5 }, { 2, 3, 7, 6, 6 }, { 3, 0, 4, 7 } };
+  vtkNew<vtkCellArray> polys;
+  for (const auto& cell : cells)
+  {
+    polys->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  auto clean = FieldOf(repeated);
+  repeated->SetPolys(polys);
+  auto mended = FieldOf(repeated);
+  CHECK(FieldValue(mended, "IndexSum") == 8);
+  CHECK(std::abs(FieldValue(mended, "Eigenvalue") - FieldValue(clean, "Eigenvalue")) < 1e-9);
+
+  // Nothing to triangulate: a polygon of two corners beside a triangle.
+  auto two = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1 }, { 0, 1, 2 } });
+  auto onTwo = FieldOf(two);
+  CHECK(onTwo->GetNumberOfCells() == 2);
+  CHECK(FieldValue(onTwo, "EulerCharacteristic") == 1);
+}
+
+/// A polygon without area cannot be cut by its ears; its fan is mended like any bad triangles.
+void TestFlatPolygon()
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(TestMeshes::Make(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 } },
+    { { 0, 1, 2, 3 }, { 3, 5, 4, 0 } }));
+  filter->Update();
+  CHECK(messages->IsOneWarning({ "mended", "without area" }));
+  vtkPolyData* field = filter->GetOutput();
+  REQUIRE(field->GetNumberOfCells() == 2);
+  for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+  {
+    CHECK(std::abs(vtkMath::Norm(Direction(field, 0)->GetTuple3(i)) - 1.0) < 1e-9);
+  }
+}
+
+/// Cells marked as hidden take no part, as if they were absent.
+void TestHiddenCells()
+{
+  auto mesh = TestMeshes::Pebble(1);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName("vtkGhostType");
+  ghosts->SetNumberOfTuples(mesh->GetNumberOfCells());
+  ghosts->FillValue(0);
+  ghosts->SetValue(5, vtkDataSetAttributes::HIDDENCELL);
+  mesh->GetCellData()->AddArray(ghosts);
+  auto field = FieldOf(mesh);
+  CHECK(FieldValue(field, "EulerCharacteristic") == 1);
+  CHECK(field->GetCellData()->GetArray("SingularityIndex")->GetTuple1(5) == 0.0);
+  CHECK(field->GetNumberOfCells() == mesh->GetNumberOfCells());
+}
+}
+
+int TestDirectionFieldCells(int, char*[])
+{
+  TestQuads();
+  TestStrips();
+  TestVertsAndLines();
+  TestWithoutSurface();
+  TestPolygons();
+  TestFlatPolygon();
+  TestHiddenCells();
+  return Result();
+}

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Surfaces that cannot be processed give one error and empty outputs; surfaces that can be mended
+// give one warning that counts what was mended.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+
+using namespace TestChecks;
+
+namespace
+{
+void TestError(vtkPolyData* mesh, std::initializer_list<const char*> words)
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(mesh);
+  filter->Update();
+  CHECK(messages->IsOneError(words));
+  CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0);
+  CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
+
+  // The filter is none the worse for it.
+  filter->SetInputData(TestMeshes::Icosphere(1));
+  filter->Update();
+  CHECK(messages->Errors.size() == 1);
+  CHECK(FieldValue(filter->GetOutput(), "IndexSum") == 8);
+}
+
+void TestErrors()
+{
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    auto notFinite = TestMeshes::Icosphere(1);
+    notFinite->GetPoints()->SetPoint(17, 0.0, bad, 0.0);
+    TestError(notFinite, { "point 17" });
+    // Also where a polygon has to be cut first.
+    auto quads = TestMeshes::QuadCube();
+    quads->GetPoints()->SetPoint(3, bad, 0.0, 0.0);
+    TestError(quads, { "point 3" });
+  }
+
+  const std::vector<TestMeshes::Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+    { 0, -1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 1 } };
+  TestError(TestMeshes::Make(points, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }), { "edge" });
+  // Two triangles that meet in point 0 alone.
+  TestError(TestMeshes::Make(points, { { 0, 1, 2 }, { 0, 5, 6 } }), { "point 0" });
+  TestError(TestMeshes::Moebius(20), { "orient" });
+  TestError(TestMeshes::Make(points, { { 0, 1, 99 } }), { "point 99" });
+  TestError(TestMeshes::Make(points, { { 0, 1, 2, -1 } }), { "point -1" });
+  TestError(TestMeshes::Make(points, { { 0, 1, 5000000000 } }), { "point" });
+}
+
+vtkSmartPointer<vtkPolyData> TestWarning(
+  vtkPolyData* mesh, std::initializer_list<const char*> words)
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(mesh);
+  filter->Update();
+  CHECK(messages->IsOneWarning(words));
+  vtkPolyData* field = filter->GetOutput();
+  CHECK(field->GetNumberOfPoints() == mesh->GetNumberOfPoints());
+  CHECK(field->GetNumberOfCells() == mesh->GetNumberOfCells());
+  for (int k = 0; Direction(field, k); ++k)
+  {
+    for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+    {
+      CHECK(std::abs(vtkMath::Norm(Direction(field, k)->GetTuple3(i)) - 1.0) < 1e-9);
+    }
+  }
+  return field;
+}
+
+/// The pebble with some of its triangles replaced and others added.
+TestMeshes::Mesh Changed(
+  const std::map<vtkIdType, std::vector<vtkIdType>>& replaced, const TestMeshes::Cells& added)
+{
+  auto mesh = TestMeshes::Pebble(1);
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+  {
+    const auto other = replaced.find(i);
+    if (other != replaced.end())
+    {
+      polys->InsertNextCell(static_cast<vtkIdType>(other->second.size()), other->second.data());
+    }
+    else
+    {
+      mesh->GetPolys()->GetCellAtId(i, ids);
+      polys->InsertNextCell(ids);
+    }
+  }
+  for (const auto& cell : added)
+  {
+    polys->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  }
+  mesh->SetPolys(polys);
+  return mesh;
+}
+
+void TestWarnings()
+{
+  vtkNew<vtkDirectionField> clean;
+  clean->SetInputData(TestMeshes::Pebble(1));
+  clean->Update();
+  auto corners = [](vtkIdType cell)
+  {
+    vtkNew<vtkIdList> ids;
+    TestMeshes::Pebble(1)->GetCellPoints(cell, ids);
+    return std::vector<vtkIdType>{ ids->GetId(0), ids->GetId(1), ids->GetId(2) };
+  };
+
+  const auto a = corners(3);
+  const auto b = corners(40);
+  auto flipped = TestWarning(
+    Changed({ { 3, { a[0], a[2], a[1] } }, { 40, { b[0], b[2], b[1] } } }, {}),
+    { "2 triangles wound against the majority" });
+  CHECK(LargestAngle(flipped, clean->GetOutput(), 4) < 1e-3);
+  CHECK(SumOfIndices(flipped->GetCellData()) == 8);
+
+  auto duplicate = TestWarning(Changed({}, { { a[1], a[2], a[0] } }), { "1 duplicate triangle" });
+  CHECK(LargestAngle(duplicate, clean->GetOutput(), 4) < 1e-3);
+  CHECK(duplicate->GetCellData()->GetArray("SingularityIndex")->GetTuple1(80) == 0.0);
+
+  auto collapsed = TestWarning(Changed({}, { { a[0], a[1], a[0] }, { b[0], b[0], b[0] } }),
+    { "2 triangles with a repeated corner" });
+  CHECK(LargestAngle(collapsed, clean->GetOutput(), 4) < 1e-3);
+  TestWarning(Changed({}, { { a[0], a[1], a[1], a[0] } }), { "1 triangle with a repeated corner" });
+
+  TestWarning(Changed({}, { { a[0], a[1], a[0] }, { a[1], a[2], a[0] } }),
+    { "1 duplicate triangle", "1 triangle with a repeated corner" });
+
+  // Point 3 lies on the edge from 0 to 1, so that the triangle between has no area.
+  TestWarning(
+    TestMeshes::Make({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 1, -1, 0 } },
+      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 4, 3 }, { 3, 4, 1 } }),
+    { "1 triangle without area" });
+}
+
+/// Too few iterations: the field that was reached, and a warning that says what to do.
+void TestConvergence()
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(TestMeshes::Pebble(4));
+  filter->SetMaximumIterations(1);
+  filter->SetTolerance(1e-12);
+  filter->Update();
+  CHECK(messages->IsOneWarning({ "not converged", "1e-12", "Raise MaximumIterations" }));
+  CHECK(FieldValue(filter->GetOutput(), "Residual") > 1e-12);
+  CHECK(FieldValue(filter->GetOutput(), "Iterations") >= 1);
+  CheckDirections(filter->GetOutput(), 4, 1e-9);
+}
+
+/// A value that no clamp catches is refused.
+void TestNotANumber()
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(TestMeshes::Icosphere(1));
+  filter->SetTolerance(std::nan(""));
+  filter->Update();
+  CHECK(messages->IsOneError({ "olerance" }));
+}
+}
+
+int TestDirectionFieldErrors(int, char*[])
+{
+  TestErrors();
+  TestWarnings();
+  TestConvergence();
+  TestNotANumber();
+  return Result();
+}

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A picture of the field against a baseline:
+//
+//   TestDirectionFieldImage MESH DEGREE BASELINE OUTPUT [turned]
+//
+// MESH is "pebble", "torus" or a PLY file. The picture is written to OUTPUT. With "turned" the
+// field is turned by 10 degrees before it is drawn, and the test passes if the comparison fails.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkGlyph3D.h"
+#include "vtkImageData.h"
+#include "vtkImageDifference.h"
+#include "vtkPLYReader.h"
+#include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cstdlib>
+
+using namespace TestChecks;
+
+namespace
+{
+constexpr int WindowSize = 400;
+
+/// The picture of a correct field may differ by this much on another machine; a field turned by
+/// 10 degrees differs by more than the second value. In percent of the greatest difference.
+constexpr double MostDifference = 0.5;
+constexpr double LeastTurnedDifference = 1.0;
+
+struct Scene
+{
+  TestMeshes::Mesh Mesh;
+  double Position[3];
+  double FocalPoint[3];
+  double ViewUp[3];
+  /// Half the height of the view.
+  double Scale;
+};
+
+Scene MakeScene(const std::string& mesh)
+{
+  if (mesh == "pebble")
+  {
+    return { TestMeshes::Pebble(2), { 4.0, -6.0, 3.0 }, { 0.15, 0.0, 0.0 }, { 0.0, 0.0, 1.0 },
+      1.12 };
+  }
+  if (mesh == "torus")
+  {
+    return { TestMeshes::QuadTorus(28, 12), { 2.0, -3.0, 6.0 }, { 0.0, 0.0, 0.0 },
+      { 0.0, 1.0, 0.0 }, 1.55 };
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(mesh.c_str());
+  reader->Update();
+  Scene scene = { reader->GetOutput(), {}, {}, { 0.0, 1.0, 0.0 }, 0.0 };
+  // A part of the side, near enough to see the glyphs.
+  double bounds[6];
+  scene.Mesh->GetBounds(bounds);
+  const double height = bounds[3] - bounds[2];
+  for (int c = 0; c < 3; ++c)
+  {
+    scene.FocalPoint[c] = (bounds[2 * c] + bounds[2 * c + 1]) / 2.0;
+    scene.Position[c] = scene.FocalPoint[c];
+  }
+  scene.Position[2] += 5.0 * height;
+  scene.Position[0] += 1.0 * height;
+  scene.Scale = 0.15 * height;
+  return scene;
+}
+
+/// Thick blades in all n directions at every point, or an arrow for n = 1, a little above the
+/// surface.
+vtkSmartPointer<vtkPolyData> MakeGlyphs(vtkPolyData* field, int degree, double turn)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(field);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  const auto normals = Normals(triangles->GetOutput());
+
+  // The shortest edge at each point: no glyph reaches another.
+  std::vector<double> size(normals.size(), 0.0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < triangles->GetOutput()->GetNumberOfPolys(); ++t)
+  {
+    triangles->GetOutput()->GetCellPoints(t, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      double a[3], b[3];
+      const vtkIdType i = ids->GetId(k);
+      const vtkIdType j = ids->GetId((k + 1) % 3);
+      field->GetPoint(i, a);
+      field->GetPoint(j, b);
+      const double length = std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+      for (const vtkIdType end : { i, j })
+      {
+        double& shortest = size[static_cast<size_t>(end)];
+        shortest = shortest == 0.0 ? length : std::min(shortest, length);
+      }
+    }
+  }
+
+  // Convex polygons: along the direction and to its left, in units of the size.
+  using Corners = std::vector<std::array<double, 2>>;
+  const std::vector<Corners> arrow = {
+    { { -0.5, -0.14 }, { 0.05, -0.14 }, { 0.05, 0.14 }, { -0.5, 0.14 } },
+    { { 0.05, -0.32 }, { 0.55, 0.0 }, { 0.05, 0.32 } }
+  };
+  const std::vector<Corners> blade = { { { 0.0, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 },
+    { 0.0, 0.1 } } };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+  {
+    const auto index = static_cast<size_t>(i);
+    const double* normal = normals[index].data();
+    double center[3];
+    field->GetPoint(i, center);
+    for (int k = 0; k < degree; ++k)
+    {
+      double d[3], side[3];
+      Direction(field, k)->GetTuple(i, d);
+      vtkMath::Cross(normal, d, side);
+      for (const Corners& polygon : degree == 1 ? arrow : blade)
+      {
+        vtkNew<vtkIdList> corners;
+        for (const auto& corner : polygon)
+        {
+          const double along = corner[0] * std::cos(turn) - corner[1] * std::sin(turn);
+          const double left = corner[0] * std::sin(turn) + corner[1] * std::cos(turn);
+          double p[3];
+          for (int c = 0; c < 3; ++c)
+          {
+            p[c] = center[c] + size[index] * (along * d[c] + left * side[c] + 0.1 * normal[c]);
+          }
+          corners->InsertNextId(points->InsertNextPoint(p));
+        }
+        polys->InsertNextCell(corners);
+      }
+    }
+  }
+  auto glyphs = vtkSmartPointer<vtkPolyData>::New();
+  glyphs->SetPoints(points);
+  glyphs->SetPolys(polys);
+  return glyphs;
+}
+
+/// Balls, red for positive and blue for negative indices.
+vtkSmartPointer<vtkPolyData> MakeBalls(vtkPolyData* singularities, double radius)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(3);
+  vtkDataArray* index = singularities->GetPointData()->GetArray("SingularityIndex");
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const bool positive = index->GetTuple1(i) > 0.0;
+    const unsigned char color[3] = { static_cast<unsigned char>(positive ? 255 : 0), 0,
+      static_cast<unsigned char>(positive ? 0 : 255) };
+    colors->InsertNextTypedTuple(color);
+  }
+  vtkNew<vtkPolyData> colored;
+  colored->ShallowCopy(singularities);
+  colored->GetPointData()->SetScalars(colors);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(16);
+  ball->SetPhiResolution(12);
+  vtkNew<vtkGlyph3D> glyph;
+  glyph->SetInputData(colored);
+  glyph->SetSourceConnection(ball->GetOutputPort());
+  glyph->ScalingOff();
+  glyph->OrientOff();
+  glyph->SetColorModeToColorByScalar();
+  glyph->Update();
+  return glyph->GetOutput();
+}
+
+void Add(vtkRenderer* renderer, vtkPolyData* shape, double gray, bool lit)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shape);
+  if (shape->GetPointData()->GetScalars() &&
+    std::string(shape->GetPointData()->GetScalars()->GetName()) != "colors")
+  {
+    mapper->ScalarVisibilityOff();
+  }
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(gray, gray, gray);
+  actor->GetProperty()->SetLighting(lit);
+  actor->GetProperty()->SetInterpolationToFlat();
+  renderer->AddActor(actor);
+}
+
+vtkSmartPointer<vtkImageData> Draw(
+  const Scene& scene, vtkDirectionField* filter, double turn)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.45, 0.5, 0.6);
+  Add(renderer, filter->GetOutput(), 1.0, false);
+  Add(renderer, MakeGlyphs(filter->GetOutput(), filter->GetDegree(), turn), 0.0, false);
+  Add(renderer, MakeBalls(filter->GetOutput(1), 0.045 * scene.Scale), 1.0, false);
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(WindowSize, WindowSize);
+  window->AddRenderer(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(scene.Position);
+  camera->SetFocalPoint(scene.FocalPoint);
+  camera->SetViewUp(scene.ViewUp);
+  camera->SetParallelScale(scene.Scale);
+  renderer->ResetCameraClippingRange();
+  window->Render();
+
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+
+/// Percent of the greatest possible difference, averaged over the image. Pixels may not move, as
+/// vtkTesting lets them, for a glyph that turns moves its pixels little; they are averaged with
+/// their neighbours, for the edges of polygons.
+double Difference(vtkImageData* image, const std::string& baseline)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(baseline.c_str());
+  vtkNew<vtkImageDifference> difference;
+  difference->SetInputData(image);
+  difference->SetImageConnection(reader->GetOutputPort());
+  difference->AllowShiftOff();
+  difference->AveragingOn();
+  difference->SetThreshold(16);
+  difference->Update();
+  return 100.0 * difference->GetThresholdedError() / (WindowSize * WindowSize);
+}
+}
+
+int TestDirectionFieldImage(int argc, char* argv[])
+{
+  if (argc < 5)
+  {
+    std::cerr << "Arguments: MESH DEGREE BASELINE OUTPUT [turned]" << std::endl;
+    return EXIT_FAILURE;
+  }
+  const Scene scene = MakeScene(argv[1]);
+  const int degree = std::atoi(argv[2]);
+  const std::string baseline = argv[3];
+  const std::string output = argv[4];
+  const bool turned = argc > 5 && std::string(argv[5]) == "turned";
+
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(scene.Mesh);
+  filter->SetDegree(degree);
+  filter->SetTolerance(1e-9);
+  filter->Update();
+  vtkPolyData* field = filter->GetOutput();
+  CHECK(field->GetNumberOfPoints() > 100);
+  CHECK(FieldValue(field, "IndexSum") == SumOfIndices(field->GetCellData()));
+  CHECK(SumOfIndices(filter->GetOutput(1)->GetPointData()) == FieldValue(field, "IndexSum"));
+  for (int k = 0; k < degree; ++k)
+  {
+    for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+    {
+      CHECK(std::abs(vtkMath::Norm(Direction(field, k)->GetTuple3(i)) - 1.0) < 1e-6);
+    }
+  }
+
+  auto image = Draw(scene, filter, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(output.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  vtkNew<vtkPNGReader> probe;
+  if (!probe->CanReadFile(baseline.c_str()))
+  {
+    std::cerr << "No baseline " << baseline << "; the picture is " << output << std::endl;
+    return EXIT_FAILURE;
+  }
+  const double difference = Difference(image, baseline);
+  std::cout << "Difference: " << difference << " %, picture: " << output << std::endl;
+  CHECK(turned ? difference > LeastTurnedDifference : difference < MostDifference);
+  return Result();
+}

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the filter behaves in a pipeline: parameters, progress, abort, attributes, repetition.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkMultiBlockDataSet.h"
+
+#include <sstream>
+
+using namespace TestChecks;
+
+namespace
+{
+void TestParameters()
+{
+  vtkNew<vtkDirectionField> filter;
+  CHECK(filter->GetDegree() == 4);
+  CHECK(filter->GetEnergyBias() == 0.0);
+  CHECK(filter->GetTolerance() == 1e-6);
+  CHECK(filter->GetMaximumIterations() == 200);
+  CHECK(filter->GetNumberOfInputPorts() == 1);
+  CHECK(filter->GetNumberOfOutputPorts() == 2);
+
+  filter->SetDegree(3);
+  filter->SetEnergyBias(0.25);
+  filter->SetTolerance(1e-4);
+  filter->SetMaximumIterations(321);
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* line :
+    { "Degree: 3\n", "EnergyBias: 0.25\n", "Tolerance: 0.0001\n", "MaximumIterations: 321\n" })
+  {
+    CHECK(text.str().find(line) != std::string::npos);
+  }
+
+  filter->SetDegree(0);
+  CHECK(filter->GetDegree() == 1);
+  filter->SetDegree(17);
+  CHECK(filter->GetDegree() == 16);
+  filter->SetEnergyBias(-1.5);
+  CHECK(filter->GetEnergyBias() == -1.0);
+  filter->SetEnergyBias(1.5);
+  CHECK(filter->GetEnergyBias() == 1.0);
+  filter->SetTolerance(0.0);
+  CHECK(filter->GetTolerance() == 1e-12);
+  filter->SetTolerance(1.0);
+  CHECK(filter->GetTolerance() == 0.1);
+  filter->SetMaximumIterations(0);
+  CHECK(filter->GetMaximumIterations() == 1);
+  filter->SetMaximumIterations(100000);
+  CHECK(filter->GetMaximumIterations() == 10000);
+}
+
+void TestProgress()
+{
+  std::vector<double> steps;
+  vtkNew<vtkCallbackCommand> record;
+  record->SetClientData(&steps);
+  record->SetCallback([](vtkObject*, unsigned long, void* client, void* progress)
+    { static_cast<std::vector<double>*>(client)->push_back(*static_cast<double*>(progress)); });
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(TestMeshes::Pebble(3));
+  filter->AddObserver(vtkCommand::ProgressEvent, record);
+  filter->Update();
+  CHECK(steps.size() >= 6);
+  bool grows = true;
+  for (size_t i = 1; i < steps.size(); ++i)
+  {
+    grows = grows && steps[i] >= steps[i - 1];
+  }
+  CHECK(grows);
+  REQUIRE(!steps.empty());
+  CHECK(steps.front() < 0.2);
+  CHECK(steps.back() == 1.0);
+  size_t between = 0;
+  for (const double step : steps)
+  {
+    between += step > 0.1 && step < 0.9 ? 1 : 0;
+  }
+  CHECK(between >= 3);
+}
+
+/// Aborted at whatever moment: empty outputs, no error; and the next run is complete.
+void TestAbort()
+{
+  for (const double when : { 0.0, 0.3, 0.6, 0.85 })
+  {
+    struct
+    {
+      double When;
+      bool Fired;
+    } state = { when, false };
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetClientData(&state);
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void* client, void* progress)
+      {
+        auto request = static_cast<decltype(state)*>(client);
+        if (!request->Fired && *static_cast<double*>(progress) > request->When)
+        {
+          request->Fired = true;
+          static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+        }
+      });
+    vtkNew<vtkDirectionField> filter;
+    vtkNew<Messages> messages;
+    messages->Observe(filter);
+    filter->SetInputData(TestMeshes::Pebble(3));
+    filter->AddObserver(vtkCommand::ProgressEvent, stop);
+    filter->Update();
+    CHECK(state.Fired);
+    CHECK(messages->IsEmpty());
+    CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
+
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    filter->Update();
+    CHECK(FieldValue(filter->GetOutput(), "IndexSum") == 8);
+  }
+}
+
+/// Two runs give the same bytes.
+void TestRepetition()
+{
+  vtkNew<vtkDirectionField> one, other;
+  for (vtkDirectionField* filter : { one.Get(), other.Get() })
+  {
+    filter->SetInputData(
+      TestMeshes::BesideEachOther(TestMeshes::Icosphere(3), TestMeshes::QuadTorus(30, 15), 4.0));
+    filter->SetDegree(6);
+    filter->Update();
+  }
+  for (const int port : { 0, 1 })
+  {
+    CHECK(IsSame(one->GetOutput(port)->GetPointData(), other->GetOutput(port)->GetPointData()));
+  }
+  CHECK(IsSame(one->GetOutput()->GetCellData(), other->GetOutput()->GetCellData()));
+  CHECK(IsSame(one->GetOutput()->GetFieldData(), other->GetOutput()->GetFieldData()));
+  CHECK(IsSame(
+    one->GetOutput(1)->GetPoints()->GetData(), other->GetOutput(1)->GetPoints()->GetData()));
+
+  // The comparison can tell fields apart.
+  other->SetEnergyBias(0.5);
+  other->Update();
+  CHECK(!IsSame(one->GetOutput()->GetPointData(), other->GetOutput()->GetPointData()));
+}
+
+/// Active vectors: Direction0. Active scalars, other arrays and the input itself: untouched.
+void TestAttributes()
+{
+  auto mesh = TestMeshes::Icosphere(1);
+  const auto makeArray = [](const char* name, vtkIdType tuples, int components)
+  {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    array->Fill(1.0);
+    return array;
+  };
+  mesh->GetPointData()->SetScalars(makeArray("temperature", mesh->GetNumberOfPoints(), 1));
+  mesh->GetPointData()->SetVectors(makeArray("velocity", mesh->GetNumberOfPoints(), 3));
+  mesh->GetCellData()->SetScalars(makeArray("pressure", mesh->GetNumberOfCells(), 1));
+  mesh->GetFieldData()->AddArray(makeArray("time", 1, 1));
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  filter->Update();
+  vtkPolyData* field = filter->GetOutput();
+  const auto nameOf = [](vtkDataArray* array)
+  { return std::string(array && array->GetName() ? array->GetName() : ""); };
+  CHECK(nameOf(field->GetPointData()->GetScalars()) == "temperature");
+  CHECK(nameOf(field->GetPointData()->GetVectors()) == "Direction0");
+  CHECK(nameOf(field->GetCellData()->GetScalars()) == "pressure");
+  CHECK(field->GetPointData()->GetArray("velocity") != nullptr);
+  CHECK(field->GetFieldData()->GetArray("time") != nullptr);
+  CHECK(mesh->GetPointData()->GetNumberOfArrays() == 2);
+  CHECK(nameOf(mesh->GetPointData()->GetVectors()) == "velocity");
+  CHECK(mesh->GetCellData()->GetNumberOfArrays() == 1);
+  CHECK(mesh->GetFieldData()->GetNumberOfArrays() == 1);
+
+  // Without active scalars in the input there are none in the output.
+  filter->SetInputData(TestMeshes::Icosphere(1));
+  filter->Update();
+  CHECK(filter->GetOutput()->GetPointData()->GetScalars() == nullptr);
+  CHECK(filter->GetOutput()->GetCellData()->GetScalars() == nullptr);
+  CHECK(filter->GetOutput(1)->GetPointData()->GetNormals() != nullptr);
+}
+
+/// A field of lower degree behind one of higher degree leaves nothing of that.
+void TestChain()
+{
+  vtkNew<vtkDirectionField> first, second;
+  first->SetInputData(TestMeshes::Pebble(2));
+  first->SetDegree(6);
+  second->SetInputConnection(first->GetOutputPort());
+  second->SetDegree(2);
+  second->Update();
+  CheckDirections(first->GetOutput(), 6, 1e-9);
+  CheckDirections(second->GetOutput(), 2, 1e-9);
+  for (int k = 2; k < 16; ++k)
+  {
+    CHECK(Direction(second->GetOutput(), k) == nullptr);
+  }
+  CHECK(FieldValue(first->GetOutput(), "IndexSum") == 12);
+  CHECK(FieldValue(second->GetOutput(), "IndexSum") == 4);
+  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 5);
+
+  // Changing the degree of a filter is the same as a new filter.
+  first->SetDegree(2);
+  first->Update();
+  CHECK(IsSame(first->GetOutput()->GetPointData(), second->GetOutput()->GetPointData()));
+}
+
+/// Composite input: block by block.
+void TestComposite()
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, TestMeshes::Pebble(2));
+  blocks->SetBlock(2, TestMeshes::QuadTorus(20, 10));
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  CHECK(messages->IsEmpty());
+  auto fields = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto singularities = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
+  REQUIRE(fields && singularities);
+  REQUIRE(fields->GetNumberOfBlocks() == 3 && singularities->GetNumberOfBlocks() == 3);
+  CHECK(fields->GetBlock(1) == nullptr);
+  auto pebble = vtkPolyData::SafeDownCast(fields->GetBlock(0));
+  auto torus = vtkPolyData::SafeDownCast(fields->GetBlock(2));
+  REQUIRE(pebble && torus);
+  CheckDirections(pebble, 4, 1e-9);
+  CHECK(FieldValue(pebble, "IndexSum") == 8);
+  CHECK(FieldValue(torus, "IndexSum") == 0);
+  auto points = vtkPolyData::SafeDownCast(singularities->GetBlock(0));
+  REQUIRE(points);
+  CHECK(SumOfIndices(points->GetPointData()) == 8);
+}
+}
+
+int TestDirectionFieldPipeline(int, char*[])
+{
+  TestParameters();
+  TestProgress();
+  TestAbort();
+  TestRepetition();
+  TestAttributes();
+  TestChain();
+  TestComposite();
+  return Result();
+}

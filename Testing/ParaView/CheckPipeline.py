@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A macro: checks the pipeline that the playback has built in the ParaView window."""
+import os
+import traceback
+
+from paraview import servermanager
+from paraview.simple import *
+
+
+def check():
+    field = GetActiveSource()
+    assert field.GetXMLName() == "DirectionField", field.GetXMLName()
+    assert field.Input.GetXMLName() == "PLYReader", field.Input.GetXMLName()
+    # From the panel, and the default.
+    assert field.Degree == 6, field.Degree
+    assert field.MaximumIterations == 200, field.MaximumIterations
+
+    surface = servermanager.Fetch(field)
+    names = [surface.GetPointData().GetArrayName(i)
+             for i in range(surface.GetPointData().GetNumberOfArrays())]
+    for k in range(6):
+        assert "Direction%d" % k in names, names
+    values = surface.GetFieldData()
+    assert values.GetArray("Residual").GetTuple1(0) <= field.Tolerance
+    singularities = servermanager.Fetch(field, idx=1)
+    index = singularities.GetPointData().GetArray("SingularityIndex")
+    total = sum(int(index.GetTuple1(i)) for i in range(index.GetNumberOfTuples()))
+    assert total == values.GetArray("IndexSum").GetTuple1(0), total
+    assert singularities.GetNumberOfPoints() > 0
+
+    view = GetActiveView()
+    assert GetDisplayProperties(field, view).Visibility == 1
+    HideAll(view)
+    display = Show(field, view)
+    ColorBy(display, ("POINTS", "RepresentationMagnitude"))
+    glyph = Glyph(Input=field, GlyphType="Arrow")
+    glyph.GlyphMode = "All Points"
+    assert list(glyph.OrientationArray) == ["POINTS", "Direction0"], list(glyph.OrientationArray)
+    glyph.ScaleArray = ["POINTS", "No scale array"]
+    bounds = surface.GetBounds()
+    glyph.ScaleFactor = 0.03 * (bounds[1] - bounds[0])
+    Show(glyph, view)
+    points = Show(OutputPort(field, 1), view)
+    points.SetRepresentationType("Points")
+    points.PointSize = 12
+    points.RenderPointsAsSpheres = 1
+    ColorBy(points, ("POINTS", "SingularityIndex"))
+    ResetCamera(view)
+    SaveScreenshot(os.path.join(output, "Window.png"), view, ImageResolution=[800, 600])
+
+
+output = os.environ["DIRECTIONFIELDS_TEST_OUTPUT"]
+verdict = "passed\n"
+try:
+    check()
+except BaseException:
+    verdict = traceback.format_exc()
+with open(os.path.join(output, "Window.txt"), "w") as file:
+    file.write(verdict)

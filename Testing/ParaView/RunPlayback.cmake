@@ -1,0 +1,26 @@
+# Plays PLAYBACK back in the ParaView window with MESH open and the plugin PLUGIN loaded. The macro
+# that the playback runs writes its verdict into a file.
+set(verdict "${OUTPUT}/Window.txt")
+file(REMOVE "${verdict}" "${OUTPUT}/Window.png")
+get_filename_component(directory "${PLUGIN}" DIRECTORY)
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" -E env "HOME=${HOME}" "XDG_CONFIG_HOME=${HOME}/.config"
+    "DIRECTIONFIELDS_TEST_OUTPUT=${OUTPUT}" "PARAVIEW_LOG_EXECUTION_VERBOSITY=OFF"
+    "${PARAVIEW}" --dr "--plugin-search-paths=${directory}" --plugins=DirectionFields
+    "--test-directory=${OUTPUT}" "--data=${MESH}" "--test-script=${PLAYBACK}" --exit
+  TIMEOUT 120
+  RESULT_VARIABLE result
+  OUTPUT_VARIABLE text
+  ERROR_VARIABLE text)
+message("${text}")
+if (result)
+  message(FATAL_ERROR "The playback failed: ${result}")
+endif ()
+if (NOT EXISTS "${verdict}")
+  message(FATAL_ERROR "The macro did not run.")
+endif ()
+file(READ "${verdict}" found)
+message("${found}")
+if (NOT found STREQUAL "passed\n")
+  message(FATAL_ERROR "The pipeline is not as expected.")
+endif ()
