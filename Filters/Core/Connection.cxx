@@ -5,14 +5,6 @@
 
 namespace DirectionFields
 {
-namespace
-{
-bool LexicographicallyLess(const Vector3& a, const Vector3& b)
-{
-  return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
-}
-}
-
 Connection::Connection(
   const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& points)
   : CornerAngle(mesh.GetNumberOfHalfEdges())

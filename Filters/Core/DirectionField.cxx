@@ -3,62 +3,137 @@
 
 #include "DirectionField.h"
 
-#include "Connection.h"
-#include "Metric.h"
-#include "Operators.h"
-#include "ReferenceSection.h"
+#include "ComponentField.h"
+#include "Constraints.h"
 #include "Singularities.h"
-#include "SmallestEigenpair.h"
-#include "TangentFrames.h"
-#include "TriangleMesh.h"
+#include "Stages.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace DirectionFields
 {
 namespace
 {
-void Check(const Options& options)
-{
-  const auto require = [](bool valid, const char* what)
-  {
-    if (!valid)
-    {
-      throw std::invalid_argument(what);
-    }
-  };
-  // Written so that NaN is refused as well.
-  require(options.Degree >= 1 && options.Degree <= 16, "Degree must be 1 to 16.");
-  require(options.EnergyBias >= -1.0 && options.EnergyBias <= 1.0, "EnergyBias must be -1 to 1.");
-  require(
-    options.Tolerance >= 1e-12 && options.Tolerance <= 0.1, "Tolerance must be 1e-12 to 0.1.");
-  require(options.MaximumIterations >= 1 && options.MaximumIterations <= 10000,
-    "MaximumIterations must be 1 to 10000.");
-}
-}
+/// A linear system counts as solved below this relative residual.
+constexpr double SystemTolerance = 1e-8;
 
-/// What depends on the surface alone.
-struct DirectionField::Stages
+/// Numbers the output points: those of the input, then one for each vertex whose point has another
+/// vertex already.
+class OutputPoints
 {
-  explicit Stages(const Surface& surface)
-    : Points(surface.Points)
-    , InputTriangles(static_cast<Index>(surface.Triangles.size()))
-    , Mesh(surface)
-    , Geometry(this->Mesh, this->Points)
-    , Transport(this->Mesh, this->Geometry, this->Points)
-    , Frames(this->Mesh, this->Geometry, this->Transport, this->Points)
+public:
+  OutputPoints(const TriangleMesh& mesh, std::size_t inputPoints)
+    : OfVertex(mesh.GetNumberOfVertices())
   {
+    std::vector<char> taken(inputPoints, 0);
+    this->Original.resize(inputPoints);
+    std::iota(this->Original.begin(), this->Original.end(), 0);
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const Index point = mesh.Point(v);
+      this->OfVertex[v] = taken[point] ? static_cast<Index>(this->Original.size()) : point;
+      if (taken[point])
+      {
+        this->Original.push_back(point);
+      }
+      taken[point] = 1;
+    }
   }
 
-  std::vector<Vector3> Points;
-  Index InputTriangles;
-  TriangleMesh Mesh;
-  Metric Geometry;
-  Connection Transport;
-  TangentFrames Frames;
+  /// Values over the vertices as an array over the output points, zero where there is no vertex.
+  template <typename T>
+  std::vector<T> Spread(const std::vector<T>& values, const T& zero) const
+  {
+    std::vector<T> spread(this->Original.size(), zero);
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      spread[this->OfVertex[v]] = values[v];
+    }
+    return spread;
+  }
+
+  std::vector<Index> OfVertex;
+  std::vector<Index> Original;
 };
+
+/// Tangent vectors of the angles that n-th powers have.
+std::vector<Vector3> InSpace(
+  const TangentFrames& frames, const std::vector<Complex>& section, int degree)
+{
+  std::vector<Vector3> vectors(section.size(), Vector3::Zero());
+  for (std::size_t v = 0; v < section.size(); ++v)
+  {
+    if (std::abs(section[v]) > 0.0)
+    {
+      const double angle = std::arg(section[v]) / degree;
+      vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y[v];
+    }
+  }
+  return vectors;
+}
+
+CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
+{
+  const Curvature& curvature = stages.GetCurvature();
+  std::vector<Complex> smaller(curvature.Hopf.size());
+  std::transform(curvature.Hopf.begin(), curvature.Hopf.end(), smaller.begin(),
+    [](const Complex& q) { return -q; });
+  std::vector<double> mean = curvature.Mean;
+  std::vector<double> gaussian = curvature.Gaussian;
+  const std::vector<TriangleMesh::Component>& components = stages.GetMesh().GetComponents();
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    const double unit = stages.GetMetric().Unit[c];
+    for (Index v = components[c].FirstVertex; v < components[c].EndVertex; ++v)
+    {
+      mean[v] /= unit;
+      gaussian[v] /= unit * unit;
+    }
+  }
+  const Vector3 zero = Vector3::Zero();
+  return { points.Spread(InSpace(stages.GetFrames(), curvature.Hopf, 2), zero),
+    points.Spread(InSpace(stages.GetFrames(), smaller, 2), zero), points.Spread(mean, 0.0),
+    points.Spread(gaussian, 0.0) };
+}
+
+void AddTriangles(const TriangleMesh& mesh, const OutputPoints& points, const Surface& surface,
+  const std::vector<int>& indices, Result& result)
+{
+  const std::size_t triangles = surface.Triangles.size();
+  result.SingularityIndex.assign(triangles, 0);
+  result.Component.assign(triangles, None);
+  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+    {
+      const Index input = mesh.InputTriangle(t);
+      result.SingularityIndex[input] = indices[t];
+      result.Component[input] = static_cast<Index>(c);
+      result.Components[c].IndexSum += indices[t];
+    }
+  }
+  if (points.Original.size() == surface.Points.size())
+  {
+    return;
+  }
+  result.SplitTriangles = surface.Triangles;
+  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    // Winding and first corner stay the input's.
+    for (Index& corner : result.SplitTriangles[mesh.InputTriangle(h / 3)])
+    {
+      if (corner == mesh.Point(mesh.Tail(h)))
+      {
+        corner = points.OfVertex[mesh.Tail(h)];
+        break;
+      }
+    }
+  }
+}
+}
 
 Vector3 Result::Direction(Index point, int k) const
 {
@@ -75,7 +150,8 @@ Vector3 Result::Direction(Index point, int k) const
 }
 
 DirectionField::DirectionField(const Surface& surface)
-  : Surface_(std::make_unique<Stages>(surface))
+  : Input(surface)
+  , Kept(std::make_unique<Stages>(surface))
 {
 }
 
@@ -83,88 +159,122 @@ DirectionField::~DirectionField() = default;
 DirectionField::DirectionField(DirectionField&&) noexcept = default;
 DirectionField& DirectionField::operator=(DirectionField&&) noexcept = default;
 
-Result DirectionField::Compute(const Options& options, const ProgressFunction& progress) const
+Result DirectionField::Compute(
+  const Options& options, const Guidance& guidance, const ProgressFunction& progress)
 {
   Check(options);
-  const Stages& stages = *this->Surface_;
-  const TriangleMesh& mesh = stages.Mesh;
+  Check(guidance, options, this->Input.Points.size());
+  Stages& stages = *this->Kept;
+  const TriangleMesh& mesh = stages.GetMesh();
+  const OutputPoints points(mesh, this->Input.Points.size());
   Result result;
   result.Degree = options.Degree;
   result.Repaired = mesh.GetRepairs();
-  result.Repaired.DegenerateTriangles = stages.Geometry.DegenerateTriangles;
+  result.Repaired.DegenerateTriangles = stages.GetMetric().DegenerateTriangles;
 
+  const bool usesVectors =
+    options.Alignment == Alignment::PointVectors || options.ConstrainGuidance;
+  const std::vector<Complex> given = usesVectors
+    ? GuidanceSection(mesh, stages.GetFrames(), guidance, options.Degree)
+    : std::vector<Complex>{};
+  const bool usesCurvature =
+    options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature;
+  const Constraints constraints(
+    { mesh, stages.GetConnection(), stages.GetFrames(), stages.GetPoints(),
+      options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
+      usesCurvature ? &stages.GetCurvature() : nullptr, stages.GetMetric().ComponentArea, given },
+    options, result.Notes);
+  std::vector<Complex> drawn;
+  if (options.Alignment != Alignment::None)
+  {
+    drawn = options.Alignment == Alignment::PointVectors
+      ? given
+      : CurvatureSection(stages.GetCurvature().Hopf, options.Degree, options.CurvatureDirection);
+    if (std::all_of(drawn.begin(), drawn.end(), [](const Complex& q) { return q == 0.0; }))
+    {
+      result.Notes.emplace_back("Alignment changes nothing: the guidance is zero everywhere.");
+      drawn.clear();
+    }
+  }
+
+  // The linear systems take about as long as half of the eigenvalue problem does.
+  const bool systems = constraints.Any() || !drawn.empty();
+  const double energyPart = systems ? 0.65 : 1.0;
+  const auto goOn = [&](double fraction) { return !progress || progress(fraction); };
+  const EnergyStage* energy = stages.GetEnergy(
+    options, [&](double fraction) { return goOn(energyPart * fraction); });
   std::vector<Complex> field(mesh.GetNumberOfVertices());
-  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+  for (std::size_t c = 0; energy != nullptr && c < mesh.GetComponents().size(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
-    const auto report = [&](int solves)
+    if (systems &&
+      !goOn(energyPart +
+        (1.0 - energyPart) * component.FirstVertex / std::max(1, mesh.GetNumberOfVertices())))
     {
-      // Convergence takes some 10 to 20 solves as a rule.
-      const double within = solves == 0 ? 0.0 : 1.0 - 0.6 * std::exp(-0.1 * (solves - 1));
-      return !progress ||
-        progress((component.FirstVertex + within * component.Vertices()) /
-          mesh.GetNumberOfVertices());
-    };
-    const Operators operators = AssembleOperators(mesh, stages.Geometry, stages.Transport, component,
-      options.Degree, options.EnergyBias);
-    EigenpairSettings settings;
-    settings.Tolerance = options.Tolerance;
-    settings.MaximumIterations = options.MaximumIterations;
-    settings.Scale = 2.0 * Pi * options.Degree / stages.Geometry.ComponentArea[c];
-    const ReferenceSection reference(
-      mesh, stages.Frames, stages.Points, component, options.Degree);
-    Eigenpair pair =
-      SmallestEigenpair(operators.Energy, operators.Mass, reference.Start(), settings, report);
-    if (pair.Aborted)
-    {
-      Result aborted;
-      aborted.Degree = options.Degree;
-      aborted.Repaired = result.Repaired;
-      aborted.Aborted = true;
-      return aborted;
+      energy = nullptr;
+      break;
     }
-    reference.FixPhase(pair.Vector);
-    const double unit = stages.Geometry.Unit[c];
-    for (Index v = 0; v < component.Vertices(); ++v)
+    const Eigenpair& smoothest = energy->Smoothest[c];
+    const double unit = stages.GetMetric().Unit[c];
+    ComponentProblem problem{ energy->Matrices[c], smoothest, stages.GetScale(c, options.Degree),
+      unit, {}, {} };
+    if (!drawn.empty())
     {
-      field[component.FirstVertex + v] = pair.Vector[v];
+      problem.Guidance = Eigen::Map<const ComplexVector>(
+        drawn.data() + component.FirstVertex, component.Vertices());
     }
+    std::vector<Complex> values;
+    for (Index v = component.FirstVertex; constraints.Any() && v < component.EndVertex; ++v)
+    {
+      if (constraints.Kind[v] != ConstraintKind::None)
+      {
+        problem.Given.Vertices.push_back(v - component.FirstVertex);
+        values.push_back(constraints.Value[v]);
+      }
+    }
+    problem.Given.Values =
+      Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
 
     ComponentReport figures;
-    figures.Eigenvalue = pair.Value / unit / unit;
-    figures.Residual = pair.Residual;
-    figures.Iterations = pair.Iterations;
+    const ComplexVector u = SolveComponent(problem, options, figures);
+    std::copy(u.begin(), u.end(), field.begin() + component.FirstVertex);
+    figures.Eigenvalue = smoothest.Value / unit / unit;
+    figures.Residual = smoothest.Residual;
+    figures.Iterations = smoothest.Iterations;
     figures.EulerCharacteristic = component.Vertices() - component.Edges() + component.Triangles();
     figures.Vertices = component.Vertices();
     figures.Triangles = component.Triangles();
+    figures.Constraints = static_cast<Index>(values.size());
     figures.Closed = component.Closed;
-    figures.Converged = pair.Residual <= options.Tolerance;
+    figures.Converged =
+      smoothest.Residual <= options.Tolerance && figures.SystemResidual <= SystemTolerance;
     result.Components.push_back(figures);
   }
-
-  const std::vector<int> indices =
-    SingularityIndices(mesh, stages.Transport, options.Degree, field);
-  result.SingularityIndex.assign(stages.InputTriangles, 0);
-  result.Component.assign(stages.InputTriangles, None);
-  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+  if (energy == nullptr)
   {
-    const TriangleMesh::Component& component = mesh.GetComponents()[c];
-    for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
-    {
-      result.SingularityIndex[mesh.InputTriangle(t)] = indices[t];
-      result.Component[mesh.InputTriangle(t)] = static_cast<Index>(c);
-      result.Components[c].IndexSum += indices[t];
-    }
+    Result aborted;
+    aborted.Degree = options.Degree;
+    aborted.Repaired = result.Repaired;
+    aborted.Aborted = true;
+    return aborted;
   }
-  result.Representation.assign(stages.Points.size(), 0.0);
-  result.Normal.assign(stages.Points.size(), Vector3::Zero());
-  result.XAxis.assign(stages.Points.size(), Vector3::Zero());
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+
+  AddTriangles(mesh, points, this->Input,
+    SingularityIndices(mesh, stages.GetConnection(), options.Degree, field), result);
+  const Vector3 zero = Vector3::Zero();
+  result.OriginalPoint = points.Original;
+  result.Representation = points.Spread(field, Complex(0.0));
+  result.Normal = points.Spread(stages.GetFrames().Normal, zero);
+  result.XAxis = points.Spread(stages.GetFrames().X, zero);
+  if (constraints.Any())
   {
-    const Index point = mesh.Point(v);
-    result.Representation[point] = field[v];
-    result.Normal[point] = stages.Frames.Normal[v];
-    result.XAxis[point] = stages.Frames.X[v];
+    result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
+    result.ConstraintDirection =
+      points.Spread(InSpace(stages.GetFrames(), constraints.Value, options.Degree), zero);
+  }
+  if (usesCurvature)
+  {
+    result.Curvature = ReportCurvature(stages, points);
   }
   return result;
 }

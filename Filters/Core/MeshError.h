@@ -22,10 +22,6 @@ public:
     InvalidPointId,
     /// A coordinate of a used point is NaN or infinite. Id: the first such point.
     NonFinitePoint,
-    /// An edge belongs to more than two triangles. Id: one of its points.
-    NonManifoldEdge,
-    /// Triangles meet in a point without sharing edges there. Id: the point.
-    NonManifoldVertex,
     /// The triangles of a component cannot be wound consistently (Möbius strip, Klein bottle).
     /// Id: a point of an edge where the contradiction shows.
     NonOrientable

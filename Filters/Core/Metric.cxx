@@ -3,6 +3,8 @@
 
 #include "Metric.h"
 
+#include "MeshError.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -68,7 +68,10 @@ struct Neighbour
 {
   Index Row;
   Index Edge;
-  bool operator<(const Neighbour& other) const { return this->Row < other.Row; }
+  bool operator<(const Neighbour& other) const
+  {
+    return this->Row != other.Row ? this->Row < other.Row : this->Edge < other.Edge;
+  }
 };
 
 SparseMatrix Fill(const std::vector<Index>& begin, const std::vector<Neighbour>& neighbours,
@@ -90,8 +93,17 @@ SparseMatrix Fill(const std::vector<Index>& begin, const std::vector<Neighbour>&
       for (; k < begin[column + 1] && neighbours[k].Row < end; ++k)
       {
         const Index edge = neighbours[k].Edge;
-        inner[at] = neighbours[k].Row;
-        values[at++] = edge >= 0 ? edges[edge] : std::conj(edges[~edge]);
+        const Complex value = edge >= 0 ? edges[edge] : std::conj(edges[~edge]);
+        if (at > outer[column] && inner[at - 1] == neighbours[k].Row)
+        {
+          // Along a slit, where the surface was split, two edges join the same vertices.
+          values[at - 1] += value;
+        }
+        else
+        {
+          inner[at] = neighbours[k].Row;
+          values[at++] = value;
+        }
       }
     };
     take(column);
@@ -100,6 +112,7 @@ SparseMatrix Fill(const std::vector<Index>& begin, const std::vector<Neighbour>&
     take(n);
   }
   outer[n] = at;
+  matrix.resizeNonZeros(at);
   return matrix;
 }
 }

@@ -7,17 +7,6 @@ namespace DirectionFields
 {
 namespace
 {
-/// Normalized, or zero: squares of tiny or huge coordinates must neither vanish nor overflow.
-Vector3 Unit(const Vector3& v)
-{
-  const double largest = v.lpNorm<Eigen::Infinity>();
-  if (!(largest > 0.0))
-  {
-    return Vector3::Zero();
-  }
-  return (v / largest).normalized();
-}
-
 /// Unit vector orthogonal to a unit vector.
 Vector3 AnyOrthogonal(const Vector3& n)
 {
@@ -38,8 +27,10 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Metric& metric,
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
     const Vector3& a = point(mesh.Tail(3 * t));
-    triangleNormal[t] =
-      Unit(Unit(point(mesh.Tail(3 * t + 1)) - a).cross(Unit(point(mesh.Tail(3 * t + 2)) - a)));
+    triangleNormal[t] = (point(mesh.Tail(3 * t + 1)) - a)
+                          .stableNormalized()
+                          .cross((point(mesh.Tail(3 * t + 2)) - a).stableNormalized())
+                          .stableNormalized();
   }
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
@@ -51,10 +42,10 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Metric& metric,
       sum += metric.CornerAngle[h] * triangleNormal[h / 3];
       h = mesh.NextOutgoing(h);
     } while (h != None && h != first);
-    Vector3 normal = Unit(sum);
+    Vector3 normal = sum.stableNormalized();
     if (normal.isZero())
     {
-      const Vector3 edge = Unit(point(mesh.Head(first)) - point(v));
+      const Vector3 edge = (point(mesh.Head(first)) - point(v)).stableNormalized();
       normal = edge.isZero() ? Vector3::UnitZ().eval() : AnyOrthogonal(edge);
     }
 
@@ -63,7 +54,7 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Metric& metric,
     Complex fit = 0.0;
     const auto addEdge = [&](Index neighbour, double angle)
     {
-      const Vector3 edge = Unit(point(neighbour) - point(v));
+      const Vector3 edge = (point(neighbour) - point(v)).stableNormalized();
       const Complex projected(edge.dot(a), edge.dot(b));
       const double length = std::abs(projected);
       // An edge along the normal has no direction in the tangent plane.

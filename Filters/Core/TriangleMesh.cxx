@@ -3,6 +3,8 @@
 
 #include "TriangleMesh.h"
 
+#include "MeshError.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -92,8 +94,8 @@ void TriangleMesh::CollectTriangles(const Surface& surface)
 }
 
 /// Fills Twins, whatever the winding. Where an edge has more than two triangles, or two triangles
-/// have all corners in common: throws if told to refuse, else returns false.
-bool TriangleMesh::MatchEdges(bool refuse)
+/// have all corners in common: splits it if told to, else returns false.
+bool TriangleMesh::MatchEdges(bool split)
 {
   const Index halfEdges = this->GetNumberOfHalfEdges();
   const Index vertices = this->GetNumberOfVertices();
@@ -114,9 +116,6 @@ bool TriangleMesh::MatchEdges(bool refuse)
       keys[fill[std::min(tail, head)]++] = { std::max(tail, head), h };
     }
   }
-  Index crowded = 0;
-  Index crowdedLow = None;
-  Index crowdedHigh = None;
   for (Index low = 0; low < vertices; ++low)
   {
     const auto first = keys.begin() + begin[low];
@@ -136,34 +135,26 @@ bool TriangleMesh::MatchEdges(bool refuse)
         const Index h = (group + 1)->HalfEdge;
         this->Twins[g] = h;
         this->Twins[h] = g;
-        if (!refuse && this->Tail(Previous(g)) == this->Tail(Previous(h)))
+        if (!split && this->Tail(Previous(g)) == this->Tail(Previous(h)))
         {
           return false;
         }
       }
       else if (count > 2)
       {
-        if (!refuse)
+        if (!split)
         {
           return false;
         }
-        if (crowded == 0)
+        this->Crowded.resize(halfEdges, 0);
+        for (auto key = group; key != end; ++key)
         {
-          crowdedLow = this->VertexPoint[low];
-          crowdedHigh = this->VertexPoint[group->Far];
+          this->Crowded[key->HalfEdge] = 1;
         }
-        ++crowded;
+        ++this->Repaired.NonManifoldEdges;
       }
       group = end;
     }
-  }
-  if (crowded > 0)
-  {
-    throw MeshError(MeshError::Kind::NonManifoldEdge, crowdedLow,
-      Id(crowded) + (crowded == 1 ? " edge is" : " edges are") +
-        " shared by more than two triangles (non-manifold), the first between the points " +
-        Id(crowdedLow) + " and " + Id(crowdedHigh) +
-        ". Separate the sheets that meet there, or remove the surplus faces.");
   }
   return true;
 }
@@ -291,6 +282,7 @@ void TriangleMesh::Renumber()
   };
   std::vector<Index> corners(this->Corners.size());
   std::vector<Index> twins(this->Twins.size());
+  std::vector<char> crowded(this->Crowded.size());
   std::vector<Index> input(triangles);
   for (Index t = 0; t < triangles; ++t)
   {
@@ -301,49 +293,49 @@ void TriangleMesh::Renumber()
       const Index h = 3 * t + c;
       corners[3 * s + (this->Turned[t] ? (3 - c) % 3 : c)] = this->Corners[h];
       twins[renumbered(h)] = this->Twins[h] == None ? None : renumbered(this->Twins[h]);
+      if (!crowded.empty())
+      {
+        crowded[renumbered(h)] = this->Crowded[h];
+      }
     }
   }
   this->Corners = std::move(corners);
   this->Twins = std::move(twins);
+  this->Crowded = std::move(crowded);
   this->TriangleInput = std::move(input);
   this->TriangleComponent = {};
   this->Turned = {};
 }
 
-/// Numbers vertices and edges by first use, finds the fans and checks that each vertex has one.
+/// Numbers vertices and edges by first use. Every fan of triangles is a vertex.
 void TriangleMesh::LinkVertices()
 {
-  std::vector<Index> newVertex(this->VertexPoint.size(), None);
-  std::vector<Index> points;
-  points.reserve(this->VertexPoint.size());
-  this->Edges.assign(this->Corners.size(), None);
-  this->EdgeHalfEdge.reserve(this->Corners.size() / 2 + 1);
-  this->VertexHalfEdge.reserve(this->VertexPoint.size());
-  std::vector<Index> corners;
-  corners.reserve(this->VertexPoint.size());
+  const std::vector<Index> pointOf = std::move(this->VertexPoint);
+  const std::vector<Index> corners = std::move(this->Corners);
+  std::vector<char> fans(pointOf.size(), 0);
+  this->VertexPoint.clear();
+  this->VertexPoint.reserve(pointOf.size());
+  this->VertexHalfEdge.reserve(pointOf.size());
+  this->Corners.assign(corners.size(), None);
+  this->Edges.assign(corners.size(), None);
+  this->EdgeHalfEdge.reserve(corners.size() / 2 + 1);
   for (Component& component : this->Components)
   {
-    component.FirstVertex = static_cast<Index>(points.size());
+    component.FirstVertex = this->GetNumberOfVertices();
     component.FirstEdge = this->GetNumberOfEdges();
     component.Closed = true;
     for (Index h = 3 * component.FirstTriangle; h < 3 * component.EndTriangle; ++h)
     {
-      Index& number = newVertex[this->Corners[h]];
-      if (number == None)
+      if (this->Corners[h] == None)
       {
-        number = static_cast<Index>(points.size());
-        points.push_back(this->VertexPoint[this->Corners[h]]);
-        this->VertexHalfEdge.push_back(h);
-        corners.push_back(0);
+        this->VertexHalfEdge.push_back(this->NumberFan(h, this->GetNumberOfVertices()));
+        this->VertexPoint.push_back(pointOf[corners[h]]);
+        char& count = fans[corners[h]];
+        this->Repaired.NonManifoldPoints += count == 1;
+        count = static_cast<char>(std::min(2, count + 1));
       }
-      this->Corners[h] = number;
-      ++corners[number];
       const Index twin = this->Twins[h];
-      if (twin == None)
-      {
-        this->VertexHalfEdge[number] = h;
-        component.Closed = false;
-      }
+      component.Closed = component.Closed && twin != None;
       if (twin == None || h < twin)
       {
         this->Edges[h] = this->GetNumberOfEdges();
@@ -354,37 +346,29 @@ void TriangleMesh::LinkVertices()
         this->Edges[h] = this->Edges[twin];
       }
     }
-    component.EndVertex = static_cast<Index>(points.size());
+    component.EndVertex = this->GetNumberOfVertices();
     component.EndEdge = this->GetNumberOfEdges();
   }
-  this->VertexPoint = std::move(points);
+}
 
-  Index pinched = 0;
-  Index firstPinched = None;
-  for (Index v = 0; v < this->GetNumberOfVertices(); ++v)
+/// Gives the corners of a fan their vertex. Returns the fan's first outgoing half-edge.
+Index TriangleMesh::NumberFan(Index start, Index vertex)
+{
+  Index h = start;
+  do
   {
-    const Index first = this->VertexHalfEdge[v];
-    Index fan = 0;
-    Index h = first;
-    do
-    {
-      ++fan;
-      h = this->NextOutgoing(h);
-    } while (h != None && h != first);
-    if (fan != corners[v])
-    {
-      ++pinched;
-      const Index point = this->VertexPoint[v];
-      firstPinched = firstPinched == None ? point : std::min(firstPinched, point);
-    }
-  }
-  if (pinched > 0)
+    this->Corners[h] = vertex;
+    h = this->NextOutgoing(h);
+  } while (h != None && h != start);
+  if (h == start)
   {
-    throw MeshError(MeshError::Kind::NonManifoldVertex, firstPinched,
-      "At " + Id(pinched) + (pinched == 1 ? " point" : " points") +
-        " the surface touches itself without sharing an edge (non-manifold, like a bow-tie), the "
-        "first is point " +
-        Id(firstPinched) + ". Give each of the fans of triangles there a point of its own.");
+    return start;
   }
+  for (h = start; this->Twins[h] != None;)
+  {
+    h = Next(this->Twins[h]);
+    this->Corners[h] = vertex;
+  }
+  return h;
 }
 }

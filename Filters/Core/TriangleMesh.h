@@ -4,7 +4,7 @@
 #ifndef DirectionFields_TriangleMesh_h
 #define DirectionFields_TriangleMesh_h
 
-#include "DirectionField.h"
+#include "Surface.h"
 #include "Types.h"
 
 #include <vector>
@@ -15,7 +15,10 @@ namespace DirectionFields
 ///
 /// Half-edge 3 t + c runs from corner c of triangle t to corner (c + 1) % 3. Triangles, edges and
 /// vertices are numbered component by component, so that everything of a component is contiguous.
-/// Vertices are the used points in the order of their first use.
+///
+/// A vertex is a fan of triangles at a used point, in the order of first use. A surface that is no
+/// manifold is split into sheets: an edge of more than two triangles becomes boundary for all of
+/// them, and where several fans meet in a point each is a vertex of its own.
 class TriangleMesh
 {
 public:
@@ -32,7 +35,8 @@ public:
     Index Triangles() const { return this->EndTriangle - this->FirstTriangle; }
   };
 
-  /// Winds every component like the majority of its triangles. Throws MeshError.
+  /// Winds every component like the majority of its triangles. Throws MeshError for invalid ids,
+  /// non-finite coordinates and components that are not orientable.
   explicit TriangleMesh(const Surface& surface);
 
   static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -48,6 +52,8 @@ public:
   /// None on the boundary.
   Index Twin(Index h) const { return this->Twins[h]; }
   Index Edge(Index h) const { return this->Edges[h]; }
+  /// The edge was split because more than two triangles share it.
+  bool IsNonManifold(Index h) const { return !this->Crowded.empty() && this->Crowded[h] != 0; }
   /// The half-edge that gives an edge its direction.
   Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
   bool GivesDirection(Index h) const { return this->EdgeHalfEdge[this->Edges[h]] == h; }
@@ -58,7 +64,7 @@ public:
   Index NextOutgoing(Index h) const { return this->Twins[Previous(h)]; }
 
   const std::vector<Component>& GetComponents() const { return this->Components; }
-  /// Input point of a vertex.
+  /// Input point of a vertex; vertices of split points share it.
   Index Point(Index vertex) const { return this->VertexPoint[vertex]; }
   /// Input triangle of a triangle.
   Index InputTriangle(Index triangle) const { return this->TriangleInput[triangle]; }
@@ -67,16 +73,18 @@ public:
 
 private:
   void CollectTriangles(const Surface& surface);
-  bool MatchEdges(bool refuse);
+  bool MatchEdges(bool split);
   void RemoveDuplicates();
   void Orient();
   void Renumber();
   void LinkVertices();
+  Index NumberFan(Index start, Index vertex);
 
   std::vector<Index> Corners;
   std::vector<Index> Twins;
   std::vector<Index> Edges;
   std::vector<Index> EdgeHalfEdge;
+  std::vector<char> Crowded;
   std::vector<Index> VertexHalfEdge;
   std::vector<Index> VertexPoint;
   std::vector<Index> TriangleInput;

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstdint>
@@ -32,6 +33,12 @@ constexpr Index None = -1;
 using Triangle = std::array<Index, 3>;
 
 constexpr double Pi = 3.14159265358979323846;
+
+/// The order of points that stands for numbers where results must not depend on numbering.
+inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)
+{
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
 }
 
 #endif

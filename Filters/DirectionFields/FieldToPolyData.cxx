@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -19,6 +20,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace DirectionFields
 {
@@ -42,6 +44,112 @@ vtkNew<ArrayT> MakeArray(const char* name, int components, size_t tuples)
   return array;
 }
 
+/// An array over the points; where there is none, one that an earlier run left in the input goes.
+template <typename ArrayT>
+void AddVectors(const char* name, const std::vector<Vector3>& vectors, vtkPointData* data)
+{
+  data->RemoveArray(name);
+  if (!vectors.empty())
+  {
+    auto array = MakeArray<ArrayT>(name, 3, vectors.size());
+    for (size_t i = 0; i < vectors.size(); ++i)
+    {
+      array->SetTuple(static_cast<vtkIdType>(i), vectors[i].data());
+    }
+    data->AddArray(array);
+  }
+}
+
+template <typename ArrayT, typename Value>
+void AddScalars(const char* name, const std::vector<Value>& values, vtkPointData* data)
+{
+  data->RemoveArray(name);
+  if (!values.empty())
+  {
+    auto array = MakeArray<ArrayT>(name, 1, values.size());
+    for (size_t i = 0; i < values.size(); ++i)
+    {
+      array->SetValue(
+        static_cast<vtkIdType>(i), static_cast<typename ArrayT::ValueType>(values[i]));
+    }
+    data->AddArray(array);
+  }
+}
+
+/// The points of the input, then those that were split off, each with the data of its original.
+void SplitPoints(const std::vector<Index>& originalPoint, vtkPolyData* output)
+{
+  const auto points = static_cast<vtkIdType>(originalPoint.size());
+  vtkNew<vtkPoints> splitPoints;
+  splitPoints->SetDataType(output->GetPoints()->GetDataType());
+  splitPoints->SetNumberOfPoints(points);
+  vtkNew<vtkPointData> splitData;
+  // Nothing is to be left out, whatever the input's flags say.
+  splitData->CopyAllOn();
+  splitData->CopyAllocate(output->GetPointData(), points);
+  auto originals = MakeArray<vtkIdTypeArray>("OriginalPointIds", 1, originalPoint.size());
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    const vtkIdType original = originalPoint[i];
+    splitPoints->SetPoint(i, output->GetPoint(original));
+    splitData->CopyData(output->GetPointData(), original, i);
+    originals->SetValue(i, original);
+  }
+  output->SetPoints(splitPoints);
+  output->GetPointData()->ShallowCopy(splitData);
+  output->GetPointData()->AddArray(originals);
+}
+
+/// Gives the polygons and strips the points of their triangles. A cell whose triangles were torn
+/// apart keeps the points of the first.
+void SplitCells(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
+{
+  const vtkIdType firstPoly = output->GetNumberOfVerts() + output->GetNumberOfLines();
+  const vtkIdType firstStrip = firstPoly + output->GetNumberOfPolys();
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkCellArray> strips;
+  polys->DeepCopy(output->GetPolys());
+  strips->DeepCopy(output->GetStrips());
+  vtkNew<vtkIdList> corners;
+  std::vector<char> settled;
+  const size_t triangles = field.SplitTriangles.size();
+  for (size_t t = 0; t < triangles;)
+  {
+    const vtkIdType cell = input.CellOfTriangle[t];
+    const bool isStrip = cell >= firstStrip;
+    vtkCellArray* cells = isStrip ? strips : polys;
+    const vtkIdType local = cell - (isStrip ? firstStrip : firstPoly);
+    cells->GetCellAtId(local, corners);
+    settled.assign(static_cast<size_t>(corners->GetNumberOfIds()), 0);
+    // The triangles of a cell stand in a row.
+    const size_t first = t;
+    for (; t < triangles && input.CellOfTriangle[t] == cell; ++t)
+    {
+      // Those that took no part have no points of their own.
+      for (int c = 0; c < 3 && field.Component[t] != None; ++c)
+      {
+        // A strip may come back to a point on another sheet, but its triangles know their places.
+        const size_t begin = isStrip ? t - first : 0;
+        const size_t end = isStrip ? begin + 3 : settled.size();
+        for (size_t k = begin; k < end; ++k)
+        {
+          const auto place = static_cast<vtkIdType>(k);
+          if (!settled[k] && corners->GetId(place) == input.Mesh.Triangles[t][c])
+          {
+            settled[k] = 1;
+            corners->SetId(place, field.SplitTriangles[t][c]);
+          }
+        }
+      }
+    }
+    cells->ReplaceCellAtId(local, corners);
+  }
+  output->SetPolys(polys);
+  output->SetStrips(strips);
+  // The input's, if it has any, do not know the new points.
+  output->DeleteLinks();
+}
+
 template <typename ArrayT>
 void AddPointArrays(const Result& field, vtkPointData* data)
 {
@@ -54,6 +162,11 @@ void AddPointArrays(const Result& field, vtkPointData* data)
       static_cast<vtkIdType>(i), static_cast<Value>(std::abs(field.Representation[i])));
   }
   data->AddArray(magnitude);
+  AddVectors<ArrayT>("ConstraintDirection", field.ConstraintDirection, data);
+  AddVectors<ArrayT>("PrincipalDirection0", field.Curvature.PrincipalDirection0, data);
+  AddVectors<ArrayT>("PrincipalDirection1", field.Curvature.PrincipalDirection1, data);
+  AddScalars<ArrayT>("MeanCurvature", field.Curvature.Mean, data);
+  AddScalars<ArrayT>("GaussianCurvature", field.Curvature.Gaussian, data);
 
   for (int k = 0; k < field.Degree; ++k)
   {
@@ -104,13 +217,15 @@ void AddComponentArray(
 
 /// The normal of a triangle on the side of its vertices' normals, which a triangle wound against
 /// its neighbours or one without area does not give by itself.
-Vector3 OutwardNormal(const Surface& mesh, const Triangle& triangle, const Result& field)
+Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
 {
+  const Triangle& triangle = mesh.Triangles[t];
+  const Triangle& vertices = field.SplitTriangles.empty() ? triangle : field.SplitTriangles[t];
   const Vector3& origin = mesh.Points[triangle[0]];
   const Vector3 normal =
     (mesh.Points[triangle[1]] - origin).cross(mesh.Points[triangle[2]] - origin).stableNormalized();
   const Vector3 outward =
-    field.Normal[triangle[0]] + field.Normal[triangle[1]] + field.Normal[triangle[2]];
+    field.Normal[vertices[0]] + field.Normal[vertices[1]] + field.Normal[vertices[2]];
   if (normal.squaredNorm() < 0.5)
   {
     return outward.stableNormalized();
@@ -121,6 +236,13 @@ Vector3 OutwardNormal(const Surface& mesh, const Triangle& triangle, const Resul
 
 void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
 {
+  output->GetPointData()->RemoveArray("OriginalPointIds");
+  if (!field.SplitTriangles.empty())
+  {
+    SplitPoints(field.OriginalPoint, output);
+    SplitCells(input, field, output);
+  }
+  AddScalars<vtkIntArray>("ConstraintKind", field.Constraint, output->GetPointData());
   if (output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE)
   {
     AddPointArrays<vtkDoubleArray>(field, output->GetPointData());
@@ -138,6 +260,11 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   AddComponentArray<vtkIntArray>(
     "EulerCharacteristic", field, &ComponentReport::EulerCharacteristic, data);
   AddComponentArray<vtkIntArray>("IndexSum", field, &ComponentReport::IndexSum, data);
+  AddComponentArray<vtkDoubleArray>("Lambda", field, &ComponentReport::Lambda, data);
+  AddComponentArray<vtkDoubleArray>(
+    "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, data);
+  AddComponentArray<vtkDoubleArray>(
+    "SystemResidual", field, &ComponentReport::SystemResidual, data);
 }
 
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,
@@ -166,7 +293,7 @@ void MakeSingularities(const TriangulatedPolyData& input, const Result& field, i
     index->InsertNextValue(field.SingularityIndex[t]);
     fraction->InsertNextValue(static_cast<double>(field.SingularityIndex[t]) / field.Degree);
     cells->InsertNextValue(input.CellOfTriangle[t]);
-    normals->InsertNextTuple(OutwardNormal(mesh, triangle, field).data());
+    normals->InsertNextTuple(OutwardNormal(mesh, t, field).data());
   }
 
   singularities->SetPoints(points);

@@ -6,17 +6,21 @@
 #include "FieldToPolyData.h"
 #include "PolyDataToSurface.h"
 
-#include "vtkInformation.h"
+#include "vtkDataArray.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkDirectionField);
 
@@ -46,6 +50,10 @@ std::string Describe(const DirectionFields::Repairs& repaired)
     "triangles with a repeated corner", "ignored");
   count(repaired.DegenerateTriangles, "triangle without area", "triangles without area",
     "given a little area");
+  count(repaired.NonManifoldEdges, "edge of more than two triangles",
+    "edges of more than two triangles", "split");
+  count(repaired.NonManifoldPoints, "point where several sheets meet",
+    "points where several sheets meet", "split");
   return text.str();
 }
 
@@ -59,21 +67,112 @@ DirectionFields::Result ZeroField(int degree, size_t points)
   field.XAxis.assign(points, DirectionFields::Vector3::Zero());
   return field;
 }
+
+/// A point array of a name and a number of components; null where the name is empty or ParaView's
+/// "None".
+vtkDataArray* FindPointArray(
+  vtkPolyData* input, const char* name, int components, const char* property)
+{
+  const std::string wanted = name ? name : "";
+  vtkDataArray* array = input->GetPointData()->GetArray(wanted.c_str());
+  if (wanted.empty() || (!array && wanted == "None"))
+  {
+    return nullptr;
+  }
+  if (!array || array->GetNumberOfComponents() != components)
+  {
+    throw std::invalid_argument("There is no point array \"" + wanted + "\" of " +
+      std::to_string(components) + (components == 1 ? " component" : " components") +
+      ". Choose another for " + property + ".");
+  }
+  return array;
+}
+
+DirectionFields::Guidance MakeGuidance(vtkPolyData* input, const char* vectors, const char* weights)
+{
+  DirectionFields::Guidance guidance;
+  if (vtkDataArray* array = FindPointArray(input, vectors, 3, "GuidanceVectors"))
+  {
+    guidance.Vectors.resize(static_cast<size_t>(array->GetNumberOfTuples()));
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      array->GetTuple(i, guidance.Vectors[i].data());
+    }
+  }
+  if (vtkDataArray* array = FindPointArray(input, weights, 1, "GuidanceWeights"))
+  {
+    guidance.Weights.resize(static_cast<size_t>(array->GetNumberOfTuples()));
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      guidance.Weights[i] = array->GetTuple1(i);
+    }
+  }
+  return guidance;
+}
 }
 
 //------------------------------------------------------------------------------
+/// The surface of the last input and the stages of its computation.
+class vtkDirectionField::Cache
+{
+public:
+  /// The stages are kept where the points and the triangles are the same as before, whatever
+  /// became of the input's data. They are compared by value: modification times do not tell, for
+  /// they change with each array, and do not change where points are moved in place.
+  void SetInput(vtkPolyData* input)
+  {
+    DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(input);
+    if (!this->Stages || surface.Mesh.Points != this->Surface.Mesh.Points ||
+      surface.Mesh.Triangles != this->Surface.Mesh.Triangles)
+    {
+      this->Stages.reset();
+      this->Stages.emplace(surface.Mesh);
+    }
+    this->Surface = std::move(surface);
+  }
+
+  const DirectionFields::TriangulatedPolyData& GetSurface() const { return this->Surface; }
+  DirectionFields::DirectionField& GetStages() { return *this->Stages; }
+
+private:
+  DirectionFields::TriangulatedPolyData Surface;
+  std::optional<DirectionFields::DirectionField> Stages;
+};
+
+//------------------------------------------------------------------------------
 vtkDirectionField::vtkDirectionField()
+  : Last(std::make_unique<Cache>())
 {
   const DirectionFields::Options defaults;
   this->Degree = defaults.Degree;
   this->EnergyBias = defaults.EnergyBias;
   this->Tolerance = defaults.Tolerance;
   this->MaximumIterations = defaults.MaximumIterations;
+  this->Alignment = static_cast<int>(defaults.Alignment);
+  this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
+  this->AlignmentStrength = defaults.AlignmentStrength;
+  this->UseShift = defaults.UseShift;
+  this->Shift = defaults.Shift;
+  this->GuidanceVectors = nullptr;
+  this->GuidanceWeights = nullptr;
+  this->ConstrainBoundary = defaults.ConstrainBoundary;
+  this->ConstrainSharpEdges = defaults.ConstrainSharpEdges;
+  this->FeatureAngle = defaults.FeatureAngle;
+  this->ConstrainCurvature = defaults.ConstrainCurvature;
+  this->CurvatureTolerance = defaults.CurvatureTolerance;
+  this->ConsistencyAngle = defaults.ConsistencyAngle;
+  this->DropConstraintsAtSingularities = defaults.DropConstraintsAtSingularities;
+  this->ConstrainGuidance = defaults.ConstrainGuidance;
+  this->ConstraintSolver = static_cast<int>(defaults.ConstraintSolver);
   this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
-vtkDirectionField::~vtkDirectionField() = default;
+vtkDirectionField::~vtkDirectionField()
+{
+  this->SetGuidanceVectors(nullptr);
+  this->SetGuidanceWeights(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
@@ -83,6 +182,51 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnergyBias: " << this->EnergyBias << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "CurvatureDirection: " << this->CurvatureDirection << "\n";
+  os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
+  os << indent << "UseShift: " << this->UseShift << "\n";
+  os << indent << "Shift: " << this->Shift << "\n";
+  os << indent << "GuidanceVectors: " << (this->GuidanceVectors ? this->GuidanceVectors : "(none)")
+     << "\n";
+  os << indent << "GuidanceWeights: " << (this->GuidanceWeights ? this->GuidanceWeights : "(none)")
+     << "\n";
+  os << indent << "ConstrainBoundary: " << this->ConstrainBoundary << "\n";
+  os << indent << "ConstrainSharpEdges: " << this->ConstrainSharpEdges << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "ConstrainCurvature: " << this->ConstrainCurvature << "\n";
+  os << indent << "CurvatureTolerance: " << this->CurvatureTolerance << "\n";
+  os << indent << "ConsistencyAngle: " << this->ConsistencyAngle << "\n";
+  os << indent << "DropConstraintsAtSingularities: " << this->DropConstraintsAtSingularities << "\n";
+  os << indent << "ConstrainGuidance: " << this->ConstrainGuidance << "\n";
+  os << indent << "ConstraintSolver: " << this->ConstraintSolver << "\n";
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::Options vtkDirectionField::MakeOptions() const
+{
+  DirectionFields::Options options;
+  options.Degree = this->Degree;
+  options.EnergyBias = this->EnergyBias;
+  options.Tolerance = this->Tolerance;
+  options.MaximumIterations = this->MaximumIterations;
+  options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
+  options.CurvatureDirection =
+    static_cast<DirectionFields::CurvatureDirection>(this->CurvatureDirection);
+  options.AlignmentStrength = this->AlignmentStrength;
+  options.UseShift = this->UseShift;
+  options.Shift = this->Shift;
+  options.ConstrainBoundary = this->ConstrainBoundary;
+  options.ConstrainSharpEdges = this->ConstrainSharpEdges;
+  options.FeatureAngle = this->FeatureAngle;
+  options.ConstrainCurvature = this->ConstrainCurvature;
+  options.CurvatureTolerance = this->CurvatureTolerance;
+  options.ConsistencyAngle = this->ConsistencyAngle;
+  options.DropConstraintsAtSingularities = this->DropConstraintsAtSingularities;
+  options.ConstrainGuidance = this->ConstrainGuidance;
+  options.ConstraintSolver =
+    static_cast<DirectionFields::ConstraintSolver>(this->ConstraintSolver);
+  return options;
 }
 
 //------------------------------------------------------------------------------
@@ -105,15 +249,39 @@ void vtkDirectionField::Warn(const DirectionFields::Result& field)
     vtkWarningMacro("The surface was mended for the computation: " << repairs << ".");
   }
 
+  std::string notes;
+  for (const std::string& note : field.Notes)
+  {
+    notes += (notes.empty() ? "" : " ") + note;
+  }
+  if (!notes.empty())
+  {
+    vtkWarningMacro(<< notes);
+  }
+
   double worst = 0.0;
+  double worstSystem = 0.0;
   int unfinished = 0;
+  int unsolved = 0;
   for (const auto& component : field.Components)
   {
-    if (!component.Converged)
+    if (component.Residual > this->Tolerance)
     {
       worst = std::max(worst, component.Residual);
       ++unfinished;
     }
+    else if (!component.Converged)
+    {
+      worstSystem = std::max(worstSystem, component.SystemResidual);
+      ++unsolved;
+    }
+  }
+  if (unsolved > 0)
+  {
+    vtkWarningMacro("The aligned or constrained system of "
+      << unsolved << " of " << field.Components.size()
+      << " connected components was solved to a relative residual of " << worstSystem
+      << " only. Remesh the surface more evenly.");
   }
   if (unfinished > 0)
   {
@@ -140,7 +308,8 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   std::string error;
   try
   {
-    const auto surface = DirectionFields::PolyDataToSurface(input);
+    this->Last->SetInput(input);
+    const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
     this->UpdateProgress(ProgressRead);
 
     DirectionFields::Result field;
@@ -150,18 +319,18 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     }
     else
     {
-      DirectionFields::Options options;
-      options.Degree = this->Degree;
-      options.EnergyBias = this->EnergyBias;
-      options.Tolerance = this->Tolerance;
-      options.MaximumIterations = this->MaximumIterations;
-      field = DirectionFields::DirectionField(surface.Mesh)
-                .Compute(options,
-                  [this](double done)
-                  {
-                    this->UpdateProgress(ProgressRead + done * (ProgressSolved - ProgressRead));
-                    return !this->IsAborted();
-                  });
+      // Arrays that nothing asks for may be missing.
+      DirectionFields::Guidance guidance;
+      if (this->Alignment == ALIGN_POINT_VECTORS || this->ConstrainGuidance)
+      {
+        guidance = MakeGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
+      }
+      field = this->Last->GetStages().Compute(this->MakeOptions(), guidance,
+        [this](double done)
+        {
+          this->UpdateProgress(ProgressRead + done * (ProgressSolved - ProgressRead));
+          return !this->IsAborted();
+        });
     }
     this->UpdateProgress(ProgressSolved);
     if (field.Aborted || this->IsAborted())

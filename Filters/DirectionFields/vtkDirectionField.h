@@ -21,6 +21,16 @@
  * F. Knöppel, K. Crane, U. Pinkall, P. Schröder: Globally Optimal Direction Fields.
  * ACM Transactions on Graphics 32(4), Article 59, 2013. https://doi.org/10.1145/2461912.2462005
  *
+ * With Alignment the field is drawn to the principal curvature directions (the Hopf differential
+ * of the surface) or to given vectors q: it solves (A - lambda_t M) u = M q, where lambda_t below
+ * the smallest eigenvalue follows from AlignmentStrength. Constraints fix the directions of some
+ * vertices: on the boundary, on sharp edges, where the surface is curved, or where the user gives
+ * them. They follow
+ *
+ * B. Pellenard, G. Orbay, J. Chen, S. Sohan, W. Kwok, J. R. Tristano: QMCF: QMorph Cross
+ * Field-driven Quad-dominant Meshing Algorithm. Procedia Engineering 82, 338-350, 2014.
+ * https://doi.org/10.1016/j.proeng.2014.10.394
+ *
  * @section Input Input
  * Any vtkPolyData. Triangles enter the computation as they are; polygons and triangle strips are
  * cut into triangles internally, and the results come back on the input's own points and cells.
@@ -32,8 +42,8 @@
  * The input with its data, and in addition (arrays of the same names are replaced):
  * - point data `Direction0` ... `Direction{n-1}`: 3 components, double if the points are double,
  *   else float. Unit tangent vectors, counter-clockwise about the outward normal, each 2 pi / n
- *   after the one before. Which of the n comes first is arbitrary and may change from point to
- *   point. (0, 0, 0) at points that no triangle uses. `Direction0` is the active vectors; the
+ *   after the one before. The first is the one closest to the x axis, so that neighbours mostly
+ *   agree on it. (0, 0, 0) at points that no triangle uses. `Direction0` is the active vectors; the
  *   active scalars stay what they were. Arrays `Direction{n}` ... `Direction15` that an earlier
  *   filter left are removed.
  * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, small near
@@ -45,11 +55,34 @@
  *   0 on vertices, lines and cells that take no part. Over a closed surface the values sum up to n
  *   times the Euler characteristic, exactly.
  * - field data, one tuple per connected component, ordered by their first cells:
- *   - `Eigenvalue`: double. lambda, the smoothness energy of the field, in 1 / length^2.
+ *   - `Eigenvalue`: double. lambda, the smoothness energy of the smoothest field, in 1 / length^2.
  *   - `Residual`: double. |A u - lambda M u| / |A u| reached by the solver.
  *   - `Iterations`: int. Solves that it took; 0 for small components solved directly.
  *   - `EulerCharacteristic`: int. Vertices - edges + triangles.
  *   - `IndexSum`: int. Sum of the singularity indices, in units of 1/n.
+ *   - `Lambda`: double. lambda_t of the system that gave the field, in 1 / length^2: `Eigenvalue`
+ *     for the smoothest field, less for an aligned one, the lowest double where AlignmentStrength
+ *     is 1, 0 for constraints without alignment.
+ *   - `SmoothnessEnergy`: double. u^* A u / u^* M u of the field, in 1 / length^2: `Eigenvalue` for
+ *     the smoothest field, more for any other.
+ *   - `SystemResidual`: double. Relative residual of the linear system that gave an aligned or
+ *     constrained field; for least squares that of the normal equations. 0 for the smoothest.
+ *
+ * Where they are computed, also
+ * - point data `ConstraintKind`: int. 0 not constrained, 1 boundary, 2 sharp edge, 3 curvature,
+ *   4 edge of more than two triangles, 5 given by GuidanceVectors.
+ * - point data `ConstraintDirection`: 3 components, type as above. The unit tangent vector that the
+ *   point is constrained to; (0, 0, 0) where it is not.
+ * - point data `PrincipalDirection0`, `PrincipalDirection1`: 3 components, type as above. Unit
+ *   tangent vectors of the larger and the smaller signed curvature; (0, 0, 0) where the two are
+ *   equal.
+ * - point data `MeanCurvature`, `GaussianCurvature`: type as above, in 1 / length and 1 / length^2.
+ *   The mean curvature is positive where the surface is convex; the Gaussian is 0 on the boundary.
+ * - point data `OriginalPointIds`: vtkIdType, only where the surface was split because it is no
+ *   manifold. The input's point of each point; the points that were split off come last, with the
+ *   point data of their originals, and the polygons and strips use them.
+ *
+ * Where they are not, arrays of these names that an earlier filter left are removed.
  *
  * @section Singularities Output port 1: the singularities
  * A vertex at the centroid of every triangle with an index other than 0, with point data
@@ -59,9 +92,15 @@
  * - `Normals`: 3-component float, active normals. Unit outward normal of the triangle.
  *
  * @warning
- * The surface must be a manifold that can be oriented: at most two triangles at each edge, one fan
- * of triangles at each vertex. Other input is an error that names the first offending point, and
- * both outputs are empty.
+ * Coordinates that are not finite and surfaces that cannot be oriented (a Möbius strip) are an
+ * error that names the first offending point, and both outputs are empty.
+ *
+ * @warning
+ * A surface that is no manifold is split into sheets, with a warning: at an edge of more than two
+ * triangles, and where several fans of triangles meet in a point, each gets points of its own. The
+ * vertices of such edges are always constrained to them. Vertices and lines stay on the input's
+ * points. A polygon or a strip that is cut into triangles along such an edge cannot be torn: it
+ * takes the points of its first triangle on that edge.
  *
  * @warning
  * Triangles wound against the majority of their component, duplicate triangles, triangles with a
@@ -73,8 +112,13 @@
  * is that of the triangles, and a singularity may sit in any one of them.
  *
  * @warning
- * The field is determined up to one rotation per connected component, and on symmetric shapes (a
- * sphere, say) one of several optimal fields is chosen; the same input always gives the same field.
+ * Without alignment and constraints the field is determined up to one rotation per connected
+ * component, and on symmetric shapes (a sphere, say) one of several optimal fields is chosen; the
+ * same input always gives the same field.
+ *
+ * @warning
+ * Matrices, eigenvectors and curvature of the last surface are kept, so that another alignment or
+ * other constraints take a fraction of the time of the first run. They are freed with the filter.
  *
  * @warning
  * Every connected component of the mesh counts: where points are not shared between polygons, as
@@ -87,8 +131,11 @@
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
+
 namespace DirectionFields
 {
+struct Options;
 struct Result;
 }
 
@@ -136,6 +183,181 @@ public:
   vtkGetMacro(MaximumIterations, int);
   ///@}
 
+  enum AlignmentType
+  {
+    ALIGN_NONE = 0,
+    ALIGN_PRINCIPAL_CURVATURE = 1,
+    ALIGN_POINT_VECTORS = 2
+  };
+
+  ///@{
+  /**
+   * What the field is drawn to: nothing (0, default), the principal curvature directions (1;
+   * degrees 2 and 4 only, else an error), or GuidanceVectors (2).
+   */
+  vtkSetClampMacro(Alignment, int, ALIGN_NONE, ALIGN_POINT_VECTORS);
+  vtkGetMacro(Alignment, int);
+  ///@}
+
+  enum CurvatureDirectionType
+  {
+    MAXIMUM_CURVATURE = 0,
+    MINIMUM_CURVATURE = 1
+  };
+
+  ///@{
+  /**
+   * Which principal direction a field of degree 2 is drawn or constrained to: that of the larger
+   * signed curvature (0, default) or of the smaller (1). Curvature is positive where the surface is
+   * convex. Fields of degree 4 have both.
+   */
+  vtkSetClampMacro(CurvatureDirection, int, MAXIMUM_CURVATURE, MINIMUM_CURVATURE);
+  vtkGetMacro(CurvatureDirection, int);
+  ///@}
+
+  ///@{
+  /**
+   * How strongly the field is drawn, tau, free of units: lambda_t = lambda_1 - sigma tau / (1 - tau)
+   * with sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the
+   * guidance itself; 0.5 is lambda_t = 0 on a closed curved surface, which KCPS13 recommends to
+   * start from. Range 0 to 1, default 0.5.
+   */
+  vtkSetClampMacro(AlignmentStrength, double, 0.0, 1.0);
+  vtkGetMacro(AlignmentStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Take Shift instead of AlignmentStrength. Default off.
+   */
+  vtkSetMacro(UseShift, bool);
+  vtkGetMacro(UseShift, bool);
+  vtkBooleanMacro(UseShift, bool);
+  ///@}
+
+  ///@{
+  /**
+   * lambda_1 - lambda_t in 1 / length^2, for those who know the spectrum of their surface. Range 0
+   * to VTK_DOUBLE_MAX, default 0.
+   */
+  vtkSetClampMacro(Shift, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Shift, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of 3 components that the field follows where Alignment is Point
+   * Vectors or ConstrainGuidance is on; there, it is an error if there is no such array. The
+   * vectors are projected to the tangent plane; what is left of their length is a weight. Null, the
+   * default, an empty name and "None" are no array.
+   */
+  vtkSetStringMacro(GuidanceVectors);
+  vtkGetStringMacro(GuidanceVectors);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of 1 component with further weights of the GuidanceVectors, an error if
+   * there is none; negative weights count as 0. Null, the default, an empty name and "None" are no
+   * array: 1 everywhere.
+   */
+  vtkSetStringMacro(GuidanceWeights);
+  vtkGetStringMacro(GuidanceWeights);
+  ///@}
+
+  ///@{
+  /**
+   * Constrain the points on the boundary to its direction: the mean of the n-th powers of its two
+   * edges, so that a cross field keeps right-angled corners. Default off.
+   */
+  vtkSetMacro(ConstrainBoundary, bool);
+  vtkGetMacro(ConstrainBoundary, bool);
+  vtkBooleanMacro(ConstrainBoundary, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Constrain the points on sharp edges to the sharpest of their edges. Default off.
+   */
+  vtkSetMacro(ConstrainSharpEdges, bool);
+  vtkGetMacro(ConstrainSharpEdges, bool);
+  vtkBooleanMacro(ConstrainSharpEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * An edge is sharp where the normals of its two triangles differ by more than this, in degrees.
+   * Range 0 to 180, default 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Constrain the points of high curvature to their principal directions; degrees 2 and 4 only,
+   * else an error. Default off.
+   */
+  vtkSetMacro(ConstrainCurvature, bool);
+  vtkGetMacro(ConstrainCurvature, bool);
+  vtkBooleanMacro(ConstrainCurvature, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Curvature is high where |H| l or |K| l^2 exceeds this, l being the radius of a sphere with the
+   * area of the component: a sphere has 1 everywhere. Raise it for scans, whose noise is curved.
+   * Range 0 to VTK_DOUBLE_MAX, default 2.
+   */
+  vtkSetClampMacro(CurvatureTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CurvatureTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * A curvature constraint is dropped where it differs by more than this from the constraint of a
+   * neighbour, in degrees, after transport and modulo 360 / n. Range 0 to 180, default 30.
+   */
+  vtkSetClampMacro(ConsistencyAngle, double, 0.0, 180.0);
+  vtkGetMacro(ConsistencyAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Drop the curvature constraints of triangles around which the constraints wind, too, as
+   * Pellenard et al. do. Default off.
+   */
+  vtkSetMacro(DropConstraintsAtSingularities, bool);
+  vtkGetMacro(DropConstraintsAtSingularities, bool);
+  vtkBooleanMacro(DropConstraintsAtSingularities, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Constrain the points where GuidanceVectors have a positive weight to these vectors. Default
+   * off.
+   */
+  vtkSetMacro(ConstrainGuidance, bool);
+  vtkGetMacro(ConstrainGuidance, bool);
+  vtkBooleanMacro(ConstrainGuidance, bool);
+  ///@}
+
+  enum ConstraintSolverType
+  {
+    LEAST_SQUARES = 0,
+    ENERGY = 1
+  };
+
+  ///@{
+  /**
+   * How the free points follow the constrained ones: by the least squares of the residual over all
+   * points, as Pellenard et al. have it (0, default), or by the least energy (1), which is several
+   * times faster.
+   */
+  vtkSetClampMacro(ConstraintSolver, int, LEAST_SQUARES, ENERGY);
+  vtkGetMacro(ConstraintSolver, int);
+  ///@}
+
 protected:
   vtkDirectionField();
   ~vtkDirectionField() override;
@@ -150,13 +372,37 @@ private:
   /// Whether someone asked this filter, or one before it in the pipeline, to stop.
   bool IsAborted();
 
-  /// One warning if the surface had to be mended, one if the solver did not converge.
+  /// The options of the computation, from the properties.
+  DirectionFields::Options MakeOptions() const;
+
+  /// One warning each if the surface had to be mended, if an option changed nothing, and if a solver
+  /// did not converge.
   void Warn(const DirectionFields::Result& field);
 
   int Degree;
   double EnergyBias;
   double Tolerance;
   int MaximumIterations;
+  int Alignment;
+  int CurvatureDirection;
+  double AlignmentStrength;
+  bool UseShift;
+  double Shift;
+  char* GuidanceVectors;
+  char* GuidanceWeights;
+  bool ConstrainBoundary;
+  bool ConstrainSharpEdges;
+  double FeatureAngle;
+  bool ConstrainCurvature;
+  double CurvatureTolerance;
+  double ConsistencyAngle;
+  bool DropConstraintsAtSingularities;
+  bool ConstrainGuidance;
+  int ConstraintSolver;
+
+  /// So that another strength or constraint does not start from nothing.
+  class Cache;
+  const std::unique_ptr<Cache> Last;
 };
 
 #endif

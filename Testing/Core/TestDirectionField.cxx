@@ -83,7 +83,7 @@ TEST(DirectionField, SphereEigenvaluesConvergeToDegreeTimesOneMinusBias)
 
 TEST(DirectionField, SphereOfTenThousandVerticesHasTheReferenceEigenvalues)
 {
-  const DirectionField field(Icosphere(5));
+  DirectionField field(Icosphere(5));
   const auto eigenvalue = [&](int degree, double bias)
   {
     Options options;
@@ -282,7 +282,7 @@ TEST(DirectionField, RepeatedRunsAgreeToTheByte)
     std::memcmp(a.Representation.data(), b.Representation.data(),
       a.Representation.size() * sizeof(Complex)));
   EXPECT_EQ(a.SingularityIndex, b.SingularityIndex);
-  const DirectionField field(surface);
+  DirectionField field(surface);
   Options other;
   other.Degree = 2;
   field.Compute(other);
@@ -353,9 +353,11 @@ TEST(DirectionField, ReportsRepairs)
 
 TEST(DirectionField, ProgressRisesAndStops)
 {
-  const DirectionField field(Joined(Potato(3), Transformed(Potato(2), ObliqueRotation(1), { 9, 0, 0 })));
+  const Surface surface =
+    Joined(Potato(3), Transformed(Potato(2), ObliqueRotation(1), { 9, 0, 0 }));
+  DirectionField field(surface);
   std::vector<double> seen;
-  const Result result = field.Compute({},
+  const Result result = field.Compute({}, {},
     [&](double fraction)
     {
       seen.push_back(fraction);
@@ -369,7 +371,7 @@ TEST(DirectionField, ProgressRisesAndStops)
   for (std::size_t stop = 0; stop < seen.size(); ++stop)
   {
     std::size_t calls = 0;
-    const Result aborted = field.Compute({}, [&](double) { return calls++ < stop; });
+    const Result aborted = DirectionField(surface).Compute({}, {}, [&](double) { return calls++ < stop; });
     EXPECT_TRUE(aborted.Aborted);
     EXPECT_EQ(calls, stop + 1);
     EXPECT_TRUE(aborted.Representation.empty());
@@ -378,7 +380,7 @@ TEST(DirectionField, ProgressRisesAndStops)
 
 TEST(DirectionField, RefusesOptionsOutOfRange)
 {
-  const DirectionField field(Tetrahedron());
+  DirectionField field(Tetrahedron());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Options> wrong = { { 0 }, { 17 }, { 4, -1.1 }, { 4, 1.1 }, { 4, nan },
     { 4, 0.0, 0.0 }, { 4, 0.0, 0.2 }, { 4, 0.0, nan }, { 4, 0.0, 1e-6, 0 }, { 4, 0.0, 1e-6, 10001 } };

@@ -38,7 +38,7 @@ void AddQuads(Surface& surface, int columns, int rows, bool wrapColumns, bool wr
   }
 }
 
-Surface Subdivided(const Surface& coarse)
+Surface Subdivided(const Surface& coarse, bool toUnitSphere)
 {
   Surface fine;
   fine.Points = coarse.Points;
@@ -49,7 +49,8 @@ Surface Subdivided(const Surface& coarse)
     const auto [it, inserted] = middles.emplace(key, static_cast<Index>(fine.Points.size()));
     if (inserted)
     {
-      fine.Points.push_back((0.5 * (coarse.Points[a] + coarse.Points[b])).normalized());
+      const Vector3 between = 0.5 * (coarse.Points[a] + coarse.Points[b]);
+      fine.Points.push_back(toUnitSphere ? between.normalized() : between);
     }
     return it->second;
   };
@@ -139,7 +140,7 @@ Surface Icosphere(int levels)
   Surface s = Icosahedron();
   for (int level = 0; level < levels; ++level)
   {
-    s = Subdivided(s);
+    s = Subdivided(s, true);
   }
   return s;
 }
@@ -327,6 +328,162 @@ Surface Potato(int levels)
   return s;
 }
 
+Surface FlatlySubdivided(const Surface& surface, int levels)
+{
+  Surface s = surface;
+  for (int level = 0; level < levels; ++level)
+  {
+    s = Subdivided(s, false);
+  }
+  return s;
+}
+
+Surface FourfoldDisk(int cells)
+{
+  Surface s;
+  const int n = 2 * cells + 1;
+  for (int j = -cells; j <= cells; ++j)
+  {
+    for (int i = -cells; i <= cells; ++i)
+    {
+      // Squares about the center become circles.
+      const Vector3 p(static_cast<double>(i) / cells, static_cast<double>(j) / cells, 0.0);
+      const double ring = std::max(std::abs(p.x()), std::abs(p.y()));
+      s.Points.push_back(ring > 0.0 ? Vector3(ring * p.normalized()) : p);
+    }
+  }
+  for (int j = 0; j < 2 * cells; ++j)
+  {
+    for (int i = 0; i < 2 * cells; ++i)
+    {
+      const Index a = j * n + i;
+      const Index b = a + 1;
+      const Index c = b + n;
+      const Index d = a + n;
+      // Diagonals point to the center in all four quadrants.
+      if ((i < cells) == (j < cells))
+      {
+        s.Triangles.push_back({ a, b, c });
+        s.Triangles.push_back({ a, c, d });
+      }
+      else
+      {
+        s.Triangles.push_back({ a, b, d });
+        s.Triangles.push_back({ b, c, d });
+      }
+    }
+  }
+  return s;
+}
+
+Surface LShape(int cells)
+{
+  Surface s = Square(2 * cells, 2.0);
+  s.Triangles.erase(std::remove_if(s.Triangles.begin(), s.Triangles.end(),
+                      [&](const Triangle& t)
+                      {
+                        const Vector3 middle =
+                          (s.Points[t[0]] + s.Points[t[1]] + s.Points[t[2]]) / 3.0;
+                        return middle.x() > 1.0 && middle.y() > 1.0;
+                      }),
+    s.Triangles.end());
+  return Compacted(s);
+}
+
+Surface PlateWithHole(int around, int across, double radius, bool bent)
+{
+  Surface s;
+  constexpr double bevel = 0.15;
+  const double wall = bent ? 0.5 * Pi * bevel + 0.3 : 0.0;
+  for (int j = 0; j <= across; ++j)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      // From the circle outwards along rays to a square, whose outermost part is bent down.
+      const double angle = 2.0 * Pi * i / around + 0.25 * Pi;
+      const Vector3 ray(std::cos(angle), std::sin(angle), 0.0);
+      const double t = static_cast<double>(j) / across;
+      const double stretch = (1.0 + wall) / ray.lpNorm<Eigen::Infinity>();
+      Vector3 p = ((1.0 - t) * radius + t * stretch) * ray;
+      const int axis = std::abs(p.x()) > std::abs(p.y()) ? 0 : 1;
+      const double beyond = std::abs(p[axis]) - (1.0 - bevel);
+      if (bent && beyond > 0.0)
+      {
+        const double bend = std::min(beyond / bevel, 0.5 * Pi);
+        const double scale = 1.0 / std::abs(p[axis]);
+        p *= scale * (1.0 - bevel + bevel * std::sin(bend));
+        p.z() = bevel * (std::cos(bend) - 1.0) - std::max(0.0, beyond - 0.5 * Pi * bevel);
+      }
+      s.Points.push_back(p);
+    }
+  }
+  AddQuads(s, around, across + 1, true, false);
+  for (Triangle& t : s.Triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  return s;
+}
+
+Surface ChamferedCube(int cells)
+{
+  // The surface of a cubic lattice, its outermost layer pulled in where two or three sides meet.
+  std::map<std::array<int, 3>, Index> numbers;
+  Surface s;
+  const int n = cells + 2;
+  const auto number = [&](const std::array<int, 3>& corner)
+  {
+    const auto [it, inserted] = numbers.emplace(corner, static_cast<Index>(s.Points.size()));
+    if (inserted)
+    {
+      Vector3 p;
+      int outer = 0;
+      for (int k = 0; k < 3; ++k)
+      {
+        outer += corner[k] == 0 || corner[k] == n;
+        p[k] = 2.0 * corner[k] / n - 1.0;
+      }
+      for (int k = 0; k < 3 && outer > 1; ++k)
+      {
+        if (corner[k] == 0 || corner[k] == n)
+        {
+          p[k] *= 1.0 - (outer == 2 ? 1.0 : 4.0 / 3.0) / n;
+        }
+      }
+      s.Points.push_back(p);
+    }
+    return it->second;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      for (int u = 0; u < n; ++u)
+      {
+        for (int v = 0; v < n; ++v)
+        {
+          std::array<Index, 4> q;
+          for (int k = 0; k < 4; ++k)
+          {
+            std::array<int, 3> corner;
+            corner[axis] = side * n;
+            corner[(axis + 1) % 3] = u + (k == 1 || k == 2);
+            corner[(axis + 2) % 3] = v + (k >= 2);
+            q[k] = number(corner);
+          }
+          if (!side)
+          {
+            std::swap(q[1], q[3]);
+          }
+          s.Triangles.push_back({ q[0], q[1], q[2] });
+          s.Triangles.push_back({ q[0], q[2], q[3] });
+        }
+      }
+    }
+  }
+  return s;
+}
+
 Surface Jittered(Surface surface, double length, unsigned seed)
 {
   std::mt19937 engine(seed);
@@ -400,5 +557,16 @@ Surface Shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newP
     }
   }
   return s;
+}
+
+double Deviation(const DirectionFields::Result& field, Index point, const Vector3& direction)
+{
+  double best = 180.0;
+  for (int k = 0; k < field.Degree; ++k)
+  {
+    const Vector3 d = field.Direction(point, k);
+    best = std::min(best, std::atan2(d.cross(direction).norm(), d.dot(direction)) * 180.0 / Pi);
+  }
+  return best;
 }
 }

@@ -35,6 +35,18 @@ Surface DoubleTorus();
 Surface MoebiusStrip(int segments);
 /// A closed surface without symmetries, like a potato, of 10 4^levels + 2 vertices.
 Surface Potato(int levels);
+/// Unit disk in the plane z = 0 that a turn by 90 degrees maps to itself, of 4 cells^2 squares bent
+/// and cut into two triangles.
+Surface FourfoldDisk(int cells);
+/// Two thirds of a square of side 2 in the plane z = 0, with one reflex corner.
+Surface LShape(int cells);
+/// A square of side 2 in the plane z = 0 with a round hole of the radius in its middle. The sides go
+/// on over a bevel of radius 0.15 down to walls if it is to be bent.
+Surface PlateWithHole(int around, int across, double radius, bool bent);
+/// Cube of side 2 whose edges and corners are cut off at 45 degrees, `cells` squares a face.
+Surface ChamferedCube(int cells);
+/// The triangles split in four without moving the middles outwards.
+Surface FlatlySubdivided(const Surface& surface, int levels);
 /// The points moved by pseudo-random vectors of at most the length given.
 Surface Jittered(Surface surface, double length, unsigned seed);
 
@@ -46,6 +58,9 @@ Surface Joined(const Surface& a, const Surface& b);
 /// newPoint[i] is the new number of point i, newTriangle likewise.
 Surface Shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newPoint,
   std::vector<Index>& newTriangle);
+
+/// Angle in degrees from a direction to the nearest of the n directions of a field at a point.
+double Deviation(const DirectionFields::Result& field, Index point, const Vector3& direction);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Operators.h"
+#include "SectionIntegrals.h"
 #include "Singularities.h"
 #include "SmallestEigenpair.h"
 #include "TangentFrames.h"
@@ -110,6 +111,41 @@ TEST(Operators, FlatSurfaceHasCotangentWeightsAndTheLinearMassMatrix)
     EXPECT_NEAR(m.real(), area / 12.0, 1e-11);
     EXPECT_NEAR(m.imag(), 0.0, 1e-11);
   }
+}
+
+TEST(Operators, EdgesThatJoinTheSameVerticesAddUp)
+{
+  // A fin inside a sheet leaves a slit: its two sides are edges between the same two vertices.
+  Surface sheet = Jittered(Square(4), 0.03, 2);
+  sheet.Points.emplace_back(0.4, 0.5, 1.0);
+  sheet.Triangles.push_back({ 11, 12, 25 });
+  const System system(sheet, 4, 0.3);
+  const auto& component = system.Mesh.GetComponents()[0];
+  ASSERT_EQ(component.Vertices(), 25);
+  EXPECT_EQ(system.Matrices.Energy.nonZeros(), 25 + 2 * (component.Edges() - 1));
+  const ComplexVector u = RandomVector(25, 3);
+  double energy = 0.0;
+  for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+  {
+    std::array<double, 3> squaredLength;
+    std::array<Complex, 3> transport;
+    for (int c = 0; c < 3; ++c)
+    {
+      squaredLength[c] = system.Lengths.SquaredLength[system.Mesh.Edge(3 * t + c)];
+      transport[c] =
+        std::polar(1.0, 4.0 * system.Transport.RotationAlong(system.Mesh, 3 * t + c));
+    }
+    const LocalMatrices local(squaredLength, system.Lengths.Area[t],
+      4.0 * system.Transport.Curvature[t], transport, 0.3);
+    for (int c = 0; c < 3; ++c)
+    {
+      const Complex tail = u[system.Mesh.Tail(3 * t + c)];
+      const Complex head = u[system.Mesh.Head(3 * t + c)];
+      energy += std::norm(tail) * local.EnergyDiagonal[c] +
+        2.0 * (std::conj(tail) * local.Energy[c] * head).real();
+    }
+  }
+  EXPECT_NEAR(u.dot(system.Matrices.Energy * u).real(), energy, 1e-11 * energy);
 }
 
 TEST(Operators, EnergyIsPositiveSemidefiniteAlsoWithBoundary)

@@ -179,25 +179,53 @@ TEST(TriangleMesh, RefusesNonFiniteCoordinatesOfUsedPointsOnly)
   }
 }
 
-TEST(TriangleMesh, RefusesNonManifoldEdges)
+TEST(TriangleMesh, SplitsNonManifoldEdgesIntoSheets)
 {
   Surface fin = Square(2);
   fin.Points.emplace_back(0.5, 0.25, 1.0);
   // A third triangle on the edge from the middle of the lower side to the center.
   fin.Triangles.push_back({ 1, 4, 9 });
-  EXPECT_EQ(ErrorOf(fin), std::pair(MeshError::Kind::NonManifoldEdge, Index(1)));
+  const TriangleMesh mesh(fin);
+  ExpectConsistent(mesh);
+  EXPECT_EQ(mesh.GetRepairs().NonManifoldEdges, 1);
+  // The slit reaches the border in point 1 and ends in the center, point 4: there the square has one
+  // fan, in point 1 two, and the fin has its own.
+  EXPECT_EQ(mesh.GetRepairs().NonManifoldPoints, 2);
+  ASSERT_EQ(mesh.GetComponents().size(), 2u);
+  EXPECT_EQ(mesh.GetComponents()[0].Vertices(), 10);
+  EXPECT_EQ(mesh.GetComponents()[1].Vertices(), 3);
+  Index split = 0;
+  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.IsNonManifold(h))
+    {
+      ++split;
+      EXPECT_EQ(mesh.Twin(h), None);
+      EXPECT_EQ(mesh.Point(mesh.Tail(h)) + mesh.Point(mesh.Head(h)), 5);
+    }
+  }
+  EXPECT_EQ(split, 3);
 }
 
-TEST(TriangleMesh, RefusesNonManifoldVertices)
+TEST(TriangleMesh, SplitsPointsWhereFansMeet)
 {
   // A bow-tie within a component, and two components that share a point.
   Surface bow = Disk(2);
   bow.Triangles.erase(bow.Triangles.begin() + 1);
   bow.Triangles.erase(bow.Triangles.begin() + 3);
-  EXPECT_EQ(ErrorOf(bow), std::pair(MeshError::Kind::NonManifoldVertex, Index(0)));
+  const TriangleMesh pinched(bow);
+  ExpectConsistent(pinched);
+  EXPECT_EQ(pinched.GetRepairs().NonManifoldPoints, 1);
+  EXPECT_EQ(pinched.GetRepairs().NonManifoldEdges, 0);
+  EXPECT_EQ(pinched.GetNumberOfVertices(), static_cast<Index>(bow.Points.size()) + 1);
+
   const Surface touching{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
     { { 1, 2, 0 }, { 0, 3, 4 } } };
-  EXPECT_EQ(ErrorOf(touching), std::pair(MeshError::Kind::NonManifoldVertex, Index(0)));
+  const TriangleMesh two(touching);
+  ExpectConsistent(two);
+  EXPECT_EQ(two.GetComponents().size(), 2u);
+  EXPECT_EQ(two.GetNumberOfVertices(), 6);
+  EXPECT_EQ(two.GetRepairs().NonManifoldPoints, 1);
 }
 
 TEST(TriangleMesh, RefusesNonOrientableSurfaces)

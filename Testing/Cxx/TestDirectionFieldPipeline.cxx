@@ -210,7 +210,7 @@ void TestChain()
   }
   CHECK(FieldValue(first->GetOutput(), "IndexSum") == 12);
   CHECK(FieldValue(second->GetOutput(), "IndexSum") == 4);
-  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 5);
+  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 8);
 
   // Changing the degree of a filter is the same as a new filter.
   first->SetDegree(2);

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ComponentField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace DirectionFields
+{
+namespace
+{
+/// A gap lambda_1 - lambda_t below this part of sigma leaves the smoothest field: what the guidance
+/// still changes there is below rounding.
+constexpr double SmallestGap = 1e-8;
+
+/// The matrix A - lambda_t M and the factor lambda_1 - lambda_t of M q, both over any positive number.
+struct AlignedMatrix
+{
+  SparseMatrix Matrix;
+  double GuidanceFactor;
+};
+
+AlignedMatrix MakeMatrix(const Operators& matrices, double smallest, double gap)
+{
+  if (std::isinf(gap))
+  {
+    return { matrices.Mass, 1.0 };
+  }
+  return { matrices.Energy + (gap - smallest) * matrices.Mass, gap };
+}
+
+/// lambda_1 - lambda_t, 0 to infinity.
+double Gap(const ComponentProblem& problem, const Options& options)
+{
+  if (options.UseShift)
+  {
+    return options.Shift * problem.Unit * problem.Unit;
+  }
+  const double tau = options.AlignmentStrength;
+  const double sigma = std::max(problem.Smoothest.Value, problem.Scale);
+  return tau < 1.0 ? sigma * tau / (1.0 - tau) : std::numeric_limits<double>::infinity();
+}
+
+/// alpha: 0 at constrained vertices and their neighbours, else 1.
+Eigen::VectorXd Mask(const ComponentProblem& problem)
+{
+  const SparseMatrix& mass = problem.Matrices.Mass;
+  Eigen::VectorXd mask = Eigen::VectorXd::Ones(mass.rows());
+  for (const Index v : problem.Given.Vertices)
+  {
+    for (SparseMatrix::InnerIterator it(mass, v); it; ++it)
+    {
+      mask[it.row()] = 0.0;
+    }
+  }
+  return mask;
+}
+
+/// The guidance scaled to modulus 1 in the mean square over the surface that the mask leaves; empty
+/// where nothing is left of it.
+ComplexVector Normalized(ComplexVector guidance, const SparseMatrix& mass, const Eigen::VectorXd& mask)
+{
+  // First by the largest: squares of tiny guidance must not underflow.
+  const double largest =
+    guidance.size() > 0 ? guidance.cwiseAbs().cwiseProduct(mask).maxCoeff() : 0.0;
+  if (!(largest > 0.0))
+  {
+    return {};
+  }
+  guidance /= largest;
+  const Eigen::VectorXd area = ComplexVector(mass.diagonal()).real().cwiseProduct(mask);
+  return guidance * std::sqrt(area.sum() / area.dot(guidance.cwiseAbs2()));
+}
+}
+
+std::vector<Complex> GuidanceSection(
+  const TriangleMesh& mesh, const TangentFrames& frames, const Guidance& guidance, int degree)
+{
+  std::vector<Complex> section(mesh.GetNumberOfVertices(), 0.0);
+  double longest = 0.0;
+  for (const Vector3& v : guidance.Vectors)
+  {
+    longest = v.allFinite() ? std::max(longest, v.lpNorm<Eigen::Infinity>()) : longest;
+  }
+  if (longest == 0.0)
+  {
+    return section;
+  }
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    const double given = guidance.Weights.empty() ? 1.0 : guidance.Weights[point];
+    const double weight = std::isfinite(given) ? std::max(0.0, given) : 0.0;
+    // Only relative lengths count; squares of very long or short vectors must not be lost.
+    const Vector3 vector = guidance.Vectors[point] / longest;
+    if (weight > 0.0 && vector.allFinite())
+    {
+      const Complex z(vector.dot(frames.X[v]), vector.dot(frames.Y[v]));
+      // What is left of a normal vector is rounding.
+      if (std::abs(z) > 1e-9 * vector.norm())
+      {
+        section[v] = std::polar(weight * std::abs(z), degree * std::arg(z));
+      }
+    }
+  }
+  return section;
+}
+
+std::vector<Complex> CurvatureSection(
+  const std::vector<Complex>& hopf, int degree, CurvatureDirection direction)
+{
+  std::vector<Complex> section(hopf.size());
+  std::transform(hopf.begin(), hopf.end(), section.begin(),
+    [&](const Complex& q)
+    { return degree == 4 ? q * q : direction == CurvatureDirection::Minimum ? -q : q; });
+  return section;
+}
+
+ComplexVector SolveComponent(
+  const ComponentProblem& problem, const Options& options, ComponentReport& report)
+{
+  const Operators& matrices = problem.Matrices;
+  const double smallest = problem.Smoothest.Value;
+  const double unit = problem.Unit;
+  const Eigen::VectorXd mask = Mask(problem);
+  const ComplexVector guidance = Normalized(problem.Guidance, matrices.Mass, mask);
+  const bool guided = guidance.size() > 0;
+  const bool constrained = !problem.Given.Vertices.empty();
+  const double gap = Gap(problem, options);
+  const bool smoothest = gap <= SmallestGap * std::max(smallest, problem.Scale);
+
+  SystemSolution solution;
+  report.Lambda = smallest / unit / unit;
+  if (!constrained && (!guided || smoothest))
+  {
+    solution.Vector = problem.Smoothest.Vector;
+    if (guided)
+    {
+      // The limit of the aligned fields: of all phases the one closest to the guidance.
+      const Complex overlap = solution.Vector.dot(matrices.Mass * guidance);
+      solution.Vector *= std::abs(overlap) > 0.0 ? overlap / std::abs(overlap) : Complex(1.0);
+    }
+  }
+  else if (!guided)
+  {
+    report.Lambda = 0.0;
+    const ComplexVector zero = ComplexVector::Zero(matrices.Energy.rows());
+    solution = options.ConstraintSolver == ConstraintSolver::Energy
+      ? SolveConstrainedEnergy(matrices.Energy, zero, problem.Given)
+      : SolveConstrainedLeastSquares(matrices.Energy, zero, problem.Given);
+  }
+  else
+  {
+    report.Lambda =
+      std::isinf(gap) ? std::numeric_limits<double>::lowest() : (smallest - gap) / unit / unit;
+    const AlignedMatrix aligned = MakeMatrix(matrices, smallest, gap);
+    if (!constrained)
+    {
+      solution = SolveAligned(
+        aligned.Matrix, ComplexVector(aligned.GuidanceFactor * (matrices.Mass * guidance)));
+    }
+    else
+    {
+      const ComplexVector b =
+        aligned.GuidanceFactor * mask.cast<Complex>().cwiseProduct(matrices.Mass * guidance);
+      solution = options.ConstraintSolver == ConstraintSolver::Energy
+        ? SolveConstrainedEnergy(aligned.Matrix, b, problem.Given)
+        : SolveConstrainedLeastSquares(aligned.Matrix, b, problem.Given);
+    }
+  }
+  const ComplexVector& u = solution.Vector;
+  const double size = u.dot(matrices.Mass * u).real();
+  report.SmoothnessEnergy =
+    size > 0.0 ? u.dot(matrices.Energy * u).real() / size / unit / unit : 0.0;
+  report.SystemResidual = solution.Residual;
+  return solution.Vector;
+}
+}

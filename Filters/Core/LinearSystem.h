@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LinearSystem_h
+#define DirectionFields_LinearSystem_h
+
+#include "Options.h"
+#include "Types.h"
+
+#include <functional>
+#include <vector>
+
+namespace DirectionFields
+{
+/// A field that satisfies a linear system, and how well.
+struct SystemSolution
+{
+  ComplexVector Vector;
+  /// ‖residual‖ / ‖right-hand side‖ of what was solved (for least squares: the normal equations); 0
+  /// where nothing was left to solve.
+  double Residual = 0.0;
+};
+
+/// Vertices with given representation vectors.
+struct GivenValues
+{
+  std::vector<Index> Vertices;
+  /// One for each of Vertices.
+  ComplexVector Values;
+};
+
+/// Solves K u = b for a Hermitian positive definite K.
+SystemSolution SolveAligned(const SparseMatrix& matrix, const ComplexVector& rightHandSide);
+
+/// K_ff u_f = b_f - K_fc u_c: u minimizes u^* K u - 2 Re b^* u among the fields with the given
+/// values.
+SystemSolution SolveConstrainedEnergy(
+  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given);
+
+/// K_f^* K_f u_f = K_f^* (b - K_c u_c), K_f and K_c the columns of the free and of the given
+/// vertices: u minimizes ‖K u - b‖ among the fields with the given values (POC14).
+SystemSolution SolveConstrainedLeastSquares(
+  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given);
+}
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Options_h
+#define DirectionFields_Options_h
+
+#include "Types.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// What the field is drawn to.
+enum class Alignment
+{
+  /// Nothing: the smoothest field.
+  None = 0,
+  /// The principal curvature directions; degrees 2 and 4 only.
+  PrincipalCurvature = 1,
+  /// The vectors of Guidance.
+  PointVectors = 2
+};
+
+/// Which principal direction a field of degree 2 is drawn to.
+enum class CurvatureDirection
+{
+  /// That of the larger signed curvature; curvature is positive where the surface is convex.
+  Maximum = 0,
+  Minimum = 1
+};
+
+/// How constraints enter.
+enum class ConstraintSolver
+{
+  /// The residual of the whole system A u = b is minimized over the free vertices (POC14).
+  LeastSquares = 0,
+  /// The smoothness energy is minimized over the free vertices.
+  Energy = 1
+};
+
+/// What the user asks for. The one place of the defaults.
+struct Options
+{
+  /// Degree n of the rotational symmetry: the field has n directions at each point, 2 pi / n
+  /// apart (1 vector, 2 line, 4 cross, 6 hex field). Range 1 to 16.
+  int Degree = 4;
+  /// s in the energy (1+s) E_holomorphic + (1-s) E_antiholomorphic. Range -1 to 1; 0 is the
+  /// Dirichlet energy.
+  double EnergyBias = 0.0;
+  /// Largest relative residual |A u - lambda M u| / |A u| of a solution that counts as converged.
+  /// Range 1e-12 to 0.1.
+  double Tolerance = 1e-6;
+  /// Most solves with the factored matrix that a connected component may take. Range 1 to 10000.
+  int MaximumIterations = 200;
+
+  DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
+  DirectionFields::CurvatureDirection CurvatureDirection =
+    DirectionFields::CurvatureDirection::Maximum;
+  /// tau, free of units, range 0 to 1: lambda_t = lambda_1 - sigma tau / (1 - tau) with
+  /// sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the guidance
+  /// itself; 0.5 is lambda_t = 0 on a closed curved surface, the start that KCPS13 recommends.
+  double AlignmentStrength = 0.5;
+  /// Take Shift instead of AlignmentStrength.
+  bool UseShift = false;
+  /// lambda_1 - lambda_t in 1 / length^2; at least 0.
+  double Shift = 0.0;
+
+  /// Constrain the vertices on the boundary to its direction.
+  bool ConstrainBoundary = false;
+  /// Constrain the vertices on edges sharper than FeatureAngle to the sharpest of them.
+  bool ConstrainSharpEdges = false;
+  /// Angle between the normals of the two triangles of an edge above which it is sharp, degrees.
+  /// Range 0 to 180.
+  double FeatureAngle = 30.0;
+  /// Constrain the vertices of high curvature to their principal directions; degrees 2 and 4 only.
+  bool ConstrainCurvature = false;
+  /// A vertex is constrained where |H| l or |K| l^2 exceeds this; l is the radius of a sphere with
+  /// the area of the component. A sphere has 1 everywhere. At least 0.
+  double CurvatureTolerance = 2.0;
+  /// A curvature constraint is dropped where it differs by more than this from a neighbouring
+  /// constraint, in degrees, after transport and modulo 2 pi / n. Range 0 to 180.
+  double ConsistencyAngle = 30.0;
+  /// Drop the curvature constraints of triangles around which the constraints wind (POC14).
+  bool DropConstraintsAtSingularities = false;
+  /// Constrain the vertices where Guidance has positive weight to its vectors.
+  bool ConstrainGuidance = false;
+  DirectionFields::ConstraintSolver ConstraintSolver =
+    DirectionFields::ConstraintSolver::LeastSquares;
+};
+
+/// Vectors that the user gives for the field to follow, one a point of the surface or none at all.
+struct Guidance
+{
+  /// Projected to the tangent plane; the length that remains is a weight. Non-finite vectors count
+  /// as zero.
+  std::vector<Vector3> Vectors;
+  /// Further weights, or empty for 1. Negative and non-finite ones count as 0.
+  std::vector<double> Weights;
+};
+
+/// Throw std::invalid_argument, its text a sentence for the user, for options out of range, for
+/// curvature with a degree that has none, and for guidance that is asked for and not there.
+void Check(const Options& options);
+void Check(const Guidance& guidance, const Options& options, std::size_t points);
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Result_h
+#define DirectionFields_Result_h
+
+#include "Surface.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields
+{
+/// Figures of one connected component.
+struct ComponentReport
+{
+  /// The smallest lambda of A u = lambda M u, in 1 / length^2 of the input.
+  double Eigenvalue = 0.0;
+  /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
+  /// rounding, relative to 1e-8 ||A||u||.
+  double Residual = 0.0;
+  /// Solves with the factored matrix; 0 where the component was small enough for a dense solver.
+  int Iterations = 0;
+  /// Vertices - edges + triangles.
+  int EulerCharacteristic = 0;
+  /// Sum of the singularity indices, in units of 1/n; n times EulerCharacteristic if Closed.
+  int IndexSum = 0;
+  /// lambda_t of the system that gave the field, in 1 / length^2: below Eigenvalue where the field
+  /// is aligned (the lowest double for the guidance itself), equal to it for the smoothest field, 0
+  /// for constraints without alignment.
+  double Lambda = 0.0;
+  /// u^* A u of the field scaled to u^* M u = 1, in 1 / length^2: Eigenvalue for the smoothest
+  /// field, larger for all others.
+  double SmoothnessEnergy = 0.0;
+  /// Relative residual of the linear system that gave the aligned or constrained field, 0 for the
+  /// smoothest field. For least squares that of the normal equations.
+  double SystemResidual = 0.0;
+  Index Vertices = 0;
+  Index Triangles = 0;
+  /// Vertices that are constrained.
+  Index Constraints = 0;
+  /// The component has no boundary.
+  bool Closed = false;
+  /// Residual <= Options::Tolerance.
+  bool Converged = false;
+};
+
+/// Why the direction of a point is given. Priority: Given, then Boundary and NonManifold, then
+/// SharpEdge, then Curvature.
+enum class ConstraintKind : signed char
+{
+  None = 0,
+  /// On the boundary: its direction.
+  Boundary = 1,
+  /// On a sharp edge: the edge.
+  SharpEdge = 2,
+  /// Of high curvature: a principal direction.
+  Curvature = 3,
+  /// On an edge of more than two triangles: the edge.
+  NonManifold = 4,
+  /// By the user's guidance vector.
+  Given = 5
+};
+
+/// Curvature of the surface; over the output points. Empty where it was not asked for.
+struct CurvatureReport
+{
+  /// Unit tangent vectors of the larger and of the smaller signed curvature; zero where the two
+  /// are equal.
+  std::vector<Vector3> PrincipalDirection0;
+  std::vector<Vector3> PrincipalDirection1;
+  /// H, positive where the surface is convex, and K; in 1 / length and 1 / length^2. K is 0 on the
+  /// boundary.
+  std::vector<double> Mean;
+  std::vector<double> Gaussian;
+};
+
+/// The field and its diagnostics. Arrays over points follow the input's points, then the points that
+/// were split off where the surface is no manifold; arrays over triangles follow the input's.
+struct Result
+{
+  /// Degree n of the field.
+  int Degree = 0;
+  /// Input point of each output point: itself up to the number of input points.
+  std::vector<Index> OriginalPoint;
+  /// Corners of the input's triangles as output points; empty where nothing was split.
+  std::vector<Triangle> SplitTriangles;
+  /// Representation vector u of each point: with u = |u| exp(i phi) the n directions stand at the
+  /// angles (phi + 2 pi k) / n, counter-clockwise from XAxis about Normal. Zero at points that no
+  /// triangle uses.
+  std::vector<Complex> Representation;
+  /// Unit normal of each point, weighted by angle; zero at points that no triangle uses.
+  std::vector<Vector3> Normal;
+  /// Unit tangent vector of each point from which angles are measured; zero likewise.
+  std::vector<Vector3> XAxis;
+  /// Kind of each point's constraint, and its unit vector, zero where there is none. Empty where no
+  /// point is constrained.
+  std::vector<ConstraintKind> Constraint;
+  std::vector<Vector3> ConstraintDirection;
+  CurvatureReport Curvature;
+  /// Singularity index of each triangle, in units of 1/n.
+  std::vector<int> SingularityIndex;
+  /// Connected component of each triangle, ordered by their first triangles; None if ignored.
+  std::vector<Index> Component;
+  std::vector<ComponentReport> Components;
+  Repairs Repaired;
+  /// Sentences for the user: options that changed nothing, and why.
+  std::vector<std::string> Notes;
+  /// The computation was stopped by its progress callback; all arrays are empty.
+  bool Aborted = false;
+
+  /// The k-th unit direction at a point, k = 0 ... Degree-1, counter-clockwise about the normal.
+  /// Direction 0 is the one closest to the x axis of space (the y axis where the normal is x), so
+  /// that neighbours mostly agree on it. Zero at points that no triangle uses.
+  Vector3 Direction(Index point, int k) const;
+};
+}
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Stages.h"
+
+#include "ReferenceSection.h"
+
+#include <cmath>
+#include <utility>
+
+namespace DirectionFields
+{
+Stages::Stages(const Surface& surface)
+  : Points(surface.Points)
+  , Mesh(surface)
+  , Geometry(this->Mesh, this->Points)
+  , Transport(this->Mesh, this->Geometry, this->Points)
+  , Frames(this->Mesh, this->Geometry, this->Transport, this->Points)
+{
+}
+
+double Stages::GetScale(std::size_t component, int degree) const
+{
+  return 2.0 * Pi * degree / this->Geometry.ComponentArea[component];
+}
+
+const std::vector<double>& Stages::GetDihedralAngles()
+{
+  if (!this->Dihedral)
+  {
+    this->Dihedral = DihedralAngles(this->Mesh, this->Points);
+  }
+  return *this->Dihedral;
+}
+
+const Curvature& Stages::GetCurvature()
+{
+  if (!this->Curved)
+  {
+    this->Curved.emplace(this->Mesh, this->Geometry, this->Transport, this->Frames, this->Points,
+      this->GetDihedralAngles());
+  }
+  return *this->Curved;
+}
+
+const EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& progress)
+{
+  const EnergyOptions key(options);
+  if (this->Energy && this->Energy->Key == key)
+  {
+    return &*this->Energy;
+  }
+  this->Energy.reset();
+  EnergyStage stage{ key, {}, {} };
+  const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    const TriangleMesh::Component& component = components[c];
+    const auto report = [&](int solves)
+    {
+      // Convergence takes some 10 to 20 solves as a rule.
+      const double within = solves == 0 ? 0.0 : 1.0 - 0.6 * std::exp(-0.1 * (solves - 1));
+      return !progress ||
+        progress((component.FirstVertex + within * component.Vertices()) /
+          this->Mesh.GetNumberOfVertices());
+    };
+    stage.Matrices.push_back(AssembleOperators(this->Mesh, this->Geometry, this->Transport,
+      component, options.Degree, options.EnergyBias));
+    EigenpairSettings settings;
+    settings.Tolerance = options.Tolerance;
+    settings.MaximumIterations = options.MaximumIterations;
+    settings.Scale = this->GetScale(c, options.Degree);
+    const ReferenceSection reference(
+      this->Mesh, this->Frames, this->Points, component, options.Degree);
+    Eigenpair pair = SmallestEigenpair(stage.Matrices.back().Energy, stage.Matrices.back().Mass,
+      reference.Start(), settings, report);
+    if (pair.Aborted)
+    {
+      return nullptr;
+    }
+    reference.FixPhase(pair.Vector);
+    stage.Smoothest.push_back(std::move(pair));
+  }
+  this->Energy = std::move(stage);
+  return &*this->Energy;
+}
+}

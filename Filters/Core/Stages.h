@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Stages_h
+#define DirectionFields_Stages_h
+
+#include "Connection.h"
+#include "Curvature.h"
+#include "DirectionField.h"
+#include "Metric.h"
+#include "Operators.h"
+#include "SmallestEigenpair.h"
+#include "TangentFrames.h"
+#include "TriangleMesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace DirectionFields
+{
+/// The options that the smoothest field depends on.
+struct EnergyOptions
+{
+  int Degree;
+  double EnergyBias;
+  double Tolerance;
+  int MaximumIterations;
+
+  explicit EnergyOptions(const Options& options)
+    : Degree(options.Degree)
+    , EnergyBias(options.EnergyBias)
+    , Tolerance(options.Tolerance)
+    , MaximumIterations(options.MaximumIterations)
+  {
+  }
+  bool operator==(const EnergyOptions& other) const
+  {
+    return this->Degree == other.Degree && this->EnergyBias == other.EnergyBias &&
+      this->Tolerance == other.Tolerance && this->MaximumIterations == other.MaximumIterations;
+  }
+};
+
+/// Matrices and smallest eigenpair of each component.
+struct EnergyStage
+{
+  EnergyOptions Key;
+  std::vector<Operators> Matrices;
+  std::vector<Eigenpair> Smoothest;
+};
+
+/// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others
+/// until the options change that they depend on.
+class Stages
+{
+public:
+  /// Throws MeshError.
+  explicit Stages(const Surface& surface);
+
+  const std::vector<Vector3>& GetPoints() const { return this->Points; }
+  const TriangleMesh& GetMesh() const { return this->Mesh; }
+  const Metric& GetMetric() const { return this->Geometry; }
+  const Connection& GetConnection() const { return this->Transport; }
+  const TangentFrames& GetFrames() const { return this->Frames; }
+
+  /// The order of magnitude of a component's smallest eigenvalue: 2 pi n / area, in 1 / unit^2.
+  double GetScale(std::size_t component, int degree) const;
+
+  /// Null where the progress function stopped it.
+  const EnergyStage* GetEnergy(const Options& options, const ProgressFunction& progress);
+  const std::vector<double>& GetDihedralAngles();
+  const Curvature& GetCurvature();
+
+private:
+  std::vector<Vector3> Points;
+  TriangleMesh Mesh;
+  Metric Geometry;
+  Connection Transport;
+  TangentFrames Frames;
+  std::optional<EnergyStage> Energy;
+  std::optional<std::vector<double>> Dihedral;
+  std::optional<Curvature> Curved;
+};
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Surface_h
+#define DirectionFields_Surface_h
+
+#include "Types.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// A triangle mesh as it comes in: anything may be wrong with it.
+struct Surface
+{
+  std::vector<Vector3> Points;
+  /// Corners counter-clockwise as seen from outside.
+  std::vector<Triangle> Triangles;
+};
+
+/// What had to be mended in the input; zero everywhere for a clean mesh.
+struct Repairs
+{
+  /// Triangles with a corner used twice; ignored, their index is 0.
+  Index CollapsedTriangles = 0;
+  /// Triangles with the same three corners as an earlier one; ignored, their index is 0.
+  Index DuplicateTriangles = 0;
+  /// Triangles wound against the majority of their component; turned for the computation.
+  Index ReversedTriangles = 0;
+  /// Triangles (nearly) without area; their shortest edge was lengthened by about a millionth of
+  /// their longest edge (mollification, Sharp and Crane 2020).
+  Index DegenerateTriangles = 0;
+  /// Edges of more than two triangles; the surface is split into sheets there.
+  Index NonManifoldEdges = 0;
+  /// Points where several fans of triangles meet; each fan gets a point of its own.
+  Index NonManifoldPoints = 0;
+};
+}
+
+#endif
