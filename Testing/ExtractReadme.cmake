@@ -1,0 +1,16 @@
+# Writes the first block of a language in the file README into the file OUTPUT: what the README shows
+# is what the tests run.
+function (extract_block readme language output)
+  file(READ "${readme}" text)
+  string(FIND "${text}" "\n```${language}\n" begin)
+  if (begin EQUAL -1)
+    message(FATAL_ERROR "${readme} has no block of ${language}.")
+  endif ()
+  string(LENGTH "\n```${language}\n" fence)
+  math(EXPR begin "${begin} + ${fence}")
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "\n```" end)
+  math(EXPR end "${end} + 1")
+  string(SUBSTRING "${text}" 0 ${end} text)
+  file(WRITE "${output}" "${text}")
+endfunction ()
