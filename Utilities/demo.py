@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Computes a direction field with the ParaView plugin, reports on it, writes and draws it.
 
+The module directionfields comes with the plugin, once that is loaded.
+
 Utilities/demo runs it as: pvbatch demo.py PLUGIN MESH OUTDIR DEGREE
 """
 
@@ -13,37 +15,16 @@ from paraview import servermanager
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter, vtkTriangleFilter
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-sys.dont_write_bytecode = True
-import picture
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 
 COMPONENTS_LISTED = 10
+SIZE = (1600, 1200)
+NAMES = {1: "Vector field", 2: "Line field", 4: "Cross field", 6: "Hex field"}
 
 
 def stop(message):
     sys.exit("demo: " + message)
-
-
-def read(path):
-    suffix = os.path.splitext(path)[1].lower()
-    if suffix == ".ply":
-        reader = simple.PLYReader(FileNames=[path])
-    elif suffix == ".stl":
-        reader = simple.STLReader(FileNames=[path])
-    elif suffix == ".obj":
-        reader = simple.WavefrontOBJReader(FileName=path)
-    else:
-        reader = simple.XMLPolyDataReader(FileName=[path])
-    if suffix == ".obj":
-        with open(path, encoding="utf-8", errors="replace") as file:
-            vertices = sum(line.startswith(("v ", "v\t")) for line in file)
-        reader.UpdatePipeline()
-        if reader.GetDataInformation().GetNumberOfPoints() > vertices:
-            # Where there are texture coordinates, VTK's reader may give every corner of a triangle
-            # a point of its own, which leaves no surface to compute on.
-            return simple.Clean(Input=reader, ConvertPolysToLines=0, Tolerance=0.0)
-    return reader
 
 
 class Component:
@@ -144,11 +125,43 @@ def write(source, port, path):
     print(f"Wrote {path}")
 
 
+def save(view, path):
+    """Saves the view, drawn at twice the size for smooth edges."""
+    simple.SaveScreenshot(path, view, ImageResolution=[2 * pixels for pixels in SIZE],
+                          FontScaling="Scale fonts proportionally")
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    shrink = vtkImageShrink3D()
+    shrink.SetInputConnection(reader.GetOutputPort())
+    shrink.SetShrinkFactors(2, 2, 1)
+    shrink.AveragingOn()
+    shrink.Update()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(shrink.GetOutputPort())
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def draw(field, title, path):
+    import directionfields
+    view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0, UseFXAA=1,
+                             UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
+    shown = directionfields.show(field, view=view, glyphs={"MaximumNumberOfGlyphs": 1500})
+    display = simple.Show(simple.Text(Text=title), view)
+    display.WindowLocation = "Upper Left Corner"
+    display.Color = [0.15, 0.15, 0.17]
+    for text in (display, simple.GetRepresentation(shown.caption, view)):
+        text.FontSize = 30
+    shown.legend.TitleFontSize = shown.legend.LabelFontSize = 26
+    save(view, path)
+
+
 def main():
     plugin, path, output, degree = sys.argv[1:5]
     degree = int(degree)
     simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
-    mesh = read(path)
+    import directionfields
+    mesh = directionfields.read(path)
     mesh.UpdatePipeline()
     surface = servermanager.Fetch(mesh)
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
@@ -162,7 +175,8 @@ def main():
     write(filtered, 0, os.path.join(output, "field.vtp"))
     write(filtered, 1, os.path.join(output, "singularities.vtp"))
     image = os.path.join(output, "field.png")
-    picture.draw(field, servermanager.Fetch(filtered, idx=1), degree, os.path.basename(path), image)
+    name = NAMES.get(degree, f"Field of {degree} directions")
+    draw(filtered, f"{name} of {os.path.basename(path)}", image)
     print(f"Wrote {image}")
     if not agree:
         stop("the singularity indices do not sum up to the Euler characteristic.")

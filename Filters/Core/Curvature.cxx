@@ -3,11 +3,11 @@
 
 #include "Curvature.h"
 
-#include "Factorization.h"
 #include "Operators.h"
 
+#include <Eigen/IterativeLinearSolvers>
+
 #include <cmath>
-#include <stdexcept>
 
 namespace DirectionFields
 {
@@ -68,14 +68,11 @@ Curvature::Curvature(const TriangleMesh& mesh, const Metric& metric, const Conne
     }
     const SparseMatrix mass =
       AssembleOperators(mesh, metric, connection, component, 2, 0.0).Mass;
-    Factorization factor;
-    if (!factor.Compute(mass))
-    {
-      throw std::runtime_error("The mass matrix could not be factored: the mesh has triangles of too "
-                               "different sizes or shapes. Remesh it more evenly.");
-    }
+    // Scaled by its diagonal the mass matrix is well conditioned on any mesh.
+    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(mass);
+    solver.setTolerance(1e-14);
     Eigen::Map<ComplexVector> hopf(this->Hopf.data() + component.FirstVertex, component.Vertices());
-    hopf = factor.Solve(ComplexVector(hopf));
+    hopf = solver.solve(ComplexVector(hopf));
   }
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {

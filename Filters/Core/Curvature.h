@@ -17,7 +17,6 @@ std::vector<double> DihedralAngles(const TriangleMesh& mesh, const std::vector<V
 /// Discrete curvature of a mesh over its vertices. Lengths are in units of Metric::Unit.
 struct Curvature
 {
-  /// Throws std::runtime_error if the mass matrix cannot be factored.
   Curvature(const TriangleMesh& mesh, const Metric& metric, const Connection& connection,
     const TangentFrames& frames, const std::vector<Vector3>& points,
     const std::vector<double>& dihedralAngles);

@@ -4,6 +4,7 @@
 #include "LinearSystem.h"
 
 #include "Factorization.h"
+#include "SmallestEigenpair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@ namespace
 /// Refinement goes on until the relative residual is below this, or no longer falls.
 constexpr double WantedResidual = 1e-12;
 constexpr int MaximumRefinements = 30;
+/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by
+/// that: rounding of K u alone would exceed any residual relative to a tiny right-hand side.
+constexpr double RoundingScale = 1e-6;
 /// Added to the diagonal, relative to it, where a matrix is singular up to rounding.
 constexpr double Regularizations[] = { 0.0, 1e-14, 1e-12, 1e-10, 1e-8 };
 
@@ -53,7 +57,8 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b)
   {
     const ComplexVector better = solution.Vector + factor.Solve(residual);
     const ComplexVector rest = b - matrix * better;
-    const double relative = rest.norm() / size;
+    const double relative =
+      rest.norm() / std::max(size, RoundingScale * SumOfMagnitudes(matrix, better));
     if (!(relative < solution.Residual))
     {
       break;

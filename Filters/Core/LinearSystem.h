@@ -16,8 +16,8 @@ namespace DirectionFields
 struct SystemSolution
 {
   ComplexVector Vector;
-  /// ‖residual‖ / ‖right-hand side‖ of what was solved (for least squares: the normal equations); 0
-  /// where nothing was left to solve.
+  /// ‖K u - b‖ / max(‖b‖, 1e-6 ‖|K| |u|‖) of what was solved (for least squares: the normal
+  /// equations); 0 where nothing was left to solve.
   double Residual = 0.0;
 };
 

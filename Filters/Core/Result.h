@@ -17,7 +17,7 @@ struct ComponentReport
   /// The smallest lambda of A u = lambda M u, in 1 / length^2 of the input.
   double Eigenvalue = 0.0;
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
-  /// rounding, relative to 1e-8 ||A||u||.
+  /// rounding, relative to 1e-7 ||A||u||.
   double Residual = 0.0;
   /// Solves with the factored matrix; 0 where the component was small enough for a dense solver.
   int Iterations = 0;

@@ -169,21 +169,26 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
 }
 }
 
+double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(u.size());
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+  {
+    const double size = std::abs(u[column]);
+    for (SparseMatrix::InnerIterator it(matrix, column); it; ++it)
+    {
+      sums[it.row()] += std::abs(it.value()) * size;
+    }
+  }
+  return sums.norm();
+}
+
 double RelativeResidual(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda)
 {
   const ComplexVector au = energy * u;
   const ComplexVector mu = mass * u;
-  Eigen::VectorXd absolute = Eigen::VectorXd::Zero(u.size());
-  for (Eigen::Index column = 0; column < energy.outerSize(); ++column)
-  {
-    const double size = std::abs(u[column]);
-    for (SparseMatrix::InnerIterator it(energy, column); it; ++it)
-    {
-      absolute[it.row()] += std::abs(it.value()) * size;
-    }
-  }
-  return (au - lambda * mu).norm() / std::max(au.norm(), 1e-8 * absolute.norm());
+  return (au - lambda * mu).norm() / std::max(au.norm(), 1e-7 * SumOfMagnitudes(energy, u));
 }
 
 Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass,
@@ -201,7 +206,11 @@ Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass
   {
     pair = DenseEigenpair(energy, mass, start);
     Measure(energy, mass, pair);
-    return pair;
+    if (pair.Residual <= settings.Tolerance || energy.rows() < 3)
+    {
+      return pair;
+    }
+    // The dense solver is accurate to the largest eigenvalue, which may be too far from the smallest.
   }
 
   Factorization factor;
@@ -216,9 +225,14 @@ Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass
     }
   }
   KrylovSpace space(factor, mass, start);
+  pair = {};
   pair.Residual = std::numeric_limits<double>::infinity();
   Eigenpair candidate;
-  for (int solves = 1; solves <= settings.MaximumIterations; ++solves)
+  // A space of all dimensions does not grow.
+  const int mostSolves = energy.rows() > KrylovDimension
+    ? settings.MaximumIterations
+    : std::min(settings.MaximumIterations, static_cast<int>(energy.rows()));
+  for (int solves = 1; solves <= mostSolves; ++solves)
   {
     if (!goOn(solves))
     {

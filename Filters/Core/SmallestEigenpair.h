@@ -35,7 +35,10 @@ struct EigenpairSettings
   double Scale = 1.0;
 };
 
-/// ‖A u - lambda M u‖ / max(‖A u‖, 1e-8 ‖|A| |u|‖). The second norm takes over where A u is no more
+/// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
+double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
+
+/// ‖A u - lambda M u‖ / max(‖A u‖, 1e-7 ‖|A| |u|‖). The second norm takes over where A u is no more
 /// than rounding, that is where lambda = 0.
 double RelativeResidual(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda);

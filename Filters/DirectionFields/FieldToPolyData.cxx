@@ -146,7 +146,7 @@ void SplitCells(const TriangulatedPolyData& input, const Result& field, vtkPolyD
   }
   output->SetPolys(polys);
   output->SetStrips(strips);
-  // The input's, if it has any, do not know the new points.
+  // Versions of VTK that copied the input's copied what does not know the new points.
   output->DeleteLinks();
 }
 

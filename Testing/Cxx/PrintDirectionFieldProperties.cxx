@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Prints default and range of each property of vtkDirectionField as JSON, for the comparison with
-// the server manager's.
+// the server manager's. Switches and names of arrays have no range, names are null.
 
 #include "vtkDirectionField.h"
 
@@ -12,9 +12,34 @@
 #include <iostream>
 #include <limits>
 
+namespace
+{
+void PrintDefault(const char* name, double value)
+{
+  std::cout << "  \"" << name << "\": {\"default\": " << value;
+}
+
+void PrintDefault(const char* name, const char* value)
+{
+  std::cout << "  \"" << name << "\": {\"default\": ";
+  if (value)
+  {
+    std::cout << '"' << value << '"';
+  }
+  else
+  {
+    std::cout << "null";
+  }
+}
+}
+
+#define PRINT_DEFAULT(name, end)                                                                   \
+  PrintDefault(#name, vtkNew<vtkDirectionField>()->Get##name());                                   \
+  std::cout << "}" end "\n"
+
 #define PRINT(name, end)                                                                           \
-  std::cout << "  \"" #name "\": {\"default\": " << vtkNew<vtkDirectionField>()->Get##name()       \
-            << ", \"min\": " << vtkNew<vtkDirectionField>()->Get##name##MinValue()                 \
+  PrintDefault(#name, vtkNew<vtkDirectionField>()->Get##name());                                   \
+  std::cout << ", \"min\": " << vtkNew<vtkDirectionField>()->Get##name##MinValue()                 \
             << ", \"max\": " << vtkNew<vtkDirectionField>()->Get##name##MaxValue() << "}" end "\n"
 
 int main()
@@ -23,7 +48,23 @@ int main()
   PRINT(Degree, ",");
   PRINT(EnergyBias, ",");
   PRINT(Tolerance, ",");
-  PRINT(MaximumIterations, "");
+  PRINT(MaximumIterations, ",");
+  PRINT(Alignment, ",");
+  PRINT(CurvatureDirection, ",");
+  PRINT(AlignmentStrength, ",");
+  PRINT_DEFAULT(UseShift, ",");
+  PRINT(Shift, ",");
+  PRINT_DEFAULT(GuidanceVectors, ",");
+  PRINT_DEFAULT(GuidanceWeights, ",");
+  PRINT_DEFAULT(ConstrainBoundary, ",");
+  PRINT_DEFAULT(ConstrainSharpEdges, ",");
+  PRINT(FeatureAngle, ",");
+  PRINT_DEFAULT(ConstrainCurvature, ",");
+  PRINT(CurvatureTolerance, ",");
+  PRINT(ConsistencyAngle, ",");
+  PRINT_DEFAULT(DropConstraintsAtSingularities, ",");
+  PRINT_DEFAULT(ConstrainGuidance, ",");
+  PRINT(ConstraintSolver, "");
   std::cout << "}\n";
   return 0;
 }

@@ -24,6 +24,22 @@ void TestParameters()
   CHECK(filter->GetEnergyBias() == 0.0);
   CHECK(filter->GetTolerance() == 1e-6);
   CHECK(filter->GetMaximumIterations() == 200);
+  CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
+  CHECK(filter->GetCurvatureDirection() == vtkDirectionField::MAXIMUM_CURVATURE);
+  CHECK(filter->GetAlignmentStrength() == 0.5);
+  CHECK(!filter->GetUseShift());
+  CHECK(filter->GetShift() == 0.0);
+  CHECK(filter->GetGuidanceVectors() == nullptr);
+  CHECK(filter->GetGuidanceWeights() == nullptr);
+  CHECK(!filter->GetConstrainBoundary());
+  CHECK(!filter->GetConstrainSharpEdges());
+  CHECK(filter->GetFeatureAngle() == 30.0);
+  CHECK(!filter->GetConstrainCurvature());
+  CHECK(filter->GetCurvatureTolerance() == 2.0);
+  CHECK(filter->GetConsistencyAngle() == 30.0);
+  CHECK(!filter->GetDropConstraintsAtSingularities());
+  CHECK(!filter->GetConstrainGuidance());
+  CHECK(filter->GetConstraintSolver() == vtkDirectionField::LEAST_SQUARES);
   CHECK(filter->GetNumberOfInputPorts() == 1);
   CHECK(filter->GetNumberOfOutputPorts() == 2);
 
@@ -31,10 +47,30 @@ void TestParameters()
   filter->SetEnergyBias(0.25);
   filter->SetTolerance(1e-4);
   filter->SetMaximumIterations(321);
+  filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
+  filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE);
+  filter->SetAlignmentStrength(0.75);
+  filter->UseShiftOn();
+  filter->SetShift(12.5);
+  filter->SetGuidanceVectors("wind");
+  filter->ConstrainBoundaryOn();
+  filter->ConstrainSharpEdgesOn();
+  filter->SetFeatureAngle(40.0);
+  filter->ConstrainCurvatureOn();
+  filter->SetCurvatureTolerance(3.5);
+  filter->SetConsistencyAngle(25.0);
+  filter->DropConstraintsAtSingularitiesOn();
+  filter->ConstrainGuidanceOn();
+  filter->SetConstraintSolver(vtkDirectionField::ENERGY);
   std::ostringstream text;
   filter->Print(text);
   for (const char* line :
-    { "Degree: 3\n", "EnergyBias: 0.25\n", "Tolerance: 0.0001\n", "MaximumIterations: 321\n" })
+    { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
+      " Alignment: 2\n", " CurvatureDirection: 1\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n",
+      " Shift: 12.5\n", " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n",
+      " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n",
+      " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",
+      " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n", " ConstraintSolver: 1\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -55,6 +91,29 @@ void TestParameters()
   CHECK(filter->GetMaximumIterations() == 1);
   filter->SetMaximumIterations(100000);
   CHECK(filter->GetMaximumIterations() == 10000);
+  filter->SetAlignment(3);
+  CHECK(filter->GetAlignment() == 2);
+  filter->SetAlignment(-1);
+  CHECK(filter->GetAlignment() == 0);
+  filter->SetCurvatureDirection(2);
+  CHECK(filter->GetCurvatureDirection() == 1);
+  filter->SetAlignmentStrength(1.5);
+  CHECK(filter->GetAlignmentStrength() == 1.0);
+  filter->SetAlignmentStrength(-0.5);
+  CHECK(filter->GetAlignmentStrength() == 0.0);
+  filter->SetShift(-1.0);
+  CHECK(filter->GetShift() == 0.0);
+  for (const double angle : { -1.0, 181.0 })
+  {
+    filter->SetFeatureAngle(angle);
+    CHECK(filter->GetFeatureAngle() == (angle < 0.0 ? 0.0 : 180.0));
+    filter->SetConsistencyAngle(angle);
+    CHECK(filter->GetConsistencyAngle() == (angle < 0.0 ? 0.0 : 180.0));
+  }
+  filter->SetCurvatureTolerance(-1.0);
+  CHECK(filter->GetCurvatureTolerance() == 0.0);
+  filter->SetConstraintSolver(2);
+  CHECK(filter->GetConstraintSolver() == 1);
 }
 
 void TestProgress()

@@ -12,22 +12,47 @@ state = sys.argv[2]
 if os.path.exists(state):
     os.remove(state)
 
-values = {"Degree": 3, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123}
+# None of them the default.
+values = {
+    "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
+    "Alignment": "Principal Curvature", "CurvatureDirection": "Minimum", "AlignmentStrength": 0.75,
+    "UseShift": 1, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
+    "ConstrainBoundary": 1, "ConstrainSharpEdges": 1, "FeatureAngle": 20.0, "ConstrainCurvature": 1,
+    "CurvatureTolerance": 0.5, "ConsistencyAngle": 25.0, "DropConstraintsAtSingularities": 1,
+    "ConstrainGuidance": 1, "ConstraintSolver": "Energy"}
 
 
 def figures(field):
     surface = servermanager.Fetch(field)
     singularities = servermanager.Fetch(field, idx=1)
     data = surface.GetFieldData()
-    return [data.GetArray(name).GetTuple1(0) for name in ("Eigenvalue", "Residual", "IndexSum")] + [
+    return [data.GetArray(name).GetTuple1(0) for name in (
+        "Eigenvalue", "Residual", "Lambda", "SmoothnessEnergy")] + [
         surface.GetNumberOfPoints(), singularities.GetNumberOfPoints()]
 
 
-field = DirectionField(registrationName="field", Input=Sphere(ThetaResolution=24), **values)
+# Cut open and stretched: with a boundary, sharp edges and strong curvature that no vector covers.
+mesh = Sphere(ThetaResolution=24, PhiResolution=16, EndPhi=120.0)
+stretched = Transform(Input=mesh)
+stretched.Transform.Scale = [1.0, 0.5, 2.0]
+vectors = Calculator(Input=stretched, ResultArrayName="Vectors",
+                     Function="coordsY*iHat-coordsX*jHat")
+others = Calculator(Input=vectors, ResultArrayName="Others", Function="coordsZ*iHat")
+weights = Calculator(Input=others, ResultArrayName="Weights", Function="coordsZ-0.5")
+field = DirectionField(registrationName="field", Input=weights, **values)
+assert set(values) == set(field.ListProperties()) - {"Input"}
 before = figures(field)
-assert before[2] == 6, before
+# Each property arrives where it belongs.
+described = [line.strip() for line in str(field.GetClientSideObject()).splitlines()]
+for name in values:
+    element = field.SMProxy.GetProperty(name).GetElement(0)
+    line = "%s: %s" % (name, element if isinstance(element, str) else "%g" % element)
+    assert line in described, (line, described)
 SaveState(state)
-del field
+defaults = DirectionField(Input=weights)
+for name, value in values.items():
+    assert getattr(defaults, name) != value, name
+del field, defaults, mesh, stretched, vectors, others, weights
 
 ResetSession()
 assert FindSource("field") is None

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef GlyphsToPolyData_h
+#define GlyphsToPolyData_h
+
+#include "Glyphs.h"
+#include "PolyDataToSurface.h"
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// The directions in the point data of a vtkPolyData, which must outlive them. Degree is the number
+/// of the consecutive arrays Direction0, Direction1, ... with 3 components; 0 if there is none.
+/// Magnitude is 1 where there is no array RepresentationMagnitude.
+PointDirections FindDirections(vtkPolyData* polyData);
+
+/// The triangles and points that vtkGhostType marks as duplicates of another part's, or as hidden.
+/// Empty where there are none.
+std::vector<char> GhostTriangles(vtkPolyData* polyData, const TriangulatedPolyData& surface);
+std::vector<char> GhostPoints(vtkPolyData* polyData);
+
+/// Points, cells and arrays of the glyphs. The points are double if the given data type is, else
+/// float.
+void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* output);
+}
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkDirectionFieldGlyphs.h"
+
+#include "GlyphsToPolyData.h"
+#include "PolyDataToSurface.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkDirectionFieldGlyphs);
+
+namespace
+{
+/// The share of reading the input in the progress, and of all but writing the output.
+constexpr double ProgressRead = 0.2;
+constexpr double ProgressDrawn = 0.9;
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldGlyphs::vtkDirectionFieldGlyphs()
+{
+  const DirectionFields::GlyphOptions defaults;
+  this->GlyphType = static_cast<int>(defaults.Type);
+  this->GlyphMode = static_cast<int>(defaults.Mode);
+  this->Spacing = defaults.Spacing;
+  this->MaximumNumberOfGlyphs = defaults.MaximumNumber;
+  this->Scale = defaults.Scale;
+  this->Offset = defaults.Offset;
+  this->FollowSurface = defaults.FollowSurface;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GlyphType: " << this->GlyphType << "\n";
+  os << indent << "GlyphMode: " << this->GlyphMode << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "MaximumNumberOfGlyphs: " << this->MaximumNumberOfGlyphs << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "FollowSurface: " << this->FollowSurface << "\n";
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::GlyphOptions vtkDirectionFieldGlyphs::MakeOptions() const
+{
+  DirectionFields::GlyphOptions options;
+  options.Type = static_cast<DirectionFields::GlyphType>(this->GlyphType);
+  options.Mode = static_cast<DirectionFields::GlyphMode>(this->GlyphMode);
+  options.Spacing = this->Spacing;
+  options.MaximumNumber = this->MaximumNumberOfGlyphs;
+  options.Scale = this->Scale;
+  options.Offset = this->Offset;
+  options.FollowSurface = this->FollowSurface;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionFieldGlyphs::IsAborted()
+{
+#ifdef DIRECTIONFIELDS_VTK_HAS_CHECKABORT
+  // CheckAbort notices a flag that was set with a time stamp only; the flag itself always counts.
+  return this->GetAbortExecute() || this->CheckAbort();
+#else
+  return this->GetAbortExecute() != 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!input || !output)
+  {
+    return 0;
+  }
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+
+  std::string error;
+  try
+  {
+    const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
+    if (field.Degree == 0)
+    {
+      throw std::invalid_argument("The input has no point array \"Direction0\" of 3 components. "
+                                  "Apply Direction Field first and take its first output.");
+    }
+    const auto surface = DirectionFields::PolyDataToSurface(input);
+    this->UpdateProgress(ProgressRead);
+    const auto glyphs = DirectionFields::MakeGlyphs(surface.Mesh, field,
+      DirectionFields::GhostTriangles(input, surface), DirectionFields::GhostPoints(input),
+      this->MakeOptions(),
+      [this](double done)
+      {
+        this->UpdateProgress(ProgressRead + done * (ProgressDrawn - ProgressRead));
+        return !this->IsAborted();
+      });
+    if (glyphs.Aborted || this->IsAborted())
+    {
+      output->Initialize();
+      return 1;
+    }
+    DirectionFields::AddGlyphs(glyphs, input->GetPoints()->GetDataType(), output);
+    this->UpdateProgress(1.0);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "Out of memory. Lower MaximumNumberOfGlyphs or decimate the surface.";
+  }
+  catch (const std::exception& exception)
+  {
+    error = exception.what();
+  }
+  vtkErrorMacro(<< error);
+  output->Initialize();
+  return 0;
+}

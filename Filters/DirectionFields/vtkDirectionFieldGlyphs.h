@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkDirectionFieldGlyphs
+ * @brief draws all n directions of a direction field as one glyph at each place
+ *
+ * vtkDirectionFieldGlyphs draws the field that vtkDirectionField computes: an arrow for n = 1, a
+ * rod for n = 2, a cross for n = 4, a star of n arms for any other n. The glyphs lie on the
+ * surface, a little above it, spread evenly over it or on its points.
+ *
+ * Evenly spread glyphs stand between the points, and there the field is interpolated the way
+ * directions that are defined up to turns by 2 pi / n demand: the n-th powers of the directions,
+ * taken as complex numbers, are carried from the corners of the triangle to the place by the least
+ * rotations between the tangent planes, and their mean, weighted by the place's barycentric
+ * coordinates and RepresentationMagnitude, is the n-th power of the directions there. At the points
+ * these are the given directions, in between they change continuously, and it does not matter which
+ * of the n directions is called Direction0.
+ *
+ * The places are samples with a Poisson-disk distribution, relaxed: no two on the same side of the
+ * surface are nearer to each other than the spacing, and no room is left for another. Both sides of
+ * a thin part have glyphs of their own. The time is linear in cells and glyphs, and the same input
+ * gives the same bytes.
+ *
+ * @section Input Input
+ * A vtkPolyData like output port 0 of vtkDirectionField: triangles, polygons or triangle strips
+ * with the point arrays `Direction0`, `Direction1`, ... of 3 components, unit tangent vectors at
+ * equal angles. n is the number of these arrays, counted up to the first that is missing. The point
+ * array `RepresentationMagnitude`, where there is one, weights the directions of neighbouring
+ * points. Points with directions or a weight that are zero or not finite do not contribute. Cells
+ * and points that vtkGhostType marks as hidden or as duplicates have no glyphs. An input without
+ * polygons and strips gives an empty output. For composite inputs the glyphs of every block are
+ * spread by themselves, each with the maximum number.
+ *
+ * @section Output Output
+ * Polygons, or lines for the glyph type Lines, with points that are double if the input's are, else
+ * float, and
+ * - point data `Normals`: 3-component float, active normals. Unit outward normals of the surface;
+ *   for Tubes those of the tubes.
+ * - cell data `Location`: vtkIdType. Number of the glyph that the cell belongs to, from 0.
+ * - cell data `PointId`: vtkIdType. The point of the input that the glyph is on, or for glyphs that
+ *   are spread evenly the nearest corner of the triangle that it is on.
+ * - cell data `Branch`: int. Which direction the cell shows: k on a point means Direction{k}, in
+ *   between the direction nearest to Direction{k} of the point PointId.
+ * - cell data `RepresentationMagnitude`: float. |u| of the interpolated field: small near
+ *   singularities, where directions are the less certain.
+ * - cell data `GlyphColor`: 3-component unsigned char, active scalars. The same dark color for all
+ *   cells, so that viewers tell the glyphs from the surface; ParaView maps it to one color of its
+ *   own.
+ * - field data `NumberOfGlyphs`: vtkIdType, one tuple.
+ * - field data `Spacing`: double, one tuple. The least distance between evenly spread glyphs that
+ *   was kept, in the input's unit of length. For glyphs on all points the mean of the lengths that
+ *   their sizes go by. 0 without glyphs.
+ *
+ * @warning
+ * Outward is where the cells' winding says so; directions for n > 2 know it by themselves. On a
+ * surface that is wound inside out, the glyphs are inside: take a negative Offset.
+ *
+ * @warning
+ * At a place where the interpolated field vanishes, the middle of a singularity, there is no glyph.
+ *
+ * @sa
+ * vtkDirectionField
+ */
+
+#ifndef vtkDirectionFieldGlyphs_h
+#define vtkDirectionFieldGlyphs_h
+
+#include "vtkDirectionFieldsFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+namespace DirectionFields
+{
+struct GlyphOptions;
+}
+
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldGlyphs : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkDirectionFieldGlyphs* New();
+  vtkTypeMacro(vtkDirectionFieldGlyphs, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum GlyphTypes
+  {
+    AUTOMATIC = 0,
+    LINES = 1,
+    ARROWS = 2,
+    RIBBONS = 3,
+    TUBES = 4
+  };
+
+  ///@{
+  /**
+   * What a glyph is made of: AUTOMATIC (0, default), which is ARROWS for n = 1 and RIBBONS else;
+   * LINES (1); ARROWS (2), flat and facing the normal; RIBBONS (3), flat bands that face the normal
+   * and taper towards the tip; TUBES (4), round bars with pointed tips.
+   */
+  vtkSetClampMacro(GlyphType, int, AUTOMATIC, TUBES);
+  vtkGetMacro(GlyphType, int);
+  ///@}
+
+  enum GlyphModes
+  {
+    SPREAD_EVENLY = 0,
+    ALL_POINTS = 1
+  };
+
+  ///@{
+  /**
+   * Where the glyphs are: spread evenly over the surface (0, default), or on all points that a
+   * polygon or strip uses (1), of which an evenly spread part is taken if they are more than
+   * MaximumNumberOfGlyphs.
+   */
+  vtkSetClampMacro(GlyphMode, int, SPREAD_EVENLY, ALL_POINTS);
+  vtkGetMacro(GlyphMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * Least distance between the centers of glyphs that are spread evenly, in the input's unit of
+   * length. 0: as small as MaximumNumberOfGlyphs allows. A spacing that asks for more glyphs than
+   * that is enlarged. Range 0 to VTK_DOUBLE_MAX, default 0.
+   */
+  vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Most glyphs. Range 1 to 1000000, default 2000.
+   */
+  vtkSetClampMacro(MaximumNumberOfGlyphs, int, 1, 1000000);
+  vtkGetMacro(MaximumNumberOfGlyphs, int);
+  ///@}
+
+  ///@{
+  /**
+   * Diameter of a glyph relative to the spacing; on all points, to the shortest edge of the point
+   * (but at least a quarter of the mean of its edges). Evenly spread glyphs do not overlap up to 1.
+   * Range 0.01 to 10, default 1.
+   */
+  vtkSetClampMacro(Scale, double, 0.01, 10.0);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Height of the glyphs above the surface along its normal, relative to the same. Range -1 to 1,
+   * default 0.04.
+   */
+  vtkSetClampMacro(Offset, double, -1.0, 1.0);
+  vtkGetMacro(Offset, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bend the arms along the surface, so that they neither drown in it nor stand off. Off: the arms
+   * are straight and lie in the tangent plane, and a glyph is raised where the surface is hollow.
+   * Default on.
+   */
+  vtkSetMacro(FollowSurface, bool);
+  vtkGetMacro(FollowSurface, bool);
+  vtkBooleanMacro(FollowSurface, bool);
+  ///@}
+
+protected:
+  vtkDirectionFieldGlyphs();
+  ~vtkDirectionFieldGlyphs() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkDirectionFieldGlyphs(const vtkDirectionFieldGlyphs&) = delete;
+  void operator=(const vtkDirectionFieldGlyphs&) = delete;
+
+  /// Whether someone asked this filter, or one before it in the pipeline, to stop.
+  bool IsAborted();
+
+  /// The options of the drawing, from the properties.
+  DirectionFields::GlyphOptions MakeOptions() const;
+
+  int GlyphType;
+  int GlyphMode;
+  double Spacing;
+  int MaximumNumberOfGlyphs;
+  double Scale;
+  double Offset;
+  bool FollowSurface;
+};
+
+#endif

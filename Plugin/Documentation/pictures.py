@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the pictures of the help pages: pvbatch pictures.py PLUGIN MESH"""
+import os
+import sys
+import tempfile
+
+from paraview import simple
+from vtkmodules.vtkFiltersCore import vtkImageAppend
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
+
+SIZE = (300, 300)
+FACTOR = 3
+
+simple.LoadPlugin(sys.argv[1], remote=False)
+import directionfields
+
+
+def tile(append, mesh, folder, **options):
+    view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
+                             UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
+    shown = directionfields.show(mesh, view=view, legend=False,
+                                 glyphs={"MaximumNumberOfGlyphs": 600}, **options)
+    path = os.path.join(folder, f"{append.GetNumberOfInputConnections(0)}.png")
+    simple.SaveScreenshot(path, view, ImageResolution=[FACTOR * pixels for pixels in SIZE])
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    shrink = vtkImageShrink3D()
+    shrink.SetInputConnection(reader.GetOutputPort())
+    shrink.SetShrinkFactors(FACTOR, FACTOR, 1)
+    shrink.AveragingOn()
+    shrink.Update()
+    append.AddInputConnection(shrink.GetOutputPort())
+    simple.Delete(view)
+    return shown
+
+
+def draw(name, mesh, choices):
+    with tempfile.TemporaryDirectory() as folder:
+        append = vtkImageAppend()
+        for options in choices:
+            tile(append, mesh, folder, **options)
+        writer = vtkPNGWriter()
+        writer.SetInputConnection(append.GetOutputPort())
+        writer.SetFileName(os.path.join(os.path.dirname(os.path.abspath(__file__)), name))
+        writer.Write()
+
+
+mesh = directionfields.read(sys.argv[2])
+draw("degrees.png", mesh, [{"degree": degree} for degree in (1, 2, 4)])
+draw("alignment.png", mesh, [{"Alignment": "Principal Curvature", "AlignmentStrength": strength}
+                             for strength in (0.0, 0.5, 0.9)])
+ring = simple.Triangulate(Input=simple.Disk(RadialResolution=12, CircumferentialResolution=72))
+draw("boundary.png", ring, [{"degree": 2, "ConstrainBoundary": on} for on in (0, 1)])

@@ -1,0 +1,279 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The picture of a direction field."""
+
+import collections
+import itertools
+import math
+import os
+
+from paraview import servermanager
+from paraview import simple
+
+from directionfields.files import read
+
+SURFACE_COLOR = [0.93, 0.91, 0.87]
+GLYPH_COLOR = [0.00, 0.42, 0.46]
+POSITIVE_COLOR = [0.84, 0.10, 0.11]
+NEGATIVE_COLOR = [0.09, 0.30, 0.86]
+DARK, LIGHT = [0.15, 0.15, 0.17], [1.0, 1.0, 1.0]
+MOST_DIRECTIONS = 16
+
+Picture = collections.namedtuple("Picture", "field surface glyphs legend caption view")
+Picture.__doc__ = """What show() has built.
+
+field    the filter Direction Field; its second output port are the singularities
+surface  the surface that is shown: the field with normals for smooth shading
+glyphs   the filter Direction Field Glyphs
+legend   the scalar bar of the singularities, or None
+caption  the annotation that counts the singularities, or None
+view     the render view"""
+
+
+def show(mesh, degree=4, view=None, *, glyphs=None, legend=True, **properties):
+    """Computes the direction field of a mesh and builds the whole picture of it in a view.
+
+    The surface is shown in a light solid colour, with glyphs of all directions and, at the
+    singularities, spheres that are red for a positive and blue for a negative index and as large as
+    the index. Everything stays a pipeline: properties can be changed afterwards.
+
+    mesh        a source, an output port of one, a Direction Field filter, which is shown as it is,
+                or the name of a .ply, .obj, .stl or .vtp file
+    degree      directions per point, 1 to 16
+    view        a render view; by default the active one, or else a new one with a white background.
+                In an empty view the camera is placed in front of the mesh
+    glyphs      properties of the filter Direction Field Glyphs, as a dictionary
+    legend      whether to add a legend and the number of singularities
+    properties  other properties of the filter Direction Field: EnergyBias=1.0, ...
+
+    Returns a Picture of the proxies."""
+    marks = new("DirectionFieldGlyphs", glyphs or {})
+    field = compute(mesh, degree, properties)
+    marks = connect(marks, field, glyphs or {})
+    if view is None:
+        view = simple.GetActiveView()
+        if not is_render_view(view):
+            view = white_view()
+    if not is_render_view(view):
+        raise TypeError("show() draws in a render view.")
+    empty = not any(shown.Visibility for shown in view.Representations)
+    if simple.GetRepresentation(field.Input, view):
+        simple.Hide(field.Input, view)
+
+    surface = show_surface(field, view)
+    marks = show_glyphs(marks, view)
+    lookup = show_singularities(field, view)
+    bar = caption = None
+    if legend:
+        bar, caption = show_legend(field, lookup, view)
+    if empty:
+        place_camera(view, field)
+    simple.SetActiveSource(field)
+    simple.Render(view)
+    return Picture(field, surface, marks, bar, caption, view)
+
+
+def is_render_view(view):
+    return isinstance(view, servermanager.Proxy) and view.GetXMLName() == "RenderView"
+
+
+def white_view():
+    view = simple.CreateView("RenderView")
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1.0, 1.0, 1.0]
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA = 1
+    return view
+
+
+def new(name, properties):
+    """A filter of the plugin and, to find mistakes before anything is computed, a look at the names
+    of its properties. paraview.simple knows the filter only if it has been told."""
+    if not hasattr(servermanager.filters, name):
+        servermanager.updateModules()
+    if not hasattr(servermanager.filters, name):
+        raise RuntimeError(f"ParaView does not know the filter {name}: load the plugin "
+                           "DirectionFields, on a remote server, too.")
+    proxy = getattr(servermanager.filters, name)()
+    known = set(proxy.ListProperties()) - {"Input"}
+    unknown = sorted(set(properties) - known)
+    if unknown:
+        raise TypeError(f"{proxy.GetXMLLabel()} has no property {unknown[0]}, but "
+                        f"{', '.join(sorted(known))}.")
+    return proxy
+
+
+def connect(proxy, source, properties):
+    controller = servermanager.ParaViewPipelineController()
+    controller.PreInitializeProxy(proxy)
+    proxy.Input = source
+    for name, value in properties.items():
+        setattr(proxy, name, value)
+    controller.PostInitializeProxy(proxy)
+    controller.RegisterPipelineProxy(proxy)
+    return proxy
+
+
+def compute(mesh, degree, properties):
+    """The filter with a field that is known to be good."""
+    if isinstance(mesh, (str, os.PathLike)):
+        mesh = read(mesh)
+    if mesh is None:
+        raise ValueError("There is no mesh: open one and select it.")
+    if not isinstance(mesh, servermanager.SourceProxy):
+        raise TypeError("show() takes a source, an output port or the name of a file, not "
+                        f"{type(mesh).__name__}.")
+    if mesh.GetXMLName() == "DirectionField":
+        # Whichever of its ports was given.
+        field = simple.OutputPort(mesh, 0)
+        if properties:
+            raise TypeError("show() does not change the properties of a filter that it is given.")
+    else:
+        if isinstance(degree, bool) or degree not in range(1, MOST_DIRECTIONS + 1):
+            raise ValueError(f"The degree is a whole number from 1 to {MOST_DIRECTIONS}, not "
+                             f"{degree!r}.")
+        field = new("DirectionField", properties)
+        mesh.UpdatePipeline()
+        if mesh.GetDataInformation().GetNumberOfCells() == 0:
+            raise ValueError("The mesh has no cells.")
+        # What may be aligned to depends on the degree, which therefore comes first.
+        connect(field, mesh, {"Degree": int(degree), **properties})
+    field.UpdatePipeline()
+    if not field.GetDataInformation(0).GetCellDataInformation().GetArrayInformation(
+            "SingularityIndex"):
+        raise RuntimeError("The mesh has no direction field; the filter's message says why.")
+    return field
+
+
+def diagonal(field):
+    bounds = field.GetDataInformation(0).GetBounds()
+    return sum((bounds[2 * k + 1] - bounds[2 * k]) ** 2 for k in range(3)) ** 0.5
+
+
+def color(display, rgb):
+    display.ColorArrayName = ["POINTS", ""]
+    display.DiffuseColor = display.AmbientColor = rgb
+
+
+def show_surface(field, view):
+    surface = field
+    if not field.PointData.GetArray("Normals"):
+        # Splits at sharp edges only. The orientation is the mesh's own.
+        surface = simple.GenerateSurfaceNormals(
+            registrationName="Surface", Input=field, FeatureAngle=60.0, Consistency=0)
+    display = simple.Show(surface, view)
+    display.SetRepresentationType("Surface")
+    color(display, SURFACE_COLOR)
+    display.Specular = 0.1
+    display.Ambient = 0.2
+    if surface is not field and simple.GetRepresentation(field, view):
+        simple.Hide(field, view)
+    return surface
+
+
+def show_glyphs(marks, view):
+    display = simple.Show(marks, view)
+    display.SetRepresentationType("Surface")
+    color(display, GLYPH_COLOR)
+    display.Ambient = 0.3
+    return marks
+
+
+def show_singularities(field, view):
+    singularities = simple.OutputPort(field, 1)
+    display = simple.Show(singularities, view)
+    display.SetRepresentationType("3D Glyphs")
+    display.GlyphType = "Sphere"
+    display.GlyphType.ThetaResolution = 24
+    display.GlyphType.PhiResolution = 16
+    # The magnitude of an index: spheres do not tell where they are turned inside out.
+    display.Scaling = 1
+    display.ScaleMode = "Magnitude"
+    display.SelectScaleArray = "SingularityIndex"
+    display.ScaleFactor = 0.022 * diagonal(field)
+    display.Specular = 0.4
+    # A color map of its own, for the index of the cells has nothing to do with it. Set by hand:
+    # ColorBy() warns where there is no singularity to take the range from.
+    display.UseSeparateColorMap = 1
+    lookup = simple.GetColorTransferFunction("SingularityIndex", display, separate=True)
+    display.ColorArrayName = ["POINTS", "SingularityIndex"]
+    display.LookupTable = lookup
+    lookup.AutomaticRescaleRangeMode = "Never"
+    lookup.ColorSpace = "Step"
+    lookup.Discretize = 1
+    lookup.NumberOfTableValues = 2
+    lookup.RGBPoints = [-1.0, *NEGATIVE_COLOR, 0.0, *NEGATIVE_COLOR,
+                        0.0, *POSITIVE_COLOR, 1.0, *POSITIVE_COLOR]
+    lookup.AnnotationsInitialized = 1
+    lookup.Annotations = ["-0.5", "negative", "0.5", "positive"]
+    return lookup
+
+
+def text_color(view):
+    background = view.Background if not view.UseColorPaletteForBackground else [0.32, 0.34, 0.43]
+    return DARK if sum(background) > 1.5 else LIGHT
+
+
+def show_legend(field, lookup, view):
+    bar = simple.GetScalarBar(lookup, view)
+    bar.Title = "Singularities"
+    bar.ComponentTitle = ""
+    bar.HorizontalTitle = 1
+    bar.DrawTickMarks = bar.DrawTickLabels = bar.AddRangeLabels = 0
+    bar.ScalarBarLength = 0.12
+    bar.WindowLocation = "Any Location"
+    bar.Position = [0.9, 0.03]
+    bar.TitleColor = bar.LabelColor = text_color(view)
+    bar.Visibility = 1
+    caption = simple.PythonAnnotation(
+        registrationName="Number of singularities", Input=simple.OutputPort(field, 1),
+        ArrayAssociation="Point Data",
+        Expression="'%d positive, %d negative singularities' % "
+                   "(sum(SingularityIndex > 0), sum(SingularityIndex < 0))")
+    display = simple.Show(caption, view)
+    display.Color = text_color(view)
+    display.WindowLocation = "Lower Left Corner"
+    return bar, caption
+
+
+def place_camera(view, field):
+    """In front of the mesh, a little to the left and above, y upwards; flat ones from above. The
+    box around the mesh fills the view but for a margin, a little more of it at the bottom, where
+    the caption is. ParaView's own ResetCamera() leaves half of the view empty."""
+    bounds = field.GetDataInformation(0).GetBounds()
+    middle = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
+    half = [0.5 * (bounds[2 * k + 1] - bounds[2 * k]) for k in range(3)]
+    towards, up = [-0.25, 0.22, 1.0], [0.0, 1.0, 0.0]
+    if min(half) < 0.05 * max(half):
+        thin = half.index(min(half))
+        towards = [float(k == thin) for k in range(3)]
+        if thin == 1:
+            up = [0.0, 0.0, -1.0]
+    towards = unit(towards)
+    right = unit(cross(up, towards))
+    up = cross(towards, right)
+
+    slope = math.tan(math.radians(0.5 * view.CameraViewAngle))
+    aspect = view.ViewSize[0] / max(view.ViewSize[1], 1)
+    distance = 1e-6
+    for signs in itertools.product((-1.0, 1.0), repeat=3):
+        corner = [signs[k] * half[k] for k in range(3)]
+        x, y, z = dot(corner, right), dot(corner, up), dot(corner, towards)
+        distance = max(distance, z + abs(x) / (0.92 * slope * aspect), z + abs(y) / (0.84 * slope))
+    focus = [middle[k] - 0.05 * distance * slope * up[k] for k in range(3)]
+    view.CameraFocalPoint = focus
+    view.CameraPosition = [focus[k] + distance * towards[k] for k in range(3)]
+    view.CameraViewUp = up
+    view.CenterOfRotation = middle
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def unit(a):
+    return [x / math.sqrt(dot(a, a)) for x in a]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a filter keeps from run to run saves time and changes nothing.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <functional>
+
+using namespace TestChecks;
+
+namespace
+{
+using Settings = std::function<void(vtkDirectionField*)>;
+
+/// All outputs are, byte by byte, those of a new filter with the same properties and a copy of the
+/// input.
+void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(input);
+  vtkNew<vtkDirectionField> fresh;
+  fresh->SetInputData(copy);
+  fresh->SetDegree(filter->GetDegree());
+  fresh->SetEnergyBias(filter->GetEnergyBias());
+  fresh->SetTolerance(filter->GetTolerance());
+  fresh->SetMaximumIterations(filter->GetMaximumIterations());
+  fresh->SetAlignment(filter->GetAlignment());
+  fresh->SetCurvatureDirection(filter->GetCurvatureDirection());
+  fresh->SetAlignmentStrength(filter->GetAlignmentStrength());
+  fresh->SetUseShift(filter->GetUseShift());
+  fresh->SetShift(filter->GetShift());
+  fresh->SetGuidanceVectors(filter->GetGuidanceVectors());
+  fresh->SetGuidanceWeights(filter->GetGuidanceWeights());
+  fresh->SetConstrainBoundary(filter->GetConstrainBoundary());
+  fresh->SetConstrainSharpEdges(filter->GetConstrainSharpEdges());
+  fresh->SetFeatureAngle(filter->GetFeatureAngle());
+  fresh->SetConstrainCurvature(filter->GetConstrainCurvature());
+  fresh->SetCurvatureTolerance(filter->GetCurvatureTolerance());
+  fresh->SetConsistencyAngle(filter->GetConsistencyAngle());
+  fresh->SetDropConstraintsAtSingularities(filter->GetDropConstraintsAtSingularities());
+  fresh->SetConstrainGuidance(filter->GetConstrainGuidance());
+  fresh->SetConstraintSolver(filter->GetConstraintSolver());
+  fresh->Update();
+  REQUIRE(filter->GetOutput()->GetNumberOfPoints() > 0);
+  CHECK(IsSame(filter->GetOutput()->GetPointData(), fresh->GetOutput()->GetPointData()));
+  CHECK(IsSame(filter->GetOutput()->GetCellData(), fresh->GetOutput()->GetCellData()));
+  CHECK(IsSame(filter->GetOutput()->GetFieldData(), fresh->GetOutput()->GetFieldData()));
+  CHECK(IsSame(filter->GetOutput(1)->GetPointData(), fresh->GetOutput(1)->GetPointData()));
+  CHECK(IsSame(
+    filter->GetOutput()->GetPoints()->GetData(), fresh->GetOutput()->GetPoints()->GetData()));
+}
+
+TestMeshes::Mesh WithVectors(TestMeshes::Mesh mesh)
+{
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("vectors");
+  vectors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    vectors->InsertNextTuple3(1.0, 0.3, std::sin(static_cast<double>(i)));
+  }
+  mesh->GetPointData()->AddArray(vectors);
+  return mesh;
+}
+
+/// Each setting on top of the ones before it.
+void TestSettings()
+{
+  const std::vector<Settings> changes = {
+    [](vtkDirectionField*) {},
+    [](vtkDirectionField* filter)
+    { filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE); },
+    [](vtkDirectionField* filter) { filter->SetAlignmentStrength(0.8); },
+    [](vtkDirectionField* filter) { filter->ConstrainBoundaryOn(); },
+    [](vtkDirectionField* filter)
+    { filter->SetConstraintSolver(vtkDirectionField::ENERGY); },
+    [](vtkDirectionField* filter) { filter->SetDegree(2); },
+    [](vtkDirectionField* filter)
+    { filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE); },
+    [](vtkDirectionField* filter)
+    {
+      filter->ConstrainSharpEdgesOn();
+      filter->SetFeatureAngle(6.0);
+    },
+    [](vtkDirectionField* filter) { filter->SetFeatureAngle(8.0); },
+    [](vtkDirectionField* filter)
+    {
+      filter->ConstrainSharpEdgesOff();
+      filter->ConstrainCurvatureOn();
+      filter->SetCurvatureTolerance(0.4);
+    },
+    // Constraints everywhere, also where they wind.
+    [](vtkDirectionField* filter)
+    {
+      filter->SetCurvatureTolerance(0.0);
+      filter->SetConsistencyAngle(180.0);
+    },
+    [](vtkDirectionField* filter) { filter->DropConstraintsAtSingularitiesOn(); },
+    [](vtkDirectionField* filter) { filter->SetConsistencyAngle(10.0); },
+    [](vtkDirectionField* filter)
+    {
+      filter->ConstrainCurvatureOff();
+      filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
+      filter->SetGuidanceVectors("vectors");
+      filter->SetDegree(6);
+    },
+    [](vtkDirectionField* filter) { filter->SetEnergyBias(0.5); },
+    [](vtkDirectionField* filter)
+    {
+      filter->UseShiftOn();
+      filter->SetShift(7.0);
+    },
+    [](vtkDirectionField* filter) { filter->ConstrainBoundaryOff(); },
+    [](vtkDirectionField* filter) { filter->SetTolerance(1e-9); },
+    [](vtkDirectionField* filter)
+    {
+      filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
+      filter->SetDegree(4);
+      filter->SetEnergyBias(0.0);
+      filter->SetTolerance(1e-6);
+    },
+  };
+  // Open, so that there is a boundary.
+  auto mesh = WithVectors(TestMeshes::Pebble(3));
+  vtkNew<vtkUnsignedCharArray> hidden;
+  hidden->SetName("vtkGhostType");
+  hidden->SetNumberOfTuples(mesh->GetNumberOfCells());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    mesh->GetCellBounds(i, bounds);
+    hidden->SetValue(i, bounds[4] > 0.5 ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  mesh->GetCellData()->AddArray(hidden);
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  vtkNew<vtkDoubleArray> last;
+  for (const Settings& change : changes)
+  {
+    change(filter);
+    filter->Update();
+    CheckAsNew(filter, mesh);
+    // Each setting changes something, for the comparison to mean anything.
+    vtkDataArray* now = filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude");
+    REQUIRE(now);
+    CHECK(!IsSame(last, now));
+    last->DeepCopy(now);
+  }
+}
+
+/// A change of the input is noticed, however it is made.
+void TestInput()
+{
+  auto mesh = WithVectors(TestMeshes::Pebble(2));
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+  const auto check = [&]
+  {
+    vtkNew<vtkDoubleArray> before;
+    before->DeepCopy(filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude"));
+    filter->Update();
+    CHECK(!IsSame(
+      before, filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude")));
+    CheckAsNew(filter, mesh);
+  };
+  filter->Update();
+  CheckAsNew(filter, mesh);
+
+  // Points moved in place, and any of those told that know them.
+  mesh->GetPoints()->SetPoint(5, 1.4, 0.2, 0.1);
+  mesh->Modified();
+  check();
+  mesh->GetPoints()->SetPoint(7, 0.1, 1.2, 0.1);
+  mesh->GetPoints()->Modified();
+  check();
+  mesh->GetPoints()->SetPoint(9, 0.1, 0.2, 1.3);
+  mesh->GetPoints()->GetData()->Modified();
+  check();
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(mesh->GetPoints());
+  points->SetPoint(11, -1.0, 0.0, 0.3);
+  mesh->SetPoints(points);
+  check();
+
+  // Other cells on the same points; cells hidden.
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 1; i < mesh->GetNumberOfPolys(); ++i)
+  {
+    mesh->GetPolys()->GetCellAtId(i, ids);
+    polys->InsertNextCell(ids);
+  }
+  mesh->SetPolys(polys);
+  check();
+  vtkNew<vtkUnsignedCharArray> hidden;
+  hidden->SetName("vtkGhostType");
+  hidden->SetNumberOfTuples(mesh->GetNumberOfCells());
+  hidden->FillValue(0);
+  mesh->GetCellData()->AddArray(hidden);
+  hidden->SetValue(160, vtkDataSetAttributes::HIDDENCELL);
+  hidden->Modified();
+  check();
+  mesh->GetCellData()->RemoveArray("vtkGhostType");
+  check();
+
+  // Vertices before the polygons change the numbers of these, and nothing else.
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  mesh->SetVerts(verts);
+  filter->Update();
+  CheckAsNew(filter, mesh);
+
+  // Guidance of the same name with other values.
+  filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
+  filter->SetGuidanceVectors("vectors");
+  filter->Update();
+  mesh->GetPointData()->GetArray("vectors")->SetTuple3(3, 0.0, 5.0, 0.0);
+  mesh->GetPointData()->GetArray("vectors")->Modified();
+  check();
+
+  // An error in between.
+  mesh->GetPoints()->SetPoint(2, std::nan(""), 0.0, 0.0);
+  mesh->GetPoints()->Modified();
+  {
+    vtkNew<Messages> messages;
+    messages->Observe(filter);
+    filter->Update();
+    CHECK(messages->IsOneError({ "point 2" }));
+    filter->RemoveAllObservers();
+  }
+  mesh->GetPoints()->SetPoint(2, -1.0, -1.0, 0.5);
+  mesh->GetPoints()->Modified();
+  filter->Update();
+  CheckAsNew(filter, mesh);
+}
+
+/// Filters that take turns do not disturb each other.
+void TestTwoFilters()
+{
+  auto mesh = TestMeshes::Pebble(2);
+  auto other = TestMeshes::QuadTorus(20, 10);
+  vtkNew<vtkDirectionField> one, two;
+  one->SetInputData(mesh);
+  two->SetInputData(mesh);
+  two->SetDegree(2);
+  for (const double strength : { 0.2, 0.6 })
+  {
+    for (vtkDirectionField* filter : { one.Get(), two.Get() })
+    {
+      filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+      filter->SetAlignmentStrength(strength);
+      filter->Update();
+    }
+    CheckAsNew(one, mesh);
+    CheckAsNew(two, mesh);
+  }
+  two->SetInputData(other);
+  two->Update();
+  one->SetAlignmentStrength(0.7);
+  one->Update();
+  CheckAsNew(one, mesh);
+  CheckAsNew(two, other);
+}
+
+/// The eigenvalue problem is not solved again for another strength, nor for an array more: its
+/// progress is not heard of.
+void TestSaving()
+{
+  auto mesh = WithVectors(TestMeshes::Pebble(3));
+  int solving = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&solving);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void* progress)
+    {
+      const double done = *static_cast<double*>(progress);
+      *static_cast<int*>(client) += done > 0.1 && done < 0.55 ? 1 : 0;
+    });
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+  filter->AddObserver(vtkCommand::ProgressEvent, count);
+  filter->Update();
+  CHECK(solving >= 3);
+
+  const auto check = [&](bool solves)
+  {
+    solving = 0;
+    filter->Update();
+    CHECK((solving > 0) == solves);
+  };
+  filter->SetAlignmentStrength(0.9);
+  check(false);
+  filter->ConstrainCurvatureOn();
+  filter->SetCurvatureTolerance(0.5);
+  check(false);
+  vtkNew<vtkDoubleArray> more;
+  more->SetName("more");
+  more->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  more->Fill(0.0);
+  mesh->GetPointData()->AddArray(more);
+  check(false);
+  mesh->Modified();
+  check(false);
+  filter->SetDegree(2);
+  check(true);
+  mesh->GetPoints()->SetPoint(0, 1.0, 1.0, 0.0);
+  mesh->GetPoints()->Modified();
+  check(true);
+}
+}
+
+int TestDirectionFieldCache(int, char*[])
+{
+  TestSettings();
+  TestInput();
+  TestTwoFilters();
+  TestSaving();
+  return Result();
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A picture of the glyphs on their surface against a baseline:
+//
+//   TestDirectionFieldGlyphsImage MESH DEGREE GLYPHS BASELINE OUTPUT [turned]
+//
+// MESH is "bumpy", "valley" or a PLY file, GLYPHS the type of the glyphs: Automatic, Lines, Arrows,
+// Ribbons or Tubes. The picture is written to OUTPUT. With "turned" the field is turned by 10
+// degrees before the glyphs are made, and the test passes if the comparison fails.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+#include "vtkDirectionFieldGlyphs.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkImageDifference.h"
+#include "vtkPLYReader.h"
+#include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+using namespace TestChecks;
+
+namespace
+{
+constexpr int WindowSize = 600;
+
+/// The picture of correct glyphs may differ by this much on another machine; those of a field
+/// turned by 10 degrees differ by more than the second value. In percent of the greatest
+/// difference.
+constexpr double MostDifference = 0.25;
+constexpr double LeastTurnedDifference = 0.5;
+
+struct Scene
+{
+  TestMeshes::Mesh Mesh;
+  int Glyphs;
+  double Position[3];
+  double FocalPoint[3];
+  double ViewUp[3];
+  /// Half the height of the view.
+  double Scale;
+};
+
+/// A sphere with bumps and hollows.
+TestMeshes::Mesh BumpySphere()
+{
+  auto mesh = TestMeshes::Icosphere(4);
+  vtkPoints* points = mesh->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    const double bump = 1.0 +
+      0.09 * std::sin(4.0 * p[0] + 1.0) * std::sin(4.0 * p[1] + 0.5) * std::cos(4.0 * p[2]) +
+      0.05 * p[0];
+    points->SetPoint(i, bump * p[0], bump * p[1], bump * p[2]);
+  }
+  return mesh;
+}
+
+/// A coarse surface with a sharp valley and a sharp ridge.
+TestMeshes::Mesh Valley()
+{
+  return TestMeshes::Make({ { -1.6, -1, 0.8 }, { -0.8, -1, 0 }, { 0, -1, 0.8 }, { 0.8, -1, 0 },
+                            { 1.6, -1, 0.8 }, { -1.6, 1, 0.8 }, { -0.8, 1, 0 }, { 0, 1, 0.8 },
+                            { 0.8, 1, 0 }, { 1.6, 1, 0.8 } },
+    { { 0, 1, 6 }, { 0, 6, 5 }, { 1, 2, 7 }, { 1, 7, 6 }, { 2, 3, 8 }, { 2, 8, 7 }, { 3, 4, 9 },
+      { 3, 9, 8 } });
+}
+
+Scene MakeScene(const std::string& mesh)
+{
+  if (mesh == "bumpy")
+  {
+    return { BumpySphere(), 320, { 4.0, -6.0, 3.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 1.13 };
+  }
+  if (mesh == "valley")
+  {
+    return { Valley(), 90, { 0.5, -3.0, 5.0 }, { 0.0, 0.0, 0.35 }, { 0.0, 1.0, 0.0 }, 1.75 };
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(mesh.c_str());
+  reader->Update();
+  Scene scene = { reader->GetOutput(), 800, {}, {}, { 0.0, 1.0, 0.0 }, 0.0 };
+  double bounds[6];
+  scene.Mesh->GetBounds(bounds);
+  const double height = bounds[3] - bounds[2];
+  for (int c = 0; c < 3; ++c)
+  {
+    scene.FocalPoint[c] = (bounds[2 * c] + bounds[2 * c + 1]) / 2.0;
+    scene.Position[c] = scene.FocalPoint[c];
+  }
+  scene.Position[2] += 5.0 * height;
+  scene.Position[0] += 0.6 * height;
+  scene.Position[1] += 1.0 * height;
+  scene.Scale = 0.56 * height;
+  return scene;
+}
+
+int TypeOf(const std::string& name)
+{
+  const std::vector<std::string> names = { "Automatic", "Lines", "Arrows", "Ribbons", "Tubes" };
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void Turn(vtkPolyData* field, int degree, double angle)
+{
+  const auto normals = Normals(field);
+  for (int k = 0; k < degree; ++k)
+  {
+    vtkDataArray* direction = Direction(field, k);
+    for (vtkIdType i = 0; i < direction->GetNumberOfTuples(); ++i)
+    {
+      double d[3], side[3];
+      direction->GetTuple(i, d);
+      vtkMath::Cross(normals[static_cast<size_t>(i)].data(), d, side);
+      for (int c = 0; c < 3; ++c)
+      {
+        direction->SetComponent(i, c, std::cos(angle) * d[c] + std::sin(angle) * side[c]);
+      }
+    }
+  }
+}
+
+vtkSmartPointer<vtkActor> Add(vtkRenderer* renderer, vtkPolyData* shape)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shape);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+vtkSmartPointer<vtkImageData> Draw(const Scene& scene, vtkPolyData* glyphs)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(scene.Mesh);
+  normals->SetFeatureAngle(40.0);
+  normals->Update();
+  auto surface = Add(renderer, normals->GetOutput());
+  surface->GetProperty()->SetColor(0.93, 0.91, 0.87);
+  surface->GetProperty()->SetAmbient(0.15);
+  surface->GetProperty()->SetDiffuse(0.85);
+  auto shapes = Add(renderer, glyphs);
+  shapes->GetProperty()->SetColor(0.0, 0.30, 0.40);
+  shapes->GetProperty()->SetAmbient(0.3);
+  shapes->GetProperty()->SetLineWidth(3.0);
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(WindowSize, WindowSize);
+  window->AddRenderer(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetPosition(scene.Position);
+  camera->SetFocalPoint(scene.FocalPoint);
+  camera->SetViewUp(scene.ViewUp);
+  camera->SetParallelScale(scene.Scale);
+  renderer->ResetCameraClippingRange();
+  window->Render();
+
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+
+/// Percent of the greatest possible difference, averaged over the image. Pixels may not move, as
+/// vtkTesting lets them, for a glyph that turns moves its pixels little; they are averaged with
+/// their neighbours, for the edges of polygons.
+double Difference(vtkImageData* image, const std::string& baseline)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(baseline.c_str());
+  vtkNew<vtkImageDifference> difference;
+  difference->SetInputData(image);
+  difference->SetImageConnection(reader->GetOutputPort());
+  difference->AllowShiftOff();
+  difference->AveragingOn();
+  difference->SetThreshold(16);
+  difference->Update();
+  return 100.0 * difference->GetThresholdedError() / (WindowSize * WindowSize);
+}
+}
+
+int TestDirectionFieldGlyphsImage(int argc, char* argv[])
+{
+  if (argc < 6)
+  {
+    std::cerr << "Arguments: MESH DEGREE GLYPHS BASELINE OUTPUT [turned]" << std::endl;
+    return EXIT_FAILURE;
+  }
+  const Scene scene = MakeScene(argv[1]);
+  const int degree = std::atoi(argv[2]);
+  const std::string baseline = argv[4];
+  const std::string output = argv[5];
+  const bool turned = argc > 6 && std::string(argv[6]) == "turned";
+
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(scene.Mesh);
+  filter->SetDegree(degree);
+  filter->SetTolerance(1e-8);
+  filter->SetMaximumIterations(2000);
+  filter->Update();
+  vtkNew<vtkPolyData> field;
+  field->DeepCopy(filter->GetOutput());
+  Turn(field, degree, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
+
+  vtkNew<vtkDirectionFieldGlyphs> glyphs;
+  glyphs->SetInputData(field);
+  glyphs->SetGlyphType(TypeOf(argv[3]));
+  glyphs->SetMaximumNumberOfGlyphs(scene.Glyphs);
+  glyphs->Update();
+  const double number = FieldValue(glyphs->GetOutput(), "NumberOfGlyphs");
+  std::cout << number << " glyphs" << std::endl;
+  CHECK(number <= scene.Glyphs);
+  CHECK(number > 0.9 * scene.Glyphs);
+
+  auto image = Draw(scene, glyphs->GetOutput());
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(output.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  vtkNew<vtkPNGReader> probe;
+  if (!probe->CanReadFile(baseline.c_str()))
+  {
+    std::cerr << "No baseline " << baseline << "; the picture is " << output << std::endl;
+    return EXIT_FAILURE;
+  }
+  const double difference = Difference(image, baseline);
+  std::cout << "Difference: " << difference << " %, picture: " << output << std::endl;
+  CHECK(turned ? difference > LeastTurnedDifference : difference < MostDifference);
+  return Result();
+}

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Client and server: TestServer.py PLUGIN PVSERVER PVPYTHON, TestServer.py PLUGIN PORT
+
+Starts a server and a client of it, a process of its own, for only its end surely ends the
+connection. The server computes, the client compares with what it has computed itself."""
+import os
+import subprocess
+import sys
+
+from Figures import figures
+
+plugin = sys.argv[1]
+
+
+def serve(pvserver, pvpython):
+    server = subprocess.Popen([pvserver, "--server-port=0"], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        # "Accepting connection(s): host:port"; 0 asks for a port that is free.
+        for line in server.stdout:
+            if "Accepting connection" in line:
+                port = line.strip().rsplit(":", 1)[1]
+                break
+        subprocess.run([pvpython, os.path.abspath(__file__), plugin, port], check=True)
+        # It stops when its only client leaves.
+        assert server.wait(30) == 0, server.returncode
+    finally:
+        server.kill()
+
+
+def client(port):
+    from paraview import servermanager, simple
+
+    def compute():
+        field = simple.DirectionField(Input=simple.Sphere(ThetaResolution=24, PhiResolution=16))
+        surface = servermanager.Fetch(field)
+        found = figures(surface, servermanager.Fetch(field, idx=1))
+        found["Direction0"] = surface.GetPointData().GetArray("Direction0").GetTuple3(7)
+        return found
+
+    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+    expected = compute()
+    assert expected["Total"] == 8, expected
+
+    simple.Connect("localhost", port)
+    assert servermanager.ActiveConnection.IsRemote()
+    simple.LoadPlugin(plugin, remote=True, ns=vars(simple))
+    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+    assert compute() == expected
+    import directionfields
+    shown = directionfields.show(simple.Sphere(ThetaResolution=24, PhiResolution=16))
+    caption = servermanager.Fetch(shown.caption).GetColumn(0).GetValue(0)
+    assert caption.startswith("8 positive"), caption
+
+
+if len(sys.argv) == 4:
+    serve(*sys.argv[2:])
+    print("passed")
+else:
+    client(int(sys.argv[2]))

@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python module of the plugin: TestShow.py PLUGIN MESH OUTDIR"""
+import os
+import sys
+
+from paraview import servermanager, simple
+
+from Figures import blue, figures, pixels, red
+
+plugin, mesh, output = sys.argv[1:4]
+try:
+    import directionfields
+    raise AssertionError("The module does not come from the plugin.")
+except ImportError:
+    pass
+simple.LoadPlugin(plugin, remote=False)
+import directionfields
+
+
+def fails(error, text, *arguments, **options):
+    try:
+        directionfields.show(*arguments, **options)
+    except error as problem:
+        assert text in str(problem), problem
+        simple.ResetSession()
+        return
+    raise AssertionError(f"No {error.__name__} says '{text}'.")
+
+
+def picture_of(view, name):
+    path = os.path.join(output, name)
+    simple.SaveScreenshot(path, view, ImageResolution=[800, 600])
+    return path
+
+
+def test_errors():
+    fails(ValueError, "no mesh", None)
+    fails(TypeError, "not int", 7)
+    fails(ValueError, "1 to 16", simple.Sphere(), degree=0)
+    fails(ValueError, "1 to 16", simple.Sphere(), degree=2.5)
+    fails(TypeError, "no property Bias", simple.Sphere(), Bias=1)
+    fails(TypeError, "no property Sise", simple.Sphere(), glyphs={"Sise": 1})
+    fails(ValueError, "not a .ply", "mesh.stp")
+    fails(FileNotFoundError, "no file", "no such mesh.ply")
+    fails(TypeError, "render view", simple.Sphere(), view=simple.CreateView("SpreadSheetView"))
+
+
+def test_file():
+    shown = directionfields.show(mesh)
+    assert shown.field.Degree == 4
+    assert shown.field.Input.GetXMLName() == "PLYReader"
+    display = {name: simple.GetRepresentation(proxy, shown.view) for name, proxy in (
+        ("surface", shown.surface), ("glyphs", shown.glyphs),
+        ("singularities", simple.OutputPort(shown.field, 1)))}
+    for name, representation in display.items():
+        assert representation.Visibility == 1, name
+    for name in ("surface", "glyphs"):
+        assert display[name].Representation == "Surface", display[name].Representation
+        assert not display[name].ColorArrayName[1], name
+    assert max(display["surface"].DiffuseColor) - min(display["surface"].DiffuseColor) < 0.1
+    glyphs = shown.glyphs.GetDataInformation()
+    assert glyphs.GetNumberOfCells() > 500, glyphs.GetNumberOfCells()
+
+    spheres = display["singularities"]
+    assert spheres.Representation == "3D Glyphs"
+    assert spheres.GlyphType.GetXMLName() == "SphereSource"
+    assert (spheres.Scaling, spheres.ScaleMode, spheres.SelectScaleArray) == (
+        1, "Magnitude", "SingularityIndex")
+    lookup = spheres.LookupTable.GetClientSideObject()
+    for index in range(1, 4):
+        assert red(*color_of(lookup, index)), index
+        assert blue(*color_of(lookup, -index)), -index
+    assert shown.legend.Visibility == 1
+
+    # The spheres are in the picture, red and blue, and nothing else there is red or blue.
+    path = picture_of(shown.view, "Show.png")
+    found = pixels(path, red), pixels(path, blue)
+    assert min(found) > 500, found
+    simple.Hide(simple.OutputPort(shown.field, 1), shown.view)
+    shown.legend.Visibility = 0
+    path = picture_of(shown.view, "ShowNoSingularities.png")
+    without = pixels(path, red), pixels(path, blue)
+    assert max(without) < 20, without
+    simple.ResetSession()
+
+
+def color_of(lookup, value):
+    rgb = [0.0, 0.0, 0.0]
+    lookup.GetColor(value, rgb)
+    return [255 * c for c in rgb]
+
+
+def test_options():
+    """Properties reach both filters; what follows a change of the field follows it in the
+    picture."""
+    view = simple.CreateView("RenderView")
+    background = list(view.Background)
+    sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    simple.Show(sphere, view)
+    shown = directionfields.show(sphere, 2, view, legend=False, EnergyBias=0.5,
+                                 Alignment="Point Vectors", GuidanceVectors="Normals",
+                                 glyphs={"MaximumNumberOfGlyphs": 10})
+    assert shown.view is view and list(view.Background) == background
+    assert shown.legend is None and shown.caption is None
+    assert (shown.field.Degree, shown.field.EnergyBias) == (2, 0.5)
+    assert shown.field.Alignment == "Point Vectors"
+    assert shown.field.GuidanceVectors == "Normals", shown.field.GuidanceVectors
+    assert shown.glyphs.MaximumNumberOfGlyphs == 10
+    assert simple.GetRepresentation(sphere, view).Visibility == 0
+    simple.ResetSession()
+
+    sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    field = directionfields.show(sphere, degree=1).field
+    assert figures(servermanager.Fetch(field), servermanager.Fetch(field, idx=1))["Total"] == 2
+    again = directionfields.show(field)
+    assert again.field is field or again.field.SMProxy is field.SMProxy
+    again.field.Degree = 6
+    again.caption.UpdatePipeline()
+    text = servermanager.Fetch(again.caption).GetColumn(0).GetValue(0)
+    count = servermanager.Fetch(field, idx=1).GetNumberOfPoints()
+    assert text.startswith(f"{count} positive, 0 negative"), text
+    fails(TypeError, "does not change", field, EnergyBias=1.0)
+
+
+def test_macro():
+    """The macro does what show() does, for the active source."""
+    path = directionfields.install_macro(os.path.join(output, "Macros"))
+    assert os.path.basename(path) == "Show direction field.py"
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    assert repr(plugin) in text, text
+    simple.SetActiveSource(simple.Sphere())
+    exec(compile(text, path, "exec"), {})
+    assert simple.GetActiveSource().GetXMLName() == "DirectionField"
+    assert len(simple.FindSource("DirectionField1").ListProperties()) > 1
+    spheres = simple.GetRepresentation(simple.OutputPort(simple.GetActiveSource(), 1))
+    assert spheres.Representation == "3D Glyphs"
+
+
+test_errors()
+test_file()
+test_options()
+test_macro()
+print("passed")

@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A surface that changes with time: TestTimeSeries.py PLUGIN OUTDIR"""
+import os
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+
+from Figures import figures
+
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+output = sys.argv[2]
+
+# A sphere, twice as large a sphere, and two spheres, that is, two components.
+small = Sphere(ThetaResolution=24, PhiResolution=16)
+large = Sphere(ThetaResolution=24, PhiResolution=16, Radius=1.0)
+two = AppendGeometry(Input=[small, Sphere(Center=[3, 0, 0])])
+files = []
+for k, mesh in enumerate((small, large, two)):
+    files.append(os.path.join(output, f"TestTimeSeries{k}.vtp"))
+    SaveData(files[-1], proxy=mesh, DataMode="Binary")
+
+series = XMLPolyDataReader(FileName=files)
+series.UpdatePipelineInformation()
+assert list(series.TimestepValues) == [0.0, 1.0, 2.0], list(series.TimestepValues)
+field = DirectionField(Input=series, Degree=4)
+found = []
+for time in (0.0, 1.0, 2.0, 0.0):
+    field.UpdatePipeline(time)
+    found.append(figures(servermanager.Fetch(field), servermanager.Fetch(field, idx=1)))
+assert [f["IndexSum"] for f in found] == [[8], [8], [8, 8], [8]], found
+assert [f["Total"] for f in found] == [8, 8, 16, 8], found
+assert abs(found[0]["Eigenvalue"][0] / found[1]["Eigenvalue"][0] - 4.0) < 1e-4, found
+assert found[3] == found[0]
+
+# The animation asks for each of them, too.
+view = CreateRenderView()
+Show(field, view)
+scene = GetAnimationScene()
+scene.UpdateAnimationUsingDataTimeSteps()
+seen = []
+scene.GoToFirst()
+for _ in range(3):
+    seen.append(field.GetDataInformation(0).GetNumberOfPoints())
+    scene.GoToNext()
+assert seen[0] == seen[1] and seen[2] > seen[1], seen
+print("passed")
