@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the table that TimeOverPolygons prints, both axes logarithmic, and prints its slopes.
 
-    pvpython drawTimes.py TABLE.csv PICTURE.png
+    pvpython drawTimes.py TABLE.csv PICTURE.png [--check]
+
+With --check it fails unless each curve can be seen in the picture.
 """
 
 import csv
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -25,7 +27,7 @@ SERIES = {
 }
 
 
-def main(table_path, picture_path):
+def main(table_path, picture_path, *options):
     with open(table_path, newline="", encoding="ascii") as file:
         rows = list(csv.DictReader(file))
     columns = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
@@ -73,6 +75,12 @@ def main(table_path, picture_path):
     writer.SetFileName(picture_path)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
+    if "--check" in options:
+        pixels = vtk_to_numpy(image.GetOutput().GetPointData().GetScalars())[:, :3]
+        for name, (_, color) in SERIES.items():
+            seen = np.count_nonzero((pixels == color).all(axis=1))
+            if seen < 300:
+                sys.exit(f"The curve of {name} is not in the picture.")
 
 
 if __name__ == "__main__":

@@ -6,6 +6,8 @@
 
 #include "DirectionField.h"
 
+#include <map>
+
 /// Surfaces with known geometry. All closed ones are wound counter-clockwise as seen from outside.
 namespace TestMeshes
 {
@@ -59,6 +61,11 @@ Surface Joined(const Surface& a, const Surface& b);
 Surface Shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newPoint,
   std::vector<Index>& newTriangle);
 
+/// Guidance that is zero but at some points.
+DirectionFields::Guidance GuidanceAt(
+  const Surface& surface, const std::map<Index, Vector3>& vectors);
+/// Number of the points of a field that are constrained in a way.
+Index Count(const DirectionFields::Result& field, DirectionFields::ConstraintKind kind);
 /// Angle in degrees from a direction to the nearest of the n directions of a field at a point.
 double Deviation(const DirectionFields::Result& field, Index point, const Vector3& direction);
 }

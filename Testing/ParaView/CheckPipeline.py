@@ -15,6 +15,10 @@ def check():
     # From the panel, and the default.
     assert field.Degree == 6, field.Degree
     assert field.MaximumIterations == 200, field.MaximumIterations
+    assert field.ConstrainSharpEdges == 1, field.ConstrainSharpEdges
+    assert field.FeatureAngle == 70.0, field.FeatureAngle
+    # Was chosen before the degree, which does not offer it.
+    assert field.Alignment == "None", field.Alignment
 
     surface = servermanager.Fetch(field)
     names = [surface.GetPointData().GetArrayName(i)

@@ -21,7 +21,8 @@ def total(array):
     return sum(int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples()))
 
 
-ADVANCED = ("Tolerance", "MaximumIterations", "UseShift", "Shift")
+# Shift is not, for it stands in for the strength where UseShift is on.
+ADVANCED = ("Tolerance", "MaximumIterations", "UseShift")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
     "CurvatureDirection": ["Maximum", "Minimum"],

@@ -1,0 +1,22 @@
+# Runs the benchmark over a few small meshes and draws its table. Times are not judged, but that each
+# mesh has been timed and each curve drawn is.
+execute_process(COMMAND "${BENCHMARK}" 5 OUTPUT_FILE "${OUTPUT}.csv" RESULT_VARIABLE result)
+if (result)
+  message(FATAL_ERROR "The benchmark failed (${result}).")
+endif ()
+file(STRINGS "${OUTPUT}.csv" rows)
+list(POP_FRONT rows header)
+if (NOT header STREQUAL "polygons,vertices,smooth,aligned,constrained")
+  message(FATAL_ERROR "The table begins with ${header}.")
+endif ()
+set(expected "1280,642" "5120,2562" "20480,10242")
+foreach (row mesh IN ZIP_LISTS rows expected)
+  if (NOT row MATCHES "^${mesh}(,[0-9]+\\.[0-9]+)+$" OR row MATCHES ",0\\.000000")
+    message(FATAL_ERROR "Not the times of ${mesh}: ${row}")
+  endif ()
+endforeach ()
+execute_process(COMMAND "${PVPYTHON}" "${DRAW}" "${OUTPUT}.csv" "${OUTPUT}.png" --check
+  RESULT_VARIABLE result)
+if (result)
+  message(FATAL_ERROR "The drawing failed (${result}).")
+endif ()
