@@ -28,6 +28,10 @@ AlignedMatrix MakeMatrix(const Operators& matrices, double smallest, double gap)
   {
     return { matrices.Mass, 1.0 };
   }
+  if (gap > 1.0)
+  {
+    return { (1.0 / gap) * matrices.Energy + (1.0 - smallest / gap) * matrices.Mass, 1.0 };
+  }
   return { matrices.Energy + (gap - smallest) * matrices.Mass, gap };
 }
 
@@ -36,11 +40,17 @@ double Gap(const ComponentProblem& problem, const Options& options)
 {
   if (options.UseShift)
   {
-    return options.Shift * problem.Unit * problem.Unit;
+    return std::min(options.Shift * problem.Unit * problem.Unit, std::numeric_limits<double>::max());
   }
   const double tau = options.AlignmentStrength;
   const double sigma = std::max(problem.Smoothest.Value, problem.Scale);
   return tau < 1.0 ? sigma * tau / (1.0 - tau) : std::numeric_limits<double>::infinity();
+}
+
+/// Each triangle adds a sixth of its area to the diagonal at its three corners.
+double Area(const SparseMatrix& mass)
+{
+  return 2.0 * ComplexVector(mass.diagonal()).real().sum();
 }
 
 /// alpha: 0 at constrained vertices and their neighbours, else 1.
@@ -69,7 +79,9 @@ ComplexVector Normalized(ComplexVector guidance, const SparseMatrix& mass, const
   {
     return {};
   }
-  guidance /= largest;
+  // Part by part: the quotient of complex numbers would square the divisor.
+  guidance.real() /= largest;
+  guidance.imag() /= largest;
   const Eigen::VectorXd area = ComplexVector(mass.diagonal()).real().cwiseProduct(mask);
   return guidance * std::sqrt(area.sum() / area.dot(guidance.cwiseAbs2()));
 }
@@ -79,12 +91,18 @@ std::vector<Complex> GuidanceSection(
   const TriangleMesh& mesh, const TangentFrames& frames, const Guidance& guidance, int degree)
 {
   std::vector<Complex> section(mesh.GetNumberOfVertices(), 0.0);
+  // Only relative lengths and weights count; their squares and products must not be lost.
   double longest = 0.0;
   for (const Vector3& v : guidance.Vectors)
   {
     longest = v.allFinite() ? std::max(longest, v.lpNorm<Eigen::Infinity>()) : longest;
   }
-  if (longest == 0.0)
+  double heaviest = guidance.Weights.empty() ? 1.0 : 0.0;
+  for (const double weight : guidance.Weights)
+  {
+    heaviest = std::isfinite(weight) ? std::max(heaviest, weight) : heaviest;
+  }
+  if (longest == 0.0 || heaviest == 0.0)
   {
     return section;
   }
@@ -92,8 +110,7 @@ std::vector<Complex> GuidanceSection(
   {
     const Index point = mesh.Point(v);
     const double given = guidance.Weights.empty() ? 1.0 : guidance.Weights[point];
-    const double weight = std::isfinite(given) ? std::max(0.0, given) : 0.0;
-    // Only relative lengths count; squares of very long or short vectors must not be lost.
+    const double weight = std::isfinite(given) ? std::max(0.0, given) / heaviest : 0.0;
     const Vector3 vector = guidance.Vectors[point] / longest;
     if (weight > 0.0 && vector.allFinite())
     {
@@ -132,7 +149,7 @@ ComplexVector SolveComponent(
   const bool smoothest = gap <= SmallestGap * std::max(smallest, problem.Scale);
 
   SystemSolution solution;
-  report.Lambda = smallest / unit / unit;
+  report.Lambda = PerSquare(smallest, unit);
   if (!constrained && (!guided || smoothest))
   {
     solution.Vector = problem.Smoothest.Vector;
@@ -154,7 +171,7 @@ ComplexVector SolveComponent(
   else
   {
     report.Lambda =
-      std::isinf(gap) ? std::numeric_limits<double>::lowest() : (smallest - gap) / unit / unit;
+      std::isinf(gap) ? std::numeric_limits<double>::lowest() : PerSquare(smallest - gap, unit);
     const AlignedMatrix aligned = MakeMatrix(matrices, smallest, gap);
     if (!constrained)
     {
@@ -173,8 +190,12 @@ ComplexVector SolveComponent(
   const ComplexVector& u = solution.Vector;
   const double size = u.dot(matrices.Mass * u).real();
   report.SmoothnessEnergy =
-    size > 0.0 ? u.dot(matrices.Energy * u).real() / size / unit / unit : 0.0;
+    size > 0.0 ? PerSquare(u.dot(matrices.Energy * u).real() / size, unit) : 0.0;
   report.SystemResidual = solution.Residual;
+  if (size > 0.0)
+  {
+    solution.Vector *= std::sqrt(Area(matrices.Mass) / size);
+  }
   return solution.Vector;
 }
 }

@@ -43,6 +43,7 @@ struct ComponentProblem
 /// and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where alpha is 1:
 /// u tends to q where lambda_t tends to minus infinity, and guidance and constraints are of one
 /// size. lambda_t = 0 where there are constraints only. Without either the smoothest field.
+/// The field is scaled to modulus 1 in the mean square over the component.
 /// Fills in Lambda, SmoothnessEnergy and SystemResidual of the report.
 ComplexVector SolveComponent(
   const ComponentProblem& problem, const Options& options, ComponentReport& report);

@@ -88,8 +88,8 @@ CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
     const double unit = stages.GetMetric().Unit[c];
     for (Index v = components[c].FirstVertex; v < components[c].EndVertex; ++v)
     {
-      mean[v] /= unit;
-      gaussian[v] /= unit * unit;
+      mean[v] = Divided(mean[v], unit);
+      gaussian[v] = PerSquare(gaussian[v], unit);
     }
   }
   const Vector3 zero = Vector3::Zero();
@@ -238,7 +238,7 @@ Result DirectionField::Compute(
     ComponentReport figures;
     const ComplexVector u = SolveComponent(problem, options, figures);
     std::copy(u.begin(), u.end(), field.begin() + component.FirstVertex);
-    figures.Eigenvalue = smoothest.Value / unit / unit;
+    figures.Eigenvalue = PerSquare(smoothest.Value, unit);
     figures.Residual = smoothest.Residual;
     figures.Iterations = smoothest.Iterations;
     figures.EulerCharacteristic = component.Vertices() - component.Edges() + component.Triangles();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace DirectionFields
@@ -17,11 +18,49 @@ namespace
 /// Refinement goes on until the relative residual is below this, or no longer falls.
 constexpr double WantedResidual = 1e-12;
 constexpr int MaximumRefinements = 30;
+/// A sum below this part of the sum of its terms' magnitudes is nothing but rounding.
+constexpr double Cancelled = 1e-15;
+/// Conjugate gradient steps until the squared gradient has fallen by so much, and how often they
+/// start again.
+constexpr double StepReduction = 1e-24;
+constexpr int MaximumSteps = 1000;
+constexpr int MaximumRestarts = 5;
+/// A least squares solution with a larger residual is tried once more by another way, unless that
+/// would couple an unknown with more others than this in the mean.
+constexpr double AcceptedResidual = 1e-9;
+constexpr double DensestCouplings = 30.0;
 /// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by
 /// that: rounding of K u alone would exceed any residual relative to a tiny right-hand side.
 constexpr double RoundingScale = 1e-6;
 /// Added to the diagonal, relative to it, where a matrix is singular up to rounding.
 constexpr double Regularizations[] = { 0.0, 1e-14, 1e-12, 1e-10, 1e-8 };
+
+/// Finite, and how large.
+double CheckedNorm(const ComplexVector& rightHandSide)
+{
+  const double norm = rightHandSide.norm();
+  if (!std::isfinite(norm))
+  {
+    throw std::runtime_error("The right-hand side of the linear system is not finite.");
+  }
+  return norm;
+}
+
+/// Factors a matrix, with a little added to its diagonal where it needs that.
+void Factor(const SparseMatrix& matrix, Factorization& factor)
+{
+  for (const double regularization : Regularizations)
+  {
+    SparseMatrix regular = matrix;
+    regular.diagonal() *= 1.0 + regularization;
+    if (factor.Compute(regular))
+    {
+      return;
+    }
+  }
+  throw std::runtime_error("The linear system could not be factored: the mesh has triangles of too "
+                           "different sizes or shapes. Remesh it more evenly.");
+}
 
 /// Solves by a factor and refines with the matrix itself: what the factor loses to rounding or to
 /// regularization comes back.
@@ -29,28 +68,13 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b)
 {
   SystemSolution solution;
   solution.Vector = ComplexVector::Zero(b.size());
-  const double size = b.norm();
-  if (!(size > 0.0))
+  const double size = CheckedNorm(b);
+  if (size == 0.0)
   {
     return solution;
   }
   Factorization factor;
-  bool factored = false;
-  for (const double regularization : Regularizations)
-  {
-    SparseMatrix regular = matrix;
-    regular.diagonal() *= 1.0 + regularization;
-    factored = factor.Compute(regular);
-    if (factored)
-    {
-      break;
-    }
-  }
-  if (!factored)
-  {
-    throw std::runtime_error("The linear system could not be factored: the mesh has triangles of too "
-                             "different sizes or shapes. Remesh it more evenly.");
-  }
+  Factor(matrix, factor);
   ComplexVector residual = b;
   solution.Residual = 1.0;
   for (int step = 0; step < MaximumRefinements && solution.Residual > WantedResidual; ++step)
@@ -70,6 +94,100 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b)
     if (stalls)
     {
       break;
+    }
+  }
+  return solution;
+}
+
+/// The rows of K_f are the columns of its adjoint; each couples all its unknowns with each other.
+bool IsNormalMatrixSparse(const SparseMatrix& adjoint)
+{
+  double couplings = 0.0;
+  for (Eigen::Index row = 0; row < adjoint.outerSize(); ++row)
+  {
+    const double unknowns = adjoint.outerIndexPtr()[row + 1] - adjoint.outerIndexPtr()[row];
+    couplings += unknowns * unknowns;
+  }
+  return couplings <= DensestCouplings * static_cast<double>(adjoint.nonZeros());
+}
+
+/// Minimizes ‖K_f u - b‖ by conjugate gradients on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of
+/// the free vertices are the identity and only the others are left to deal with.
+SystemSolution ConjugateGradients(const SparseMatrix& columns, const SparseMatrix& adjoint,
+  const SparseMatrix& square, const ComplexVector& b)
+{
+  SystemSolution solution;
+  solution.Vector = ComplexVector::Zero(columns.cols());
+  const double size = CheckedNorm(adjoint * b);
+  const double terms = SumOfMagnitudes(adjoint, b);
+  if (size <= Cancelled * terms)
+  {
+    return solution;
+  }
+  Factorization factor;
+  Factor(square, factor);
+  solution.Residual = 1.0;
+  // Starting again from the true residual takes back what rounding adds up in the recursions.
+  for (int start = 0; start < MaximumRestarts && solution.Residual > WantedResidual; ++start)
+  {
+    ComplexVector u = solution.Vector;
+    ComplexVector r = b - columns * u;
+    ComplexVector s = factor.Solve(adjoint * r);
+    ComplexVector p = s;
+    double gamma = s.squaredNorm();
+    const double first = gamma;
+    for (int step = 0; step < MaximumSteps && gamma > StepReduction * first; ++step)
+    {
+      const ComplexVector direction = factor.Solve(p);
+      const ComplexVector q = columns * direction;
+      const double alpha = gamma / q.squaredNorm();
+      if (!std::isfinite(alpha))
+      {
+        break;
+      }
+      u += alpha * direction;
+      r -= alpha * q;
+      s = factor.Solve(adjoint * r);
+      const double next = s.squaredNorm();
+      p = s + (next / gamma) * p;
+      gamma = next;
+    }
+    const double rounding = SumOfMagnitudes(adjoint, columns.cwiseAbs() * u.cwiseAbs());
+    const double relative =
+      (adjoint * (b - columns * u)).norm() / std::max(size, RoundingScale * (terms + rounding));
+    if (!(relative < solution.Residual))
+    {
+      break;
+    }
+    const bool stalls = relative > 0.5 * solution.Residual;
+    solution.Vector = u;
+    solution.Residual = relative;
+    if (stalls)
+    {
+      break;
+    }
+  }
+  return solution;
+}
+
+/// Minimizes ‖K_f u - b‖: by a factor of K_f^* K_f unless that is dense, as at a vertex of many
+/// triangles, or too badly conditioned.
+SystemSolution SolveLeastSquares(
+  const SparseMatrix& columns, const SparseMatrix& square, const ComplexVector& b)
+{
+  const SparseMatrix adjoint = columns.adjoint();
+  SystemSolution solution;
+  solution.Residual = std::numeric_limits<double>::infinity();
+  if (IsNormalMatrixSparse(adjoint))
+  {
+    solution = Solve(adjoint * columns, adjoint * b);
+  }
+  if (solution.Residual > AcceptedResidual)
+  {
+    SystemSolution other = ConjugateGradients(columns, adjoint, square, b);
+    if (other.Residual < solution.Residual)
+    {
+      return other;
     }
   }
   return solution;
@@ -173,10 +291,8 @@ SystemSolution SolveConstrainedLeastSquares(
   const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given)
 {
   const Split split(matrix, given);
-  const SparseMatrix columns = split.FreeColumns(matrix, false);
-  const SparseMatrix adjoint = columns.adjoint();
-  const SparseMatrix normal = adjoint * columns;
-  return Joined(
-    Solve(normal, adjoint * MovedToTheRight(matrix, rightHandSide, given)), split, given);
+  return Joined(SolveLeastSquares(split.FreeColumns(matrix, false), split.FreeColumns(matrix, true),
+                  MovedToTheRight(matrix, rightHandSide, given)),
+    split, given);
 }
 }

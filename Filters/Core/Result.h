@@ -86,8 +86,8 @@ struct Result
   /// Corners of the input's triangles as output points; empty where nothing was split.
   std::vector<Triangle> SplitTriangles;
   /// Representation vector u of each point: with u = |u| exp(i phi) the n directions stand at the
-  /// angles (phi + 2 pi k) / n, counter-clockwise from XAxis about Normal. Zero at points that no
-  /// triangle uses.
+  /// angles (phi + 2 pi k) / n, counter-clockwise from XAxis about Normal. Its modulus is 1 in the
+  /// mean square over each component. Zero at points that no triangle uses.
   std::vector<Complex> Representation;
   /// Unit normal of each point, weighted by angle; zero at points that no triangle uses.
   std::vector<Vector3> Normal;

@@ -21,6 +21,8 @@ constexpr Eigen::Index DenseRows = 48;
 /// Dimension of the Krylov space at which it is restarted, and of the part that is kept.
 constexpr int KrylovDimension = 24;
 constexpr int KeptDimension = 8;
+/// Even if the residual is small before.
+constexpr int FewestSolves = 6;
 /// The shift below zero, relative to the scale of the eigenvalues: far enough from a smallest
 /// eigenvalue 0 for the factorization, too near to blur small eigenvalues that lie close together.
 constexpr double RelativeShift = 1e-5;
@@ -163,7 +165,9 @@ private:
 void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pair)
 {
   const ComplexVector massVector = mass * pair.Vector;
-  pair.Value = RayleighQuotient(pair.Vector, energy * pair.Vector, massVector);
+  // A is positive semi-definite: what is less than zero is rounding.
+  pair.Value =
+    std::max(0.0, RayleighQuotient(pair.Vector, energy * pair.Vector, massVector));
   pair.Vector /= std::sqrt(pair.Vector.dot(massVector).real());
   pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);
 }
@@ -247,8 +251,9 @@ Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass
     {
       pair = candidate;
     }
-    // A random start can hide the smallest pair behind the next one for a step or two.
-    if (pair.Residual <= settings.Tolerance && solves >= 3)
+    // The start can hide the smallest pair behind the next one for some steps, and where lambda = 0
+    // on very thin triangles a small residual comes before a good vector.
+    if (pair.Residual <= settings.Tolerance && solves >= FewestSolves)
     {
       break;
     }

@@ -59,8 +59,8 @@ void TriangleMesh::CollectTriangles(const Surface& surface)
       if (point < 0 || point >= points)
       {
         throw MeshError(MeshError::Kind::InvalidPointId, point,
-          "Triangle " + std::to_string(t) + " uses point " + Id(point) + ", but the points are 0 to " +
-            Id(points - 1) + ". Correct the connectivity of the mesh.");
+          "A triangle uses point " + Id(point) + ", but the points are 0 to " + Id(points - 1) +
+            ". Correct the connectivity of the mesh.");
       }
     }
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])

@@ -12,6 +12,7 @@
 #include <array>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 /// Direction fields on triangle meshes, free of any visualization library.
@@ -33,6 +34,19 @@ constexpr Index None = -1;
 using Triangle = std::array<Index, 3>;
 
 constexpr double Pi = 3.14159265358979323846;
+
+/// A quotient that stays within the range of double: the largest value stands for what exceeds it.
+inline double Divided(double value, double unit)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  return value == 0.0 ? 0.0 : std::clamp(value / unit, -largest, largest);
+}
+
+/// A value in 1 / unit^2, likewise.
+inline double PerSquare(double value, double unit)
+{
+  return Divided(Divided(value, unit), unit);
+}
 
 /// The order of points that stands for numbers where results must not depend on numbering.
 inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)

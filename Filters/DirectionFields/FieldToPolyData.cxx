@@ -18,8 +18,11 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace DirectionFields
@@ -42,6 +45,21 @@ vtkNew<ArrayT> MakeArray(const char* name, int components, size_t tuples)
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   return array;
+}
+
+/// What exceeds the range of the type becomes its largest value.
+template <typename To, typename From>
+To Narrowed(From value)
+{
+  if constexpr (std::is_floating_point<To>::value)
+  {
+    constexpr double largest = std::numeric_limits<To>::max();
+    return static_cast<To>(std::clamp<double>(value, -largest, largest));
+  }
+  else
+  {
+    return static_cast<To>(value);
+  }
 }
 
 /// An array over the points; where there is none, one that an earlier run left in the input goes.
@@ -69,8 +87,7 @@ void AddScalars(const char* name, const std::vector<Value>& values, vtkPointData
     auto array = MakeArray<ArrayT>(name, 1, values.size());
     for (size_t i = 0; i < values.size(); ++i)
     {
-      array->SetValue(
-        static_cast<vtkIdType>(i), static_cast<typename ArrayT::ValueType>(values[i]));
+      array->SetValue(static_cast<vtkIdType>(i), Narrowed<typename ArrayT::ValueType>(values[i]));
     }
     data->AddArray(array);
   }
@@ -102,7 +119,9 @@ void SplitPoints(const std::vector<Index>& originalPoint, vtkPolyData* output)
 
 /// Gives the polygons and strips the points of their triangles. A cell whose triangles were torn
 /// apart keeps the points of the first.
-void SplitCells(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
+/// Returns the points of which that leaves no use.
+std::vector<vtkIdType> SplitCells(
+  const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
 {
   const vtkIdType firstPoly = output->GetNumberOfVerts() + output->GetNumberOfLines();
   const vtkIdType firstStrip = firstPoly + output->GetNumberOfPolys();
@@ -148,6 +167,44 @@ void SplitCells(const TriangulatedPolyData& input, const Result& field, vtkPolyD
   output->SetStrips(strips);
   // Versions of VTK that copied the input's copied what does not know the new points.
   output->DeleteLinks();
+
+  std::vector<char> used(field.OriginalPoint.size(), 0);
+  for (vtkCellArray* cells : { polys.Get(), strips.Get() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      {
+        used[static_cast<size_t>(corners->GetId(k))] = 1;
+      }
+    }
+  }
+  std::vector<vtkIdType> unused;
+  for (size_t i = 0; i < used.size(); ++i)
+  {
+    if (!used[i])
+    {
+      unused.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return unused;
+}
+
+/// Whether an array shows directions, or how certain they are.
+bool IsOfTheField(const char* name, int degree)
+{
+  const std::string wanted = name ? name : "";
+  for (int k = 0; k < degree; ++k)
+  {
+    if (wanted == DirectionName(k))
+    {
+      return true;
+    }
+  }
+  return wanted == "RepresentationMagnitude" || wanted == "ConstraintDirection" ||
+    wanted == "ConstraintKind" || wanted == "PrincipalDirection0" ||
+    wanted == "PrincipalDirection1";
 }
 
 template <typename ArrayT>
@@ -222,8 +279,10 @@ Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
   const Triangle& triangle = mesh.Triangles[t];
   const Triangle& vertices = field.SplitTriangles.empty() ? triangle : field.SplitTriangles[t];
   const Vector3& origin = mesh.Points[triangle[0]];
-  const Vector3 normal =
-    (mesh.Points[triangle[1]] - origin).cross(mesh.Points[triangle[2]] - origin).stableNormalized();
+  const Vector3 normal = (mesh.Points[triangle[1]] - origin)
+                           .stableNormalized()
+                           .cross((mesh.Points[triangle[2]] - origin).stableNormalized())
+                           .stableNormalized();
   const Vector3 outward =
     field.Normal[vertices[0]] + field.Normal[vertices[1]] + field.Normal[vertices[2]];
   if (normal.squaredNorm() < 0.5)
@@ -237,10 +296,11 @@ Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
 void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
 {
   output->GetPointData()->RemoveArray("OriginalPointIds");
+  std::vector<vtkIdType> unused;
   if (!field.SplitTriangles.empty())
   {
     SplitPoints(field.OriginalPoint, output);
-    SplitCells(input, field, output);
+    unused = SplitCells(input, field, output);
   }
   AddScalars<vtkIntArray>("ConstraintKind", field.Constraint, output->GetPointData());
   if (output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE)
@@ -250,6 +310,21 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   else
   {
     AddPointArrays<vtkFloatArray>(field, output->GetPointData());
+  }
+  // Where a cell was torn apart, some of its points are no longer used: they show no direction.
+  for (const vtkIdType point : unused)
+  {
+    for (int k = 0; k < output->GetPointData()->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* array = output->GetPointData()->GetArray(k);
+      if (array && IsOfTheField(array->GetName(), field.Degree))
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          array->SetComponent(point, c, 0.0);
+        }
+      }
+    }
   }
   AddCellArrays(input, field, output);
 
@@ -286,8 +361,9 @@ void MakeSingularities(const TriangulatedPolyData& input, const Result& field, i
       continue;
     }
     const Triangle& triangle = mesh.Triangles[t];
-    const Vector3 centroid =
-      (mesh.Points[triangle[0]] + mesh.Points[triangle[1]] + mesh.Points[triangle[2]]) / 3.0;
+    // Divided first: the sum of the largest coordinates would overflow.
+    const Vector3 centroid = mesh.Points[triangle[0]] / 3.0 + mesh.Points[triangle[1]] / 3.0 +
+      mesh.Points[triangle[2]] / 3.0;
     const vtkIdType id = points->InsertNextPoint(centroid.data());
     verts->InsertNextCell(1, &id);
     index->InsertNextValue(field.SingularityIndex[t]);

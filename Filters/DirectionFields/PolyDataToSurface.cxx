@@ -34,6 +34,7 @@ class Triangulator
 public:
   Triangulator(vtkPoints* points, TriangulatedPolyData& result)
     : Points(points)
+    , NumberOfPoints(points ? points->GetNumberOfPoints() : 0)
     , Result(result)
   {
     // vtkPolygon warns about each polygon that it cannot cut, but a fan is an answer to those.
@@ -91,14 +92,18 @@ public:
 private:
   void AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k)
   {
-    this->Result.Mesh.Triangles.push_back({ ToIndex(i), ToIndex(j), ToIndex(k) });
+    for (const vtkIdType id : { i, j, k })
+    {
+      if (id < 0 || id >= this->NumberOfPoints)
+      {
+        throw std::out_of_range("Cell " + std::to_string(cell) + " uses point " +
+          std::to_string(id) + ", but the input has " + std::to_string(this->NumberOfPoints) +
+          " points, numbered from 0. Correct the connectivity of the mesh.");
+      }
+    }
+    this->Result.Mesh.Triangles.push_back(
+      { static_cast<Index>(i), static_cast<Index>(j), static_cast<Index>(k) });
     this->Result.CellOfTriangle.push_back(cell);
-  }
-
-  /// Ids that fit no Index name no point either.
-  static Index ToIndex(vtkIdType id)
-  {
-    return id < 0 || id > MostPoints ? None : static_cast<Index>(id);
   }
 
   /// The corners without consecutive repetitions, which would disturb the cutting of ears.
@@ -152,6 +157,7 @@ private:
   }
 
   vtkPoints* Points;
+  vtkIdType NumberOfPoints;
   TriangulatedPolyData& Result;
   std::vector<vtkIdType> Corners;
   vtkNew<vtkPolygon> Polygon;

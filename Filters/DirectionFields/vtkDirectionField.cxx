@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <optional>
@@ -122,8 +123,8 @@ public:
   void SetInput(vtkPolyData* input)
   {
     DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(input);
-    if (!this->Stages || surface.Mesh.Points != this->Surface.Mesh.Points ||
-      surface.Mesh.Triangles != this->Surface.Mesh.Triangles)
+    if (!this->Stages || !SameBytes(surface.Mesh.Points, this->Surface.Mesh.Points) ||
+      !SameBytes(surface.Mesh.Triangles, this->Surface.Mesh.Triangles))
     {
       this->Stages.reset();
       this->Stages.emplace(surface.Mesh);
@@ -135,6 +136,14 @@ public:
   DirectionFields::DirectionField& GetStages() { return *this->Stages; }
 
 private:
+  /// Not by the values' own comparison: that of NaN, as unused points may have, is never true.
+  template <typename T>
+  static bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
+  {
+    return a.size() == b.size() &&
+      (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+  }
+
   DirectionFields::TriangulatedPolyData Surface;
   std::optional<DirectionFields::DirectionField> Stages;
 };
@@ -197,7 +206,8 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstrainCurvature: " << this->ConstrainCurvature << "\n";
   os << indent << "CurvatureTolerance: " << this->CurvatureTolerance << "\n";
   os << indent << "ConsistencyAngle: " << this->ConsistencyAngle << "\n";
-  os << indent << "DropConstraintsAtSingularities: " << this->DropConstraintsAtSingularities << "\n";
+  os << indent << "DropConstraintsAtSingularities: " << this->DropConstraintsAtSingularities
+     << "\n";
   os << indent << "ConstrainGuidance: " << this->ConstrainGuidance << "\n";
   os << indent << "ConstraintSolver: " << this->ConstraintSolver << "\n";
 }
@@ -262,6 +272,7 @@ void vtkDirectionField::Warn(const DirectionFields::Result& field)
   double worst = 0.0;
   double worstSystem = 0.0;
   int unfinished = 0;
+  int exhausted = 0;
   int unsolved = 0;
   for (const auto& component : field.Components)
   {
@@ -269,6 +280,7 @@ void vtkDirectionField::Warn(const DirectionFields::Result& field)
     {
       worst = std::max(worst, component.Residual);
       ++unfinished;
+      exhausted += component.Iterations >= this->MaximumIterations;
     }
     else if (!component.Converged)
     {
@@ -286,10 +298,12 @@ void vtkDirectionField::Warn(const DirectionFields::Result& field)
   if (unfinished > 0)
   {
     vtkWarningMacro("The field of " << unfinished << " of " << field.Components.size()
-                                    << " connected components has not converged: after "
-                                    << this->MaximumIterations << " iterations the residual is "
+                                    << " connected components has not converged: the residual is "
                                     << worst << ", not " << this->Tolerance
-                                    << ". Raise MaximumIterations.");
+                                    << (exhausted > 0
+                                           ? ". Raise MaximumIterations."
+                                           : ". More iterations would not help: the triangles are "
+                                             "of too different sizes or shapes, remesh them."));
   }
 }
 

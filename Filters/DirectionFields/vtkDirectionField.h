@@ -47,7 +47,7 @@
  *   active scalars stay what they were. Arrays `Direction{n}` ... `Direction15` that an earlier
  *   filter left are removed.
  * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, small near
- *   singularities; scaled so that the square norm is 1 on each connected component. 0 at points
+ *   singularities; 1 in the mean square over each connected component. 0 at points
  *   that no triangle uses.
  * - cell data `SingularityIndex`: int, in units of 1/n. The index of the field inside the cell: 0
  *   where it is regular, 1 for n = 4 means a quarter turn in the direction of a walk around the
@@ -217,10 +217,10 @@ public:
 
   ///@{
   /**
-   * How strongly the field is drawn, tau, free of units: lambda_t = lambda_1 - sigma tau / (1 - tau)
-   * with sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the
-   * guidance itself; 0.5 is lambda_t = 0 on a closed curved surface, which KCPS13 recommends to
-   * start from. Range 0 to 1, default 0.5.
+   * How strongly the field is drawn, tau, free of units: lambda_t = lambda_1 - sigma tau /
+   * (1 - tau) with sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field,
+   * 1 the guidance itself; 0.5 is lambda_t = 0 on a closed curved surface, which Knöppel et al.
+   * recommend to start from. Range 0 to 1, default 0.5.
    */
   vtkSetClampMacro(AlignmentStrength, double, 0.0, 1.0);
   vtkGetMacro(AlignmentStrength, double);
@@ -375,8 +375,8 @@ private:
   /// The options of the computation, from the properties.
   DirectionFields::Options MakeOptions() const;
 
-  /// One warning each if the surface had to be mended, if an option changed nothing, and if a solver
-  /// did not converge.
+  /// One warning each if the surface had to be mended, if an option changed nothing, and if a
+  /// solver did not converge.
   void Warn(const DirectionFields::Result& field);
 
   int Degree;

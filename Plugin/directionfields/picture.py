@@ -7,8 +7,10 @@ import itertools
 import math
 import os
 
+import numpy as np
 from paraview import servermanager
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from directionfields.files import read
 
@@ -236,44 +238,44 @@ def show_legend(field, lookup, view):
     return bar, caption
 
 
+def extremes(field):
+    """The points that the camera has to see: those of the surface, or, where they would have to be
+    fetched from a server or from blocks, the corners of the box around it."""
+    if not servermanager.ActiveConnection.IsRemote():
+        surface = servermanager.Fetch(field)
+        if surface.IsA("vtkPolyData"):
+            return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    bounds = field.GetDataInformation(0).GetBounds()
+    return np.array(list(itertools.product(bounds[0:2], bounds[2:4], bounds[4:6])))
+
+
 def place_camera(view, field):
     """In front of the mesh, a little to the left and above, y upwards; flat ones from above. The
-    box around the mesh fills the view but for a margin, a little more of it at the bottom, where
-    the caption is. ParaView's own ResetCamera() leaves half of the view empty."""
-    bounds = field.GetDataInformation(0).GetBounds()
-    middle = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
-    half = [0.5 * (bounds[2 * k + 1] - bounds[2 * k]) for k in range(3)]
-    towards, up = [-0.25, 0.22, 1.0], [0.0, 1.0, 0.0]
-    if min(half) < 0.05 * max(half):
-        thin = half.index(min(half))
-        towards = [float(k == thin) for k in range(3)]
+    mesh fills the view but for a margin, a little more of it at the bottom, where the caption is.
+    ParaView's own ResetCamera() leaves half of the view empty."""
+    points = extremes(field)
+    low, high = points.min(axis=0), points.max(axis=0)
+    towards, up = np.array([-0.25, 0.22, 1.0]), np.array([0.0, 1.0, 0.0])
+    if min(high - low) < 0.05 * max(high - low):
+        thin = np.argmin(high - low)
+        towards = np.eye(3)[thin]
         if thin == 1:
-            up = [0.0, 0.0, -1.0]
-    towards = unit(towards)
-    right = unit(cross(up, towards))
-    up = cross(towards, right)
+            up = np.array([0.0, 0.0, -1.0])
+    towards = towards / np.linalg.norm(towards)
+    right = np.cross(up, towards)
+    right /= np.linalg.norm(right)
+    axes = np.array([right, np.cross(towards, right), towards])
+    seen = points @ axes.T
+    middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+    x, y, z = np.abs(seen[:, 0] - middle[0]), np.abs(seen[:, 1] - middle[1]), seen[:, 2] - middle[2]
 
     slope = math.tan(math.radians(0.5 * view.CameraViewAngle))
     aspect = view.ViewSize[0] / max(view.ViewSize[1], 1)
-    distance = 1e-6
-    for signs in itertools.product((-1.0, 1.0), repeat=3):
-        corner = [signs[k] * half[k] for k in range(3)]
-        x, y, z = dot(corner, right), dot(corner, up), dot(corner, towards)
-        distance = max(distance, z + abs(x) / (0.92 * slope * aspect), z + abs(y) / (0.84 * slope))
-    focus = [middle[k] - 0.05 * distance * slope * up[k] for k in range(3)]
-    view.CameraFocalPoint = focus
-    view.CameraPosition = [focus[k] + distance * towards[k] for k in range(3)]
-    view.CameraViewUp = up
-    view.CenterOfRotation = middle
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def unit(a):
-    return [x / math.sqrt(dot(a, a)) for x in a]
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    distance = max(np.max(z + x / (0.92 * slope * aspect)), np.max(z + y / (0.84 * slope)), 1e-6)
+    middle[1] -= 0.05 * distance * slope
+    # The first render would reset the camera.
+    simple._DisableFirstRenderCameraReset()
+    view.CameraFocalPoint = list(middle @ axes)
+    view.CameraPosition = list((middle + [0.0, 0.0, distance]) @ axes)
+    view.CameraViewUp = list(axes[1])
+    view.CenterOfRotation = list(0.5 * (low + high))

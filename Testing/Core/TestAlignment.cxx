@@ -317,6 +317,46 @@ TEST(Alignment, WeightsAndLengthsOfTheGuidance)
   EXPECT_EQ(field.Compute(options, bad).Representation, field.Compute(options, without).Representation);
 }
 
+TEST(Alignment, ExtremeWeightsAndShiftsTendToTheirLimits)
+{
+  const Surface surface = Potato(2);
+  DirectionField field(surface);
+  Options options;
+  options.Alignment = Alignment::PointVectors;
+  options.AlignmentStrength = 0.9;
+  Guidance guidance = SpatialVectors(surface);
+  const Result plain = field.Compute(options, guidance);
+  for (const double weight : { 1e-320, 1e-300, 1e-160, 1e160, 1e308 })
+  {
+    guidance.Weights.assign(surface.Points.size(), weight);
+    const Result weighted = field.Compute(options, guidance);
+    EXPECT_EQ(weighted.SingularityIndex, plain.SingularityIndex);
+    for (Index i = 0; i < static_cast<Index>(surface.Points.size()); ++i)
+    {
+      EXPECT_NEAR(PhaseDifference(plain, weighted, i), 0.0, 1e-6) << weight;
+    }
+  }
+  for (const bool constrained : { false, true })
+  {
+    options.ConstrainSharpEdges = constrained;
+    options.FeatureAngle = 20.0;
+    options.UseShift = false;
+    options.AlignmentStrength = 1.0;
+    const Result limit = field.Compute(options, guidance);
+    options.UseShift = true;
+    for (const double shift : { 1e20, 1e80, 1e158, 1e300 })
+    {
+      options.Shift = shift;
+      const Result result = field.Compute(options, guidance);
+      EXPECT_TRUE(result.Components[0].Converged);
+      for (Index i = 0; i < static_cast<Index>(surface.Points.size()); ++i)
+      {
+        EXPECT_NEAR(PhaseDifference(limit, result, i), 0.0, 1e-6) << shift;
+      }
+    }
+  }
+}
+
 TEST(Alignment, ZeroGuidanceChangesNothingAndSaysSo)
 {
   const Surface surface = Potato(2);

@@ -338,6 +338,31 @@ TEST(Constraints, SolutionsEqualDenseMinimization)
   }
 }
 
+TEST(Constraints, OneVertexOfManyTrianglesIsNoTrouble)
+{
+  // K_f^* K_f of a bipyramid is dense. The answer is that of the factor on a smaller one.
+  for (const int sides : { 12, 4000 })
+  {
+    Surface bipyramid;
+    bipyramid.Points = { { 0, 0, 1 }, { 0, 0, -1 } };
+    for (Index k = 0; k < sides; ++k)
+    {
+      const double a = 2.0 * Pi * k / sides;
+      bipyramid.Points.emplace_back(std::cos(a), std::sin(a), 0.1 * std::sin(3.0 * a));
+      const Index here = 2 + k;
+      const Index next = 2 + (k + 1) % sides;
+      bipyramid.Triangles.push_back({ 0, here, next });
+      bipyramid.Triangles.push_back({ 1, next, here });
+    }
+    Options options;
+    options.ConstrainGuidance = true;
+    const Result result = DirectionField(bipyramid).Compute(
+      options, GuidanceAt(bipyramid, { { 2, Vector3::UnitY() }, { sides / 2, Vector3::UnitZ() } }));
+    EXPECT_LE(result.Components[0].SystemResidual, 1e-8);
+    EXPECT_EQ(Sum(result), 8);
+  }
+}
+
 TEST(Constraints, AlignmentVanishesAtConstraintsAndTheirNeighbours)
 {
   // alpha: guidance at a constrained vertex and around it has no influence.

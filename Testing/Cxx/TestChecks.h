@@ -247,8 +247,9 @@ inline bool IsSame(vtkDataArray* one, vtkDataArray* other)
   return one && other && one->GetDataType() == other->GetDataType() &&
     one->GetNumberOfComponents() == other->GetNumberOfComponents() &&
     one->GetNumberOfTuples() == other->GetNumberOfTuples() &&
-    std::memcmp(one->GetVoidPointer(0), other->GetVoidPointer(0),
-      static_cast<size_t>(one->GetNumberOfValues()) * one->GetDataTypeSize()) == 0;
+    (one->GetNumberOfValues() == 0 ||
+      std::memcmp(one->GetVoidPointer(0), other->GetVoidPointer(0),
+        static_cast<size_t>(one->GetNumberOfValues()) * one->GetDataTypeSize()) == 0);
 }
 
 inline bool IsSame(vtkFieldData* one, vtkFieldData* other)

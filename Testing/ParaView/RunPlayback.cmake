@@ -1,12 +1,16 @@
-# Plays PLAYBACK back in the ParaView window with MESH open and the plugin PLUGIN loaded. The macro
-# that the playback runs writes its verdict into a file.
-set(verdict "${OUTPUT}/Window.txt")
-file(REMOVE "${verdict}" "${OUTPUT}/Window.png")
-get_filename_component(directory "${PLUGIN}" DIRECTORY)
+# Plays PLAYBACK back in the ParaView window with MESH open and the plugin PLUGIN, if any, loaded. A
+# macro that the playback runs writes its verdict into the file NAME.txt in OUTPUT.
+set(verdict "${OUTPUT}/${NAME}.txt")
+file(REMOVE "${verdict}" "${OUTPUT}/${NAME}.png")
+set(plugins)
+if (PLUGIN)
+  get_filename_component(directory "${PLUGIN}" DIRECTORY)
+  set(plugins "--plugin-search-paths=${directory}" --plugins=DirectionFields)
+endif ()
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -E env "HOME=${HOME}" "XDG_CONFIG_HOME=${HOME}/.config"
     "DIRECTIONFIELDS_TEST_OUTPUT=${OUTPUT}" "PARAVIEW_LOG_EXECUTION_VERBOSITY=OFF"
-    "${PARAVIEW}" --dr "--plugin-search-paths=${directory}" --plugins=DirectionFields
+    "${PARAVIEW}" --dr ${plugins}
     "--test-directory=${OUTPUT}" "--data=${MESH}" "--test-script=${PLAYBACK}" --exit
   TIMEOUT 120
   RESULT_VARIABLE result

@@ -114,7 +114,7 @@ def test_options():
     field = directionfields.show(sphere, degree=1).field
     assert figures(servermanager.Fetch(field), servermanager.Fetch(field, idx=1))["Total"] == 2
     again = directionfields.show(field)
-    assert again.field is field or again.field.SMProxy is field.SMProxy
+    assert again.field.SMProxy is field.SMProxy
     again.field.Degree = 6
     again.caption.UpdatePipeline()
     text = servermanager.Fetch(again.caption).GetColumn(0).GetValue(0)
@@ -133,13 +133,32 @@ def test_macro():
     simple.SetActiveSource(simple.Sphere())
     exec(compile(text, path, "exec"), {})
     assert simple.GetActiveSource().GetXMLName() == "DirectionField"
-    assert len(simple.FindSource("DirectionField1").ListProperties()) > 1
     spheres = simple.GetRepresentation(simple.OutputPort(simple.GetActiveSource(), 1))
     assert spheres.Representation == "3D Glyphs"
+    simple.ResetSession()
+
+
+def test_state():
+    """A saved state brings the whole picture back."""
+    shown = directionfields.show(mesh)
+    path = picture_of(shown.view, "ShowBefore.png")
+    before = pixels(path, red), pixels(path, blue)
+    count = shown.glyphs.GetDataInformation().GetNumberOfCells()
+    state = os.path.join(output, "TestShow.pvsm")
+    simple.SaveState(state)
+    del shown
+    simple.ResetSession()
+    simple.LoadState(state)
+    glyphs = simple.FindSource("DirectionFieldGlyphs1")
+    glyphs.UpdatePipeline()
+    assert glyphs.GetDataInformation().GetNumberOfCells() == count
+    path = picture_of(simple.GetActiveViewOrCreate("RenderView"), "ShowAfter.png")
+    assert (pixels(path, red), pixels(path, blue)) == before
 
 
 test_errors()
 test_file()
 test_options()
 test_macro()
+test_state()
 print("passed")

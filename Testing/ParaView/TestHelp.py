@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The help that the plugin brings: TestHelp.py PLUGIN QCH
+
+A Qt help file is an SQLite database of compressed files."""
+import html
+import re
+import sqlite3
+import sys
+import zlib
+
+from paraview.simple import *
+
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+with sqlite3.connect(f"file:{sys.argv[2]}?mode=ro", uri=True) as database:
+    files = {name: data for name, data in database.execute(
+        "SELECT n.Name, d.Data FROM FileNameTable n JOIN FileDataTable d ON n.FileId = d.Id")}
+    contents = database.execute("SELECT Data FROM ContentsTable").fetchone()[0]
+
+
+def page(name):
+    # After four bytes with the length.
+    return zlib.decompress(files[name][4:]).decode("utf-8")
+
+
+# The guide is what the title of the plugin's help leads to, and all that it refers to is there.
+assert "index.html".encode("utf-16-be") in contents
+guide = page("index.html")
+targets = re.findall(r'(?:href|src)="([^"]*)"', guide)
+assert len(targets) >= 5, targets
+for target in targets:
+    assert target in files, target
+# Each filter has a page with all of its properties, which the guide leads to.
+for filter in (DirectionField, DirectionFieldGlyphs):
+    proxy = filter(Input=Sphere())
+    name = f"filters.{proxy.GetXMLName()}.html"
+    assert name in targets, name
+    text = " ".join(html.unescape(page(name)).split())
+    for name in proxy.ListProperties():
+        label = proxy.SMProxy.GetProperty(name).GetXMLLabel()
+        assert f"<th>{label}</th>" in text, (label, text)
+# ParaView shows these pages as Latin-1.
+for name in files:
+    if name.startswith("filters."):
+        assert page(name).isascii(), (name, [c for c in page(name) if not c.isascii()])
+# The guide knows the arrays that there are.
+field = DirectionField(Input=Sphere(), Degree=2)
+field.UpdatePipeline()
+for port, kinds in ((0, ("PointData", "CellData", "FieldData")), (1, ("PointData",))):
+    for kind in kinds:
+        for name in getattr(OutputPort(field, port), kind).keys():
+            if name != "Normals" or port == 1:
+                assert f"<code>{name}</code>" in guide, name
+print("passed")
