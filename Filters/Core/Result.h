@@ -17,7 +17,7 @@ struct ComponentReport
   /// The smallest lambda of A u = lambda M u, in 1 / length^2 of the input.
   double Eigenvalue = 0.0;
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
-  /// rounding, relative to 1e-7 ||A||u||.
+  /// rounding, relative to 1e-7 ||A||u||, or 0 if it is no more than rounding.
   double Residual = 0.0;
   /// Solves with the factored matrix; 0 where the component was small enough for a dense solver.
   int Iterations = 0;
@@ -30,7 +30,8 @@ struct ComponentReport
   /// for constraints without alignment.
   double Lambda = 0.0;
   /// u^* A u of the field scaled to u^* M u = 1, in 1 / length^2: Eigenvalue for the smoothest
-  /// field, larger for all others.
+  /// field, larger for all others. Fields that fade away from their constraints have more of it,
+  /// though their unscaled energy may be less.
   double SmoothnessEnergy = 0.0;
   /// Relative residual of the linear system that gave the aligned or constrained field, 0 for the
   /// smoothest field. For least squares that of the normal equations.

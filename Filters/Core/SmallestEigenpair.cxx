@@ -192,7 +192,13 @@ double RelativeResidual(
 {
   const ComplexVector au = energy * u;
   const ComplexVector mu = mass * u;
-  return (au - lambda * mu).norm() / std::max(au.norm(), 1e-7 * SumOfMagnitudes(energy, u));
+  const double residual = (au - lambda * mu).norm();
+  const double terms = SumOfMagnitudes(energy, u);
+  if (au.norm() < 1e-7 * terms)
+  {
+    return residual <= 1e-14 * terms ? 0.0 : residual / (1e-7 * terms);
+  }
+  return residual / au.norm();
 }
 
 Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass,

@@ -9,8 +9,11 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkStringArray.h"
 
+#include <array>
+#include <cmath>
 #include <set>
 
 using namespace TestChecks;
@@ -320,6 +323,40 @@ void TestTornPolygon()
 }
 
 /// The links of the input do not survive into the output, which builds others.
+/// A triangle on the diagonal along which a quad is cut: the cut triangles get points of their own
+/// that the quad cannot use. Those show no direction.
+void TestUnusedPoints()
+{
+  vtkNew<vtkPoints> points;
+  for (const auto& p : { std::array<double, 3>{ 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+         { 0.5, 0.5, 1 } })
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 3 });
+  polys->InsertNextCell({ 1, 3, 4 });
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(polys);
+  const auto field = SplitFieldOf(mesh, { "split" });
+  std::set<vtkIdType> used;
+  for (vtkIdType cell = 0; cell < 2; ++cell)
+  {
+    for (const vtkIdType corner : Corners(field->GetPolys(), cell))
+    {
+      used.insert(corner);
+    }
+  }
+  CHECK(static_cast<vtkIdType>(used.size()) < field->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+  {
+    double direction[3];
+    field->GetPointData()->GetArray("Direction0")->GetTuple(i, direction);
+    CHECK(std::abs(vtkMath::Norm(direction) - (used.count(i) ? 1.0 : 0.0)) < 1e-6);
+  }
+}
+
 void TestLinks()
 {
   auto mesh = Book(3, 2, 1);
@@ -397,6 +434,7 @@ int TestDirectionFieldSplit(int, char*[])
   TestStrips();
   TestBowTie();
   TestTornPolygon();
+  TestUnusedPoints();
   TestLinks();
   TestSingularityNormals();
   TestManifold();
