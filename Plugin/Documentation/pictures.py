@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 
-SIZE = (300, 300)
+SIZE = (230, 230)
 FACTOR = 3
 
 simple.LoadPlugin(sys.argv[1], remote=False)
@@ -21,7 +21,7 @@ def tile(append, mesh, folder, **options):
     view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
                              UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
     shown = directionfields.show(mesh, view=view, legend=False,
-                                 glyphs={"MaximumNumberOfGlyphs": 600}, **options)
+                                 glyphs={"MaximumNumberOfGlyphs": 500}, **options)
     path = os.path.join(folder, f"{append.GetNumberOfInputConnections(0)}.png")
     simple.SaveScreenshot(path, view, ImageResolution=[FACTOR * pixels for pixels in SIZE])
     reader = vtkPNGReader()

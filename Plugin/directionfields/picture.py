@@ -224,7 +224,9 @@ def show_legend(field, lookup, view):
     bar.DrawTickMarks = bar.DrawTickLabels = bar.AddRangeLabels = 0
     bar.ScalarBarLength = 0.12
     bar.WindowLocation = "Any Location"
-    bar.Position = [0.9, 0.03]
+    # Both legend and caption must fit side by side into a small window, too.
+    bar.Position = [0.87, 0.03]
+    bar.TitleFontSize = bar.LabelFontSize = 13
     bar.TitleColor = bar.LabelColor = text_color(view)
     bar.Visibility = 1
     caption = simple.PythonAnnotation(
@@ -235,6 +237,7 @@ def show_legend(field, lookup, view):
     display = simple.Show(caption, view)
     display.Color = text_color(view)
     display.WindowLocation = "Lower Left Corner"
+    display.FontSize = 14
     return bar, caption
 
 
