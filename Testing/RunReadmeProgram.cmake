@@ -2,8 +2,8 @@
 # runs it on MESH.
 include("${CMAKE_CURRENT_LIST_DIR}/ExtractReadme.cmake")
 file(REMOVE_RECURSE "${BUILD}")
-extract_block("${README}" cmake "${BUILD}/CMakeLists.txt")
-extract_block("${README}" cpp "${BUILD}/app.cxx")
+extract_blocks("${README}" cmake "${BUILD}/CMakeLists.txt")
+extract_blocks("${README}" cpp "${BUILD}/app.cxx")
 foreach (command IN ITEMS
     "${CMAKE_COMMAND};-S;${BUILD};-B;${BUILD}/build;-G;${GENERATOR};-DCMAKE_PREFIX_PATH=${PREFIX};\
 -DCMAKE_BUILD_TYPE=${CONFIG};-DCMAKE_CXX_COMPILER=${CXX};-DVTK_DIR=${VTK_DIR}"
