@@ -7,6 +7,7 @@
 #include "Constraints.h"
 #include "Singularities.h"
 #include "Stages.h"
+#include "Threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,10 +150,12 @@ Vector3 Result::Direction(Index point, int k) const
   return std::cos(angle) * x + std::sin(angle) * y;
 }
 
-DirectionField::DirectionField(const Surface& surface)
+DirectionField::DirectionField(const Surface& surface, int numberOfThreads)
   : Input(surface)
-  , Kept(std::make_unique<Stages>(surface))
 {
+  Threads threads(numberOfThreads);
+  const Threads::Scope scope(threads);
+  this->Kept = std::make_unique<Stages>(surface);
 }
 
 DirectionField::~DirectionField() = default;
@@ -164,6 +167,8 @@ Result DirectionField::Compute(
 {
   Check(options);
   Check(guidance, options, this->Input.Points.size());
+  Threads threads(options.NumberOfThreads);
+  const Threads::Scope scope(threads);
   Stages& stages = *this->Kept;
   const TriangleMesh& mesh = stages.GetMesh();
   const OutputPoints points(mesh, this->Input.Points.size());

@@ -37,7 +37,8 @@ class DirectionField
 {
 public:
   /// Throws MeshError for a surface that cannot be processed.
-  explicit DirectionField(const Surface& surface);
+  /// @param numberOfThreads as in Options
+  explicit DirectionField(const Surface& surface, int numberOfThreads = 0);
   ~DirectionField();
   DirectionField(DirectionField&&) noexcept;
   DirectionField& operator=(DirectionField&&) noexcept;

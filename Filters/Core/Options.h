@@ -52,6 +52,9 @@ struct Options
   double Tolerance = 1e-6;
   /// Most solves with the factored matrix that a connected component may take. Range 1 to 10000.
   int MaximumIterations = 200;
+  /// Threads to compute with; 0 for as many as the process may run at once, but no more than
+  /// OMP_NUM_THREADS says. Changes no byte of the result. Range 0 to 1024.
+  int NumberOfThreads = 0;
 
   DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
   DirectionFields::CurvatureDirection CurvatureDirection =
