@@ -219,7 +219,7 @@ Result DirectionField::Compute(
       energy = nullptr;
       break;
     }
-    const Eigenpair& smoothest = energy->Smoothest[c];
+    const Eigenpair& smoothest = energy->Smoothest[c].First;
     const double unit = stages.GetMetric().Unit[c];
     ComponentProblem problem{ energy->Matrices[c], smoothest, stages.GetScale(c, options.Degree),
       unit, {}, {} };
@@ -246,6 +246,7 @@ Result DirectionField::Compute(
     figures.Eigenvalue = PerSquare(smoothest.Value, unit);
     figures.Residual = smoothest.Residual;
     figures.Iterations = smoothest.Iterations;
+    figures.SolverUsed = energy->Smoothest[c].SolverUsed;
     figures.EulerCharacteristic = component.Vertices() - component.Edges() + component.Triangles();
     figures.Vertices = component.Vertices();
     figures.Triangles = component.Triangles();

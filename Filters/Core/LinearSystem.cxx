@@ -4,7 +4,7 @@
 #include "LinearSystem.h"
 
 #include "Factorization.h"
-#include "SmallestEigenpair.h"
+#include "OperatorProducts.h"
 
 #include <algorithm>
 #include <cmath>

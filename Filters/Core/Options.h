@@ -38,6 +38,18 @@ enum class ConstraintSolver
   Energy = 1
 };
 
+/// How matrices are inverted.
+enum class Solver
+{
+  /// Multigrid for large components, Direct for small ones and where multigrid does not converge.
+  Automatic = 0,
+  /// Multigrid wherever a component has enough vertices for a hierarchy; time and memory grow in
+  /// proportion to the triangles.
+  Multigrid = 1,
+  /// A sparse Cholesky factor.
+  Direct = 2
+};
+
 /// What the user asks for. The one place of the defaults.
 struct Options
 {
@@ -50,8 +62,10 @@ struct Options
   /// Largest relative residual |A u - lambda M u| / |A u| of a solution that counts as converged.
   /// Range 1e-12 to 0.1.
   double Tolerance = 1e-6;
-  /// Most solves with the factored matrix that a connected component may take. Range 1 to 10000.
+  /// Most solves with the factored matrix, or V-cycles, that a connected component may take for its
+  /// smallest eigenpair. Range 1 to 10000.
   int MaximumIterations = 200;
+  DirectionFields::Solver Solver = DirectionFields::Solver::Automatic;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. Changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

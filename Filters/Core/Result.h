@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Result_h
 #define DirectionFields_Result_h
 
+#include "Options.h"
 #include "Surface.h"
 
 #include <string>
@@ -19,8 +20,11 @@ struct ComponentReport
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
   /// rounding, relative to 1e-7 ||A||u||, or 0 if it is no more than rounding.
   double Residual = 0.0;
-  /// Solves with the factored matrix; 0 where the component was small enough for a dense solver.
+  /// Solves with the factored matrix, or V-cycles; 0 where the component was small enough for a
+  /// dense solver.
   int Iterations = 0;
+  /// Multigrid or Direct: what the eigenvalue was found with.
+  Solver SolverUsed = Solver::Direct;
   /// Vertices - edges + triangles.
   int EulerCharacteristic = 0;
   /// Sum of the singularity indices, in units of 1/n; n times EulerCharacteristic if Closed.

@@ -4,6 +4,7 @@
 #include "SmallestEigenpair.h"
 
 #include "Factorization.h"
+#include "OperatorProducts.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -173,32 +174,21 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
 }
 }
 
-double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
+double RelativeResidual(double residual, double energy, double terms)
 {
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(u.size());
-  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+  if (energy < 1e-7 * terms)
   {
-    const double size = std::abs(u[column]);
-    for (SparseMatrix::InnerIterator it(matrix, column); it; ++it)
-    {
-      sums[it.row()] += std::abs(it.value()) * size;
-    }
+    return residual <= 1e-14 * terms ? 0.0 : residual / (1e-7 * terms);
   }
-  return sums.norm();
+  return residual / energy;
 }
 
 double RelativeResidual(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda)
 {
-  const ComplexVector au = energy * u;
-  const ComplexVector mu = mass * u;
-  const double residual = (au - lambda * mu).norm();
-  const double terms = SumOfMagnitudes(energy, u);
-  if (au.norm() < 1e-7 * terms)
-  {
-    return residual <= 1e-14 * terms ? 0.0 : residual / (1e-7 * terms);
-  }
-  return residual / au.norm();
+  const ComplexVector au = Product(energy, u);
+  const ComplexVector mu = Product(mass, u);
+  return RelativeResidual((au - lambda * mu).norm(), au.norm(), SumOfMagnitudes(energy, u));
 }
 
 Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass,

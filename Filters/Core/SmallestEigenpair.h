@@ -35,11 +35,10 @@ struct EigenpairSettings
   double Scale = 1.0;
 };
 
-/// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
-double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
-
 /// ‖A u - lambda M u‖ / max(‖A u‖, 1e-7 ‖|A| |u|‖). The second norm takes over where lambda = 0 up to
 /// rounding; there the residual is 0 if it is no more than rounding, 1e-14 ‖|A| |u|‖, itself.
+/// @param residual, energy, terms the three norms
+double RelativeResidual(double residual, double energy, double terms);
 double RelativeResidual(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda);
 

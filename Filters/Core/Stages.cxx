@@ -72,14 +72,14 @@ const EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunct
     settings.Scale = this->GetScale(c, options.Degree);
     const ReferenceSection reference(
       this->Mesh, this->Frames, this->Points, component, options.Degree);
-    Eigenpair pair = SmallestEigenpair(stage.Matrices.back().Energy, stage.Matrices.back().Mass,
-      reference.Start(), settings, report);
-    if (pair.Aborted)
+    SmallestPairs pairs = FindSmallestPairs(
+      stage.Matrices.back(), [&] { return reference.Start(); }, options.Solver, settings, report);
+    if (pairs.First.Aborted)
     {
       return nullptr;
     }
-    reference.FixPhase(pair.Vector);
-    stage.Smoothest.push_back(std::move(pair));
+    reference.FixPhase(pairs.First.Vector);
+    stage.Smoothest.push_back(std::move(pairs));
   }
   this->Energy = std::move(stage);
   return &*this->Energy;

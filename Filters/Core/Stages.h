@@ -9,7 +9,7 @@
 #include "DirectionField.h"
 #include "Metric.h"
 #include "Operators.h"
-#include "SmallestEigenpair.h"
+#include "MultigridEigenpair.h"
 #include "TangentFrames.h"
 #include "TriangleMesh.h"
 
@@ -25,18 +25,20 @@ struct EnergyOptions
   double EnergyBias;
   double Tolerance;
   int MaximumIterations;
+  DirectionFields::Solver Solver;
 
   explicit EnergyOptions(const Options& options)
     : Degree(options.Degree)
     , EnergyBias(options.EnergyBias)
     , Tolerance(options.Tolerance)
     , MaximumIterations(options.MaximumIterations)
+    , Solver(options.Solver)
   {
   }
   bool operator==(const EnergyOptions& other) const
   {
     return this->Degree == other.Degree && this->EnergyBias == other.EnergyBias &&
-      this->Tolerance == other.Tolerance && this->MaximumIterations == other.MaximumIterations;
+      this->Tolerance == other.Tolerance && this->MaximumIterations == other.MaximumIterations && this->Solver == other.Solver;
   }
 };
 
@@ -45,7 +47,7 @@ struct EnergyStage
 {
   EnergyOptions Key;
   std::vector<Operators> Matrices;
-  std::vector<Eigenpair> Smoothest;
+  std::vector<SmallestPairs> Smoothest;
 };
 
 /// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others

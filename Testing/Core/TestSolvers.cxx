@@ -7,6 +7,7 @@
 #include "SmallestEigenpair.h"
 #include "TangentFrames.h"
 #include "TestMeshes.h"
+#include "TestSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -14,47 +15,17 @@
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
-#include <random>
 
 using namespace DirectionFields;
 using namespace TestMeshes;
 
 namespace
 {
-struct System
-{
-  System(const Surface& surface, int degree, double energyBias)
-    : Mesh(surface)
-    , Lengths(this->Mesh, surface.Points)
-    , Transport(this->Mesh, this->Lengths, surface.Points)
-    , Matrices(AssembleOperators(this->Mesh, this->Lengths, this->Transport,
-        this->Mesh.GetComponents()[0], degree, energyBias))
-    , Scale(2.0 * Pi * degree / this->Lengths.ComponentArea[0])
-  {
-  }
-  TriangleMesh Mesh;
-  Metric Lengths;
-  Connection Transport;
-  Operators Matrices;
-  double Scale;
-};
-
 Eigen::VectorXd DenseEigenvalues(const Operators& o)
 {
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd>(
     Eigen::MatrixXcd(o.Energy), Eigen::MatrixXcd(o.Mass), Eigen::EigenvaluesOnly)
     .eigenvalues();
-}
-
-ComplexVector RandomVector(Eigen::Index n, unsigned seed)
-{
-  std::mt19937 engine(seed);
-  ComplexVector v(n);
-  for (Complex& z : v)
-  {
-    z = std::polar(1.0, engine() / 4294967296.0 * 2.0 * Pi);
-  }
-  return v;
 }
 
 bool PositiveDefinite(const SparseMatrix& m)

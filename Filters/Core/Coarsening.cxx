@@ -1,0 +1,493 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Coarsening.h"
+
+#include "Threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr Index PieceRows = CompactMatrix::PieceRows;
+/// A coupling is strong above this part of the mean of the two diagonal entries; on each coarser
+/// level by the second factor less.
+constexpr float StrongPart = 0.02f;
+constexpr float StrongPartDecay = 0.7f;
+/// The diagonal of the matrix without weak couplings is at least this part of the diagonal.
+constexpr float LeastFilteredDiagonal = 0.3f;
+/// Damping of the prolongator's smoothing, over the largest eigenvalue.
+constexpr float Damping = 4.0f / 3.0f;
+
+/// Takes a value of the column's vertex to the row's.
+CompactComplex Transport(const CompactComplex& mass)
+{
+  const float size = Modulus(mass);
+  return size > 0.0f ? mass / size : CompactComplex(1.0f);
+}
+
+/// How much each entry couples after transport, the diagonal's unit taken out of it; 0 if weakly.
+struct Couplings
+{
+  std::vector<float> Strength;
+  /// Diagonal of the energy with the weak couplings lumped into it.
+  std::vector<float> Diagonal;
+};
+
+Couplings FindCouplings(const LevelMatrices& matrices, int level)
+{
+  const CompactMatrix& energy = matrices.Energy;
+  const float part = StrongPart * std::pow(StrongPartDecay, static_cast<float>(level));
+  Couplings couplings{ std::vector<float>(energy.Value.size()), energy.Diagonal };
+  ParallelFor(energy.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        float lumped = energy.Diagonal[i];
+        for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+        {
+          const float along =
+            (energy.Value[k] * std::conj(Transport(matrices.MassValue[k]))).real();
+          const float bound =
+            part * part * energy.Diagonal[i] * energy.Diagonal[energy.Column[k]];
+          const bool strong = along < 0.0f && along * along > bound;
+          couplings.Strength[k] = strong ? -along : 0.0f;
+          lumped += strong ? 0.0f : along;
+        }
+        couplings.Diagonal[i] = std::max(lumped, LeastFilteredDiagonal * energy.Diagonal[i]);
+      }
+    });
+  return couplings;
+}
+
+/// The aggregate of each vertex and its value where the aggregate's root has 1.
+struct Aggregates
+{
+  std::vector<Index> Number;
+  std::vector<CompactComplex> Phase;
+  Index Count = 0;
+};
+
+Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
+{
+  const CompactMatrix& energy = matrices.Energy;
+  const Index n = energy.Rows();
+  Aggregates aggregates{ std::vector<Index>(n, None), std::vector<CompactComplex>(n, 1.0f), 0 };
+  // Whole neighbourhoods of strong couplings.
+  for (Index root = 0; root < n; ++root)
+  {
+    if (aggregates.Number[root] != None)
+    {
+      continue;
+    }
+    bool free = true;
+    bool coupled = false;
+    for (Index k = energy.Begin[root]; free && k < energy.Begin[root + 1]; ++k)
+    {
+      coupled = coupled || couplings.Strength[k] > 0.0f;
+      free = couplings.Strength[k] == 0.0f || aggregates.Number[energy.Column[k]] == None;
+    }
+    if (!free || !coupled)
+    {
+      continue;
+    }
+    aggregates.Number[root] = aggregates.Count;
+    for (Index k = energy.Begin[root]; k < energy.Begin[root + 1]; ++k)
+    {
+      if (couplings.Strength[k] > 0.0f)
+      {
+        const Index v = energy.Column[k];
+        aggregates.Number[v] = aggregates.Count;
+        aggregates.Phase[v] = std::conj(Transport(matrices.MassValue[k]));
+      }
+    }
+    ++aggregates.Count;
+  }
+  // The others join their strongest neighbour among those, or among the others before.
+  std::vector<Index> joined;
+  const auto join = [&](Index v, const std::vector<Index>& number)
+  {
+    Index best = None;
+    float strongest = 0.0f;
+    for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+    {
+      if (couplings.Strength[k] > strongest && number[energy.Column[k]] != None)
+      {
+        strongest = couplings.Strength[k];
+        best = k;
+      }
+    }
+    if (best != None)
+    {
+      const Index neighbour = energy.Column[best];
+      aggregates.Phase[v] = Transport(matrices.MassValue[best]) * aggregates.Phase[neighbour];
+    }
+    return best == None ? None : number[energy.Column[best]];
+  };
+  const std::vector<Index> roots = aggregates.Number;
+  for (Index v = 0; v < n; ++v)
+  {
+    if (roots[v] == None)
+    {
+      aggregates.Number[v] = join(v, roots);
+    }
+  }
+  for (Index v = 0; v < n; ++v)
+  {
+    if (aggregates.Number[v] == None)
+    {
+      aggregates.Number[v] = join(v, aggregates.Number);
+    }
+    if (aggregates.Number[v] == None)
+    {
+      // Coupled with nothing but itself: the sweeps solve for it. Yet a coarse level must be able
+      // to hold any section.
+      aggregates.Number[v] = aggregates.Count++;
+    }
+  }
+  return aggregates;
+}
+
+/// Adds up the entries of one row by column.
+template <typename Entry>
+class RowSum
+{
+public:
+  RowSum() { this->Resize(64); }
+
+  Entry& operator[](Index column)
+  {
+    std::size_t at = this->Hash(column);
+    while (this->Slots[at] != None && this->Row[this->Slots[at]].first != column)
+    {
+      at = (at + 1) & (this->Slots.size() - 1);
+    }
+    if (this->Slots[at] == None)
+    {
+      if (2 * this->Row.size() >= this->Slots.size())
+      {
+        this->Resize(2 * this->Slots.size());
+        return (*this)[column];
+      }
+      this->Slots[at] = static_cast<Index>(this->Row.size());
+      this->Row.emplace_back(column, Entry{});
+    }
+    return this->Row[this->Slots[at]].second;
+  }
+
+  /// Sorted by column; valid until the next use.
+  std::vector<std::pair<Index, Entry>>& Take()
+  {
+    for (const auto& entry : this->Row)
+    {
+      std::size_t at = this->Hash(entry.first);
+      while (this->Slots[at] != None)
+      {
+        this->Slots[at] = None;
+        at = (at + 1) & (this->Slots.size() - 1);
+      }
+    }
+    std::sort(this->Row.begin(), this->Row.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+    return this->Row;
+  }
+  void Clear() { this->Row.clear(); }
+
+private:
+  std::size_t Hash(Index column) const
+  {
+    return (static_cast<std::uint32_t>(column) * 2654435769u) >> this->Shift;
+  }
+  void Resize(std::size_t slots)
+  {
+    this->Slots.assign(slots, None);
+    this->Shift = 32;
+    for (std::size_t size = slots; size > 1; size /= 2)
+    {
+      --this->Shift;
+    }
+    for (std::size_t k = 0; k < this->Row.size(); ++k)
+    {
+      std::size_t at = this->Hash(this->Row[k].first);
+      while (this->Slots[at] != None)
+      {
+        at = (at + 1) & (slots - 1);
+      }
+      this->Slots[at] = static_cast<Index>(k);
+    }
+  }
+
+  std::vector<Index> Slots;
+  std::vector<std::pair<Index, Entry>> Row;
+  int Shift = 32;
+};
+
+/// Rows made in pieces, put one after the other.
+template <typename Entry>
+struct Rows
+{
+  std::vector<Index> Size;
+  std::vector<std::vector<std::pair<Index, Entry>>> Pieces;
+
+  template <typename MakeRow>
+  Rows(Index count, const MakeRow& makeRow)
+    : Size(count)
+    , Pieces(NumberOfPieces(count, PieceRows))
+  {
+    ParallelFor(count, PieceRows,
+      [&](Index begin, Index end)
+      {
+        RowSum<Entry> sum;
+        auto& piece = this->Pieces[begin / PieceRows];
+        for (Index row = begin; row < end; ++row)
+        {
+          sum.Clear();
+          makeRow(row, sum);
+          const auto& entries = sum.Take();
+          this->Size[row] = static_cast<Index>(entries.size());
+          piece.insert(piece.end(), entries.begin(), entries.end());
+        }
+      });
+  }
+
+  /// begin[row], begin of the first row 0.
+  std::vector<Index> Begin() const
+  {
+    std::vector<Index> begin(this->Size.size() + 1, 0);
+    std::partial_sum(this->Size.begin(), this->Size.end(), begin.begin() + 1);
+    return begin;
+  }
+
+  /// Calls visit(row, entry) for all entries, each piece in order.
+  template <typename Visit>
+  void ForEach(const Visit& visit) const
+  {
+    ParallelFor(static_cast<Index>(this->Size.size()), PieceRows,
+      [&](Index begin, Index end)
+      {
+        auto entry = this->Pieces[begin / PieceRows].begin();
+        for (Index row = begin; row < end; ++row)
+        {
+          for (Index k = 0; k < this->Size[row]; ++k)
+          {
+            visit(row, k, *entry++);
+          }
+        }
+      });
+  }
+};
+
+/// P^*, its rows in ascending order of the fine vertices.
+void AddAdjoint(Prolongator& p, Index coarse)
+{
+  p.AdjointBegin.assign(coarse + 1, 0);
+  for (const Index column : p.Column)
+  {
+    ++p.AdjointBegin[column + 1];
+  }
+  std::partial_sum(p.AdjointBegin.begin(), p.AdjointBegin.end(), p.AdjointBegin.begin());
+  p.AdjointColumn.resize(p.Column.size());
+  p.AdjointValue.resize(p.Column.size());
+  std::vector<Index> at(p.AdjointBegin.begin(), p.AdjointBegin.end() - 1);
+  for (Index row = 0; row < p.FineRows(); ++row)
+  {
+    for (Index k = p.Begin[row]; k < p.Begin[row + 1]; ++k)
+    {
+      const Index place = at[p.Column[k]]++;
+      p.AdjointColumn[place] = row;
+      p.AdjointValue[place] = std::conj(p.Value[k]);
+    }
+  }
+}
+
+struct TwoEntries
+{
+  CompactComplex Energy = 0.0f;
+  CompactComplex Mass = 0.0f;
+};
+}
+
+template <int B>
+void LevelMatrices::Multiply(const float* x, float* ax, float* mx) const
+{
+  const CompactMatrix& energy = this->Energy;
+  ParallelFor(energy.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> a;
+        CompactValues<B> m;
+        a.AddReal(energy.Diagonal[v], x, v);
+        m.AddReal(this->MassDiagonal[v], x, v);
+        for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+        {
+          a.Add(energy.Value[k], x, energy.Column[k]);
+          m.Add(this->MassValue[k], x, energy.Column[k]);
+        }
+        a.Store(ax, v);
+        m.Store(mx, v);
+      }
+    });
+}
+
+template void LevelMatrices::Multiply<4>(const float*, float*, float*) const;
+
+template <int B>
+void Prolongator::AddTo(float* x, const float* y) const
+{
+  ParallelFor(this->FineRows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> sum(x, v);
+        for (Index k = this->Begin[v]; k < this->Begin[v + 1]; ++k)
+        {
+          sum.Add(this->Value[k], y, this->Column[k]);
+        }
+        sum.Store(x, v);
+      }
+    });
+}
+
+template <int B>
+void Prolongator::Restrict(const float* x, float* y) const
+{
+  ParallelFor(this->CoarseRows(), PieceRows / 4,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> sum;
+        for (Index k = this->AdjointBegin[v]; k < this->AdjointBegin[v + 1]; ++k)
+        {
+          sum.Add(this->AdjointValue[k], x, this->AdjointColumn[k]);
+        }
+        sum.Store(y, v);
+      }
+    });
+}
+
+template void Prolongator::AddTo<1>(float*, const float*) const;
+template void Prolongator::AddTo<4>(float*, const float*) const;
+template void Prolongator::Restrict<1>(const float*, float*) const;
+template void Prolongator::Restrict<4>(const float*, float*) const;
+
+Prolongator MakeProlongator(const LevelMatrices& matrices, int level)
+{
+  const CompactMatrix& energy = matrices.Energy;
+  const Couplings couplings = FindCouplings(matrices, level);
+  const Aggregates aggregates = Aggregate(matrices, couplings);
+  const Rows<CompactComplex> rows(energy.Rows(),
+    [&](Index i, RowSum<CompactComplex>& sum)
+    {
+      float radius = couplings.Diagonal[i];
+      for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+      {
+        radius += couplings.Strength[k] > 0.0f ? Modulus(energy.Value[k]) : 0.0f;
+      }
+      // Damping / (radius / diagonal) of (diagonal^-1 matrix).
+      const float step = Damping / radius;
+      sum[aggregates.Number[i]] += (1.0f - step * couplings.Diagonal[i]) * aggregates.Phase[i];
+      for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+      {
+        if (couplings.Strength[k] > 0.0f)
+        {
+          const Index j = energy.Column[k];
+          sum[aggregates.Number[j]] -= step * energy.Value[k] * aggregates.Phase[j];
+        }
+      }
+    });
+  Prolongator p;
+  p.Begin = rows.Begin();
+  p.Column.resize(p.Begin.back());
+  p.Value.resize(p.Begin.back());
+  rows.ForEach(
+    [&](Index row, Index k, const std::pair<Index, CompactComplex>& entry)
+    {
+      p.Column[p.Begin[row] + k] = entry.first;
+      p.Value[p.Begin[row] + k] = entry.second;
+    });
+  AddAdjoint(p, aggregates.Count);
+  return p;
+}
+
+LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolongator)
+{
+  const CompactMatrix& energy = matrices.Energy;
+  // A P and M P first.
+  const Rows<TwoEntries> products(energy.Rows(),
+    [&](Index i, RowSum<TwoEntries>& sum)
+    {
+      const auto add = [&](Index j, const CompactComplex& a, const CompactComplex& m)
+      {
+        for (Index k = prolongator.Begin[j]; k < prolongator.Begin[j + 1]; ++k)
+        {
+          TwoEntries& entry = sum[prolongator.Column[k]];
+          entry.Energy += a * prolongator.Value[k];
+          entry.Mass += m * prolongator.Value[k];
+        }
+      };
+      add(i, energy.Diagonal[i], matrices.MassDiagonal[i]);
+      for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+      {
+        add(energy.Column[k], energy.Value[k], matrices.MassValue[k]);
+      }
+    });
+  const std::vector<Index> begin = products.Begin();
+  const Rows<TwoEntries> rows(prolongator.CoarseRows(),
+    [&](Index row, RowSum<TwoEntries>& sum)
+    {
+      for (Index k = prolongator.AdjointBegin[row]; k < prolongator.AdjointBegin[row + 1]; ++k)
+      {
+        const Index i = prolongator.AdjointColumn[k];
+        const Index piece = i / PieceRows;
+        const auto* entry = products.Pieces[piece].data() + (begin[i] - begin[piece * PieceRows]);
+        for (Index e = 0; e < products.Size[i]; ++e, ++entry)
+        {
+          TwoEntries& total = sum[entry->first];
+          total.Energy += prolongator.AdjointValue[k] * entry->second.Energy;
+          total.Mass += prolongator.AdjointValue[k] * entry->second.Mass;
+        }
+      }
+    });
+  const Index n = prolongator.CoarseRows();
+  const std::vector<Index> rowBegin = rows.Begin();
+  LevelMatrices coarse;
+  coarse.Energy.Begin.resize(n + 1);
+  coarse.Energy.Upper.resize(n);
+  coarse.Energy.Diagonal.resize(n);
+  coarse.MassDiagonal.resize(n);
+  coarse.Energy.Begin[n] = rowBegin[n] - n;
+  coarse.Energy.Column.resize(rowBegin[n] - n);
+  coarse.Energy.Value.resize(rowBegin[n] - n);
+  coarse.MassValue.resize(rowBegin[n] - n);
+  rows.ForEach(
+    [&](Index row, Index k, const std::pair<Index, TwoEntries>& entry)
+    {
+      const Index start = rowBegin[row] - row;
+      if (k == 0)
+      {
+        coarse.Energy.Begin[row] = start;
+      }
+      if (entry.first == row)
+      {
+        coarse.Energy.Upper[row] = start + k;
+        coarse.Energy.Diagonal[row] = entry.second.Energy.real();
+        coarse.MassDiagonal[row] = entry.second.Mass.real();
+        return;
+      }
+      const Index at = start + k - (entry.first > row ? 1 : 0);
+      coarse.Energy.Column[at] = entry.first;
+      coarse.Energy.Value[at] = entry.second.Energy;
+      coarse.MassValue[at] = entry.second.Mass;
+    });
+  return coarse;
+}
+}

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DeflatedGradients.h"
+
+#include "Threads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr int Width = SectionBlock::Width;
+constexpr Index PieceRows = CompactMatrix::PieceRows;
+/// Rows whose products are added up in single precision.
+constexpr Index FewRows = 256;
+
+/// Products of a section with the four of a block, and another sum.
+struct Sums
+{
+  std::array<double, Width> Real{};
+  std::array<double, Width> Imaginary{};
+  double Other = 0.0;
+
+  Sums& operator+=(const Sums& other)
+  {
+    for (int b = 0; b < Width; ++b)
+    {
+      this->Real[b] += other.Real[b];
+      this->Imaginary[b] += other.Imaginary[b];
+    }
+    this->Other += other.Other;
+    return *this;
+  }
+};
+
+/// The same in single precision, for a few rows.
+struct FewSums
+{
+  std::array<float, Width> Real{};
+  std::array<float, Width> Imaginary{};
+  float Other = 0.0f;
+
+  /// Adds conj(row v of the block) times a value.
+  void Add(const CompactSections& block, Index v, float real, float imaginary)
+  {
+    const float* x = block.data() + static_cast<std::size_t>(2 * Width) * v;
+    for (int b = 0; b < Width; ++b)
+    {
+      this->Real[b] += x[b] * real + x[Width + b] * imaginary;
+      this->Imaginary[b] += x[b] * imaginary - x[Width + b] * real;
+    }
+  }
+  operator Sums() const
+  {
+    Sums sums;
+    for (int b = 0; b < Width; ++b)
+    {
+      sums.Real[b] = this->Real[b];
+      sums.Imaginary[b] = this->Imaginary[b];
+    }
+    sums.Other = this->Other;
+    return sums;
+  }
+};
+
+/// Adds up what body(v, sums) adds for each row.
+template <typename Body>
+Sums SumRows(Index rows, const Body& body)
+{
+  return ParallelSum<Sums>(rows, PieceRows, {},
+    [&](Index begin, Index end)
+    {
+      Sums sums;
+      for (Index first = begin; first < end; first += FewRows)
+      {
+        FewSums few;
+        const Index last = std::min(end, first + FewRows);
+        for (Index v = first; v < last; ++v)
+        {
+          body(v, few);
+        }
+        sums += few;
+      }
+      return sums;
+    });
+}
+
+/// Row v of a block times coefficients.
+struct Coefficients
+{
+  explicit Coefficients(const Sums& sums)
+  {
+    std::copy(sums.Real.begin(), sums.Real.end(), this->Real.begin());
+    std::copy(sums.Imaginary.begin(), sums.Imaginary.end(), this->Imaginary.begin());
+  }
+  CompactComplex Times(const CompactSections& block, Index v) const
+  {
+    const float* x = block.data() + static_cast<std::size_t>(2 * Width) * v;
+    float re = 0.0f;
+    float im = 0.0f;
+    for (int b = 0; b < Width; ++b)
+    {
+      re += x[b] * this->Real[b] - x[Width + b] * this->Imaginary[b];
+      im += x[b] * this->Imaginary[b] + x[Width + b] * this->Real[b];
+    }
+    return { re, im };
+  }
+  std::array<float, Width> Real;
+  std::array<float, Width> Imaginary;
+};
+}
+
+DeflatedGradients::DeflatedGradients(
+  const Multigrid::Level& finest, const Cycle& cycle, const SectionBlock& deflated)
+  : Finest(finest)
+  , Preconditioner(cycle)
+  , Deflated(deflated)
+{
+  const auto size = static_cast<std::size_t>(2) * finest.Rows();
+  for (CompactSections* section :
+    { &this->Solution, &this->Residual, &this->Direction, &this->Preconditioned, &this->Product })
+  {
+    section->resize(size);
+  }
+}
+
+DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHandSide,
+  double shift, double reduction, int mostSteps, const std::function<bool()>& goOn,
+  ComplexVector& solution)
+{
+  const CompactMatrix& matrix = this->Finest.Matrices.Energy;
+  const Index rows = matrix.Rows();
+  float* const t = this->Solution.data();
+  float* const r = this->Residual.data();
+  float* const p = this->Direction.data();
+  float* const z = this->Preconditioned.data();
+  float* const q = this->Product.data();
+  Outcome outcome;
+  solution = ComplexVector::Zero(rows);
+  const double size = std::sqrt(ParallelSum<double>(rows, PieceRows, 0.0,
+    [&](Index begin, Index end) { return rightHandSide.segment(begin, end - begin).squaredNorm(); }));
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    return outcome;
+  }
+
+  // Of unit length, so that nothing leaves the range of single precision.
+  const Coefficients outside(SumRows(rows,
+    [&](Index v, FewSums& sums)
+    {
+      const Complex value = rightHandSide[v] / size;
+      sums.Add(this->Deflated.Vectors, v, static_cast<float>(value.real()),
+        static_cast<float>(value.imag()));
+    }));
+  const double first = SumRows(rows,
+    [&](Index v, FewSums& sums)
+    {
+      const CompactComplex value =
+        CompactComplex(rightHandSide[v] / size) - outside.Times(this->Deflated.Mass, v);
+      r[2 * v] = value.real();
+      r[2 * v + 1] = value.imag();
+      t[2 * v] = 0.0f;
+      t[2 * v + 1] = 0.0f;
+      sums.Other += std::norm(value);
+    }).Other;
+
+  double previous = 0.0;
+  for (; outcome.Steps < mostSteps; ++outcome.Steps)
+  {
+    if (!goOn())
+    {
+      outcome.Stopped = true;
+      return outcome;
+    }
+    this->Preconditioner.Apply<1>(r, z);
+    const Coefficients along(SumRows(rows,
+      [&](Index v, FewSums& sums) { sums.Add(this->Deflated.Mass, v, z[2 * v], z[2 * v + 1]); }));
+    const double product = SumRows(rows,
+      [&](Index v, FewSums& sums)
+      {
+        const CompactComplex out = along.Times(this->Deflated.Vectors, v);
+        z[2 * v] -= out.real();
+        z[2 * v + 1] -= out.imag();
+        sums.Other += r[2 * v] * z[2 * v] + r[2 * v + 1] * z[2 * v + 1];
+      }).Other;
+    const float keep =
+      outcome.Steps == 0 ? 0.0f : static_cast<float>(product / previous);
+    previous = product;
+    ParallelFor(rows, PieceRows,
+      [&](Index begin, Index end)
+      {
+        for (Index k = 2 * begin; k < 2 * end; ++k)
+        {
+          p[k] = keep == 0.0f ? z[k] : z[k] + keep * p[k];
+        }
+      });
+    const Sums products = SumRows(rows,
+      [&](Index v, FewSums& sums)
+      {
+        CompactValues<1> value = matrix.RowTimes<1>(v, p);
+        value.AddReal(static_cast<float>(shift) * this->Finest.LumpedMass[v], p, v);
+        value.Store(q, v);
+        sums.Add(this->Deflated.Vectors, v, value.Real[0], value.Imaginary[0]);
+        sums.Other += p[2 * v] * value.Real[0] + p[2 * v + 1] * value.Imaginary[0];
+      });
+    if (!(products.Other > 0.0))
+    {
+      outcome.Indefinite = true;
+      break;
+    }
+    const Coefficients out(products);
+    const auto step = static_cast<float>(product / products.Other);
+    const double rest = SumRows(rows,
+      [&](Index v, FewSums& sums)
+      {
+        const CompactComplex projected = out.Times(this->Deflated.Mass, v);
+        t[2 * v] += step * p[2 * v];
+        t[2 * v + 1] += step * p[2 * v + 1];
+        r[2 * v] -= step * (q[2 * v] - projected.real());
+        r[2 * v + 1] -= step * (q[2 * v + 1] - projected.imag());
+        sums.Other += r[2 * v] * r[2 * v] + r[2 * v + 1] * r[2 * v + 1];
+      }).Other;
+    if (!(rest > reduction * reduction * first))
+    {
+      ++outcome.Steps;
+      break;
+    }
+  }
+  ParallelFor(rows, PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        solution[v] = size * Complex(t[2 * v], t[2 * v + 1]);
+      }
+    });
+  return outcome;
+}
+}

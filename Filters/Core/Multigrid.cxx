@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Multigrid.h"
+
+#include "Threads.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields
+{
+namespace
+{
+/// Coarsening ends where a level has more than this part of the rows of the finer one.
+constexpr double SlowestCoarsening = 0.7;
+/// A level has at least this many rows.
+constexpr Index FewestRows = 16;
+/// Rows that the factor of the coarsest level may have where coarsening ends early.
+constexpr Index MostCoarsestRows = 1500;
+/// Added to the coarsest energy, relative to the scale of its smallest eigenvalue: that may be 0.
+constexpr double CoarsestShift = 0.01;
+
+std::vector<float> Lumped(const LevelMatrices& matrices)
+{
+  const CompactMatrix& energy = matrices.Energy;
+  std::vector<float> lumped(matrices.MassDiagonal);
+  ParallelFor(energy.Rows(), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+        {
+          lumped[v] += Modulus(matrices.MassValue[k]);
+        }
+      }
+    });
+  return lumped;
+}
+
+LevelMatrices Finest(const Operators& operators)
+{
+  LevelMatrices finest;
+  finest.Energy = CompactMatrix(operators.Energy);
+  CompactMatrix mass(operators.Mass);
+  finest.MassValue = std::move(mass.Value);
+  finest.MassDiagonal = std::move(mass.Diagonal);
+  return finest;
+}
+}
+
+Multigrid::Multigrid(const Operators& operators, double scale)
+  : Scale(scale)
+{
+  this->Levels.push_back({ Finest(operators), {}, {} });
+  for (;;)
+  {
+    Level& level = this->Levels.back();
+    level.LumpedMass = Lumped(level.Matrices);
+    if (level.Rows() <= CoarsestRows)
+    {
+      break;
+    }
+    Prolongator prolongator =
+      MakeProlongator(level.Matrices, static_cast<int>(this->Levels.size()) - 1);
+    if (prolongator.CoarseRows() > SlowestCoarsening * level.Rows() &&
+      level.Rows() <= MostCoarsestRows)
+    {
+      break;
+    }
+    if (prolongator.CoarseRows() >= level.Rows() || prolongator.CoarseRows() < FewestRows)
+    {
+      break;
+    }
+    LevelMatrices coarse = Coarsen(level.Matrices, prolongator);
+    level.FromCoarser = std::move(prolongator);
+    if (this->Levels.size() == 1)
+    {
+      // That of the operators will do.
+      level.Matrices.MassValue = {};
+    }
+    this->Levels.push_back({ std::move(coarse), {}, {} });
+  }
+}
+
+double Multigrid::OperatorComplexity() const
+{
+  double entries = 0.0;
+  for (const Level& level : this->Levels)
+  {
+    entries += static_cast<double>(level.Matrices.Energy.Value.size()) + level.Rows();
+  }
+  const Level& finest = this->Levels.front();
+  return entries / (static_cast<double>(finest.Matrices.Energy.Value.size()) + finest.Rows());
+}
+
+Cycle::Cycle(const Multigrid& hierarchy, double shift)
+  : Hierarchy(hierarchy)
+{
+  const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l)
+  {
+    this->Diagonals.emplace_back(
+      levels[l].Matrices.Energy, levels[l].LumpedMass, static_cast<float>(shift));
+  }
+  this->Workspaces.resize(levels.size());
+
+  const LevelMatrices& coarsest = levels.back().Matrices;
+  const CompactMatrix& energy = coarsest.Energy;
+  const Index n = energy.Rows();
+  if (n > 2 * MostCoarsestRows)
+  {
+    return;
+  }
+  const double added = shift + CoarsestShift * hierarchy.GetScale();
+  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(n, n);
+  for (Index i = 0; i < n; ++i)
+  {
+    matrix(i, i) = energy.Diagonal[i] + added * coarsest.MassDiagonal[i];
+    for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+    {
+      matrix(i, energy.Column[k]) =
+        Complex(energy.Value[k]) + added * Complex(coarsest.MassValue[k]);
+    }
+  }
+  const Eigen::LLT<Eigen::MatrixXcd> factor(matrix);
+  this->Usable = factor.info() == Eigen::Success && factor.matrixLLT().allFinite();
+  this->CoarsestFactor = factor.matrixLLT();
+}
+
+template <int B>
+void Cycle::SolveCoarsest(const float* b, float* y) const
+{
+  const auto n = static_cast<Index>(this->CoarsestFactor.rows());
+  Eigen::Matrix<Complex, Eigen::Dynamic, B> solution(n, B);
+  for (Index v = 0; v < n; ++v)
+  {
+    for (int k = 0; k < B; ++k)
+    {
+      solution(v, k) = Complex(b[2 * B * v + k], b[2 * B * v + B + k]);
+    }
+  }
+  const auto lower = this->CoarsestFactor.triangularView<Eigen::Lower>();
+  lower.solveInPlace(solution);
+  lower.adjoint().solveInPlace(solution);
+  for (Index v = 0; v < n; ++v)
+  {
+    for (int k = 0; k < B; ++k)
+    {
+      y[2 * B * v + k] = static_cast<float>(solution(v, k).real());
+      y[2 * B * v + B + k] = static_cast<float>(solution(v, k).imag());
+    }
+  }
+}
+
+template <int B>
+void Cycle::Apply(const float* b, float* y, std::size_t level) const
+{
+  const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
+  if (level + 1 == levels.size())
+  {
+    this->SolveCoarsest<B>(b, y);
+    return;
+  }
+  const CompactMatrix& matrix = levels[level].Matrices.Energy;
+  const Prolongator& fromCoarser = levels[level].FromCoarser;
+  Workspace& own = this->Workspaces[level];
+  Workspace& coarser = this->Workspaces[level + 1];
+  const std::size_t fine = static_cast<std::size_t>(2 * B) * matrix.Rows();
+  const std::size_t coarse = static_cast<std::size_t>(2 * B) * fromCoarser.CoarseRows();
+  if (own.Down.size() < fine)
+  {
+    own.Down.resize(fine);
+    own.Rest.resize(fine);
+  }
+  if (coarser.Right.size() < coarse)
+  {
+    coarser.Right.resize(coarse);
+    coarser.Up.resize(coarse);
+  }
+  SweepDown<B>(matrix, this->Diagonals[level], b, own.Down.data(), own.Rest.data());
+  fromCoarser.Restrict<B>(own.Rest.data(), coarser.Right.data());
+  this->Apply<B>(coarser.Right.data(), coarser.Up.data(), level + 1);
+  fromCoarser.AddTo<B>(own.Down.data(), coarser.Up.data());
+  SweepUp<B>(matrix, this->Diagonals[level], b, own.Down.data(), y);
+}
+
+template void Cycle::Apply<1>(const float*, float*, std::size_t) const;
+template void Cycle::Apply<4>(const float*, float*, std::size_t) const;
+}

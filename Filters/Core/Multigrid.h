@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Multigrid_h
+#define DirectionFields_Multigrid_h
+
+#include "Coarsening.h"
+#include "Operators.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// A hierarchy of ever smaller matrices for the sections of one component, in single precision: a
+/// V-cycle costs a few passes over the matrix and inverts it up to a small factor whatever the
+/// number of vertices, as far as the triangles are well shaped.
+class Multigrid
+{
+public:
+  /// Sections on the coarsest level at most, as a rule.
+  static constexpr Index CoarsestRows = 150;
+
+  struct Level
+  {
+    LevelMatrices Matrices;
+    /// Mass of each vertex' surroundings, sum of |M_ij| over j: what M does to smooth sections.
+    std::vector<float> LumpedMass;
+    /// From the next coarser level; empty on the coarsest.
+    Prolongator FromCoarser;
+
+    Index Rows() const { return this->Matrices.Energy.Rows(); }
+  };
+
+  /// @param scale the order of magnitude of the smallest eigenvalue, as in EigenpairSettings
+  Multigrid(const Operators& operators, double scale);
+
+  const std::vector<Level>& GetLevels() const { return this->Levels; }
+  double GetScale() const { return this->Scale; }
+  /// Entries of all levels' matrices over those of the finest.
+  double OperatorComplexity() const;
+
+private:
+  std::vector<Level> Levels;
+  double Scale;
+};
+
+/// A V-cycle for A + shift M, approximately: one sweep down, the coarser level's V-cycle, one sweep
+/// up; a Cholesky factor on the coarsest level. Symmetric and positive definite for a shift >= 0.
+class Cycle
+{
+public:
+  /// @param hierarchy must outlive the cycle
+  Cycle(const Multigrid& hierarchy, double shift);
+
+  /// False where the coarsest matrix could not be factored.
+  bool IsUsable() const { return this->Usable; }
+
+  /// y = B b on the given level.
+  /// @param b, y B sections each; may be the same
+  template <int B>
+  void Apply(const float* b, float* y, std::size_t level = 0) const;
+
+private:
+  /// Storage of one level for up to four sections.
+  struct Workspace
+  {
+    CompactSections Right;
+    CompactSections Down;
+    CompactSections Rest;
+    CompactSections Up;
+  };
+  template <int B>
+  void SolveCoarsest(const float* b, float* y) const;
+
+  const Multigrid& Hierarchy;
+  std::vector<SweepDiagonal> Diagonals;
+  Eigen::MatrixXcd CoarsestFactor;
+  bool Usable = false;
+  mutable std::vector<Workspace> Workspaces;
+};
+}
+
+#endif

@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MultigridEigenpair.h"
+
+#include "DeflatedGradients.h"
+#include "NestedIteration.h"
+#include "OperatorProducts.h"
+#include "Threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr int Width = SectionBlock::Width;
+constexpr Index PieceRows = CompactMatrix::PieceRows;
+/// Rows up to which Automatic takes the direct solver: it is about as fast there.
+constexpr Eigen::Index DirectRows = 3000;
+/// How far one Jacobi-Davidson step solves its correction equation: further is of no use before the
+/// eigenvalue in it is better known.
+constexpr double InnerReduction = 0.05;
+constexpr int MostInnerSteps = 40;
+/// The last step goes a little further than the tolerance asks.
+constexpr double Margin = 0.5;
+/// The iteration stalls where this many steps in a row have not reduced the residual by this factor.
+constexpr int MostSlowSteps = 3;
+constexpr double SlowReduction = 0.7;
+
+Complex Entry(const CompactSections& block, Index v, int b)
+{
+  const float* x = block.data() + static_cast<std::size_t>(2 * Width) * v;
+  return { x[b], x[Width + b] };
+}
+
+/// The matrices of a basis: the sections b = 1, 2, 3 of a block of Ritz vectors, then some others.
+struct Projected
+{
+  SmallMatrix Energy;
+  SmallMatrix Mass;
+
+  explicit Projected(Eigen::Index size = 0)
+    : Energy(SmallMatrix::Zero(size, size))
+    , Mass(SmallMatrix::Zero(size, size))
+  {
+  }
+  Projected& operator+=(const Projected& other)
+  {
+    this->Energy += other.Energy;
+    this->Mass += other.Mass;
+    return *this;
+  }
+};
+
+using Sections = std::vector<const SectionProducts*>;
+
+Projected Project(
+  const SectionBlock& block, const Eigen::VectorXd& values, const Sections& sections)
+{
+  constexpr int mostSections = 3;
+  const int count = static_cast<int>(sections.size());
+  const Eigen::Index size = Width - 1 + count;
+  Projected sum = ParallelSum<Projected>(block.Rows(), PieceRows, Projected(size),
+    [&](Index begin, Index end)
+    {
+      std::array<std::array<Complex, Width - 1 + mostSections>, mostSections> energy{};
+      std::array<std::array<Complex, Width - 1 + mostSections>, mostSections> mass{};
+      for (Index v = begin; v < end; ++v)
+      {
+        for (int column = 0; column < count; ++column)
+        {
+          const Complex a = sections[column]->Energy[v];
+          const Complex m = sections[column]->Mass[v];
+          // Not with the block's own products, whose rounding would exceed a vanishing eigenvalue.
+          for (int b = 1; b < Width; ++b)
+          {
+            const Complex other = std::conj(Entry(block.Vectors, v, b));
+            energy[column][b - 1] += other * a;
+            mass[column][b - 1] += other * m;
+          }
+          for (int row = 0; row <= column; ++row)
+          {
+            const Complex other = std::conj(sections[row]->Vector[v]);
+            energy[column][Width - 1 + row] += other * a;
+            mass[column][Width - 1 + row] += other * m;
+          }
+        }
+      }
+      Projected part(size);
+      for (int column = 0; column < count; ++column)
+      {
+        for (int row = 0; row < Width + column; ++row)
+        {
+          part.Energy(row, Width - 1 + column) = energy[column][row];
+          part.Mass(row, Width - 1 + column) = mass[column][row];
+        }
+      }
+      return part;
+    });
+  for (int b = 1; b < Width; ++b)
+  {
+    sum.Energy(b - 1, b - 1) = values[b];
+    sum.Mass(b - 1, b - 1) = 1.0;
+  }
+  sum.Energy = SmallMatrix(sum.Energy.selfadjointView<Eigen::Upper>());
+  sum.Mass = SmallMatrix(sum.Mass.selfadjointView<Eigen::Upper>());
+  return sum;
+}
+
+/// The combination of the basis.
+ComplexVector Combined(
+  const SectionBlock& block, const Sections& sections, const Eigen::VectorXcd& coefficients)
+{
+  ComplexVector sum(block.Rows());
+  ParallelFor(block.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        Complex value = 0.0;
+        for (int b = 1; b < Width; ++b)
+        {
+          value += coefficients[b - 1] * Entry(block.Vectors, v, b);
+        }
+        for (std::size_t k = 0; k < sections.size(); ++k)
+        {
+          value += coefficients[Width - 1 + k] * sections[k]->Vector[v];
+        }
+        sum[v] = value;
+      }
+    });
+  return sum;
+}
+
+/// t = a t + b s, and so the products.
+void AddTo(SectionProducts& t, const Complex& a, const SectionProducts& s, const Complex& b)
+{
+  ParallelFor(static_cast<Index>(t.Vector.size()), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (const auto member :
+        { &SectionProducts::Vector, &SectionProducts::Energy, &SectionProducts::Mass })
+      {
+        auto part = (t.*member).segment(begin, end - begin);
+        part = a * part + b * (s.*member).segment(begin, end - begin);
+      }
+    });
+}
+
+/// Sums over the rows that the Rayleigh quotient and the residual need.
+struct Figures
+{
+  double Energy = 0.0;
+  double Mass = 0.0;
+  Figures& operator+=(const Figures& other)
+  {
+    this->Energy += other.Energy;
+    this->Mass += other.Mass;
+    return *this;
+  }
+};
+
+/// Puts u in place of the block's first section.
+void SetFirst(const SectionProducts& u, SectionBlock& block)
+{
+  ParallelFor(block.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const std::size_t at = static_cast<std::size_t>(2 * Width) * v;
+        block.Vectors[at] = static_cast<float>(u.Vector[v].real());
+        block.Vectors[at + Width] = static_cast<float>(u.Vector[v].imag());
+        block.Mass[at] = static_cast<float>(u.Mass[v].real());
+        block.Mass[at + Width] = static_cast<float>(u.Mass[v].imag());
+      }
+    });
+}
+}
+
+Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarchy,
+  const EigenpairSettings& settings, const std::function<bool(int)>& progress,
+  SectionBlock& lowest)
+{
+  Eigenpair best;
+  best.Residual = std::numeric_limits<double>::infinity();
+  const auto goOn = [&]
+  {
+    best.Aborted = best.Aborted || (progress && !progress(best.Iterations));
+    return !best.Aborted;
+  };
+  const Cycle cycle(hierarchy, 0.0);
+  if (!cycle.IsUsable())
+  {
+    return best;
+  }
+  NestedPairs nested = IterateNested(operators, hierarchy, cycle, goOn);
+  if (best.Aborted || nested.Values.size() < Width)
+  {
+    return best;
+  }
+
+  SectionBlock& others = nested.Block;
+  const Index rows = others.Rows();
+  ComplexVector first(rows);
+  for (Index v = 0; v < rows; ++v)
+  {
+    first[v] = Entry(others.Vectors, v, 0);
+  }
+  SectionProducts u(operators, std::move(first));
+  DeflatedGradients gradients(hierarchy.GetLevels().front(), cycle, others);
+  const double terms = SumOfMagnitudes(operators.Energy, u.Vector) /
+    std::sqrt(std::max(u.Vector.dot(u.Mass).real(), std::numeric_limits<double>::min()));
+  /// The last step.
+  SectionProducts search;
+  int slow = 0;
+  while (goOn())
+  {
+    const Figures figures = ParallelSum<Figures>(rows, PieceRows, {},
+      [&](Index begin, Index end)
+      {
+        Figures part;
+        for (Index v = begin; v < end; ++v)
+        {
+          part.Energy += (std::conj(u.Vector[v]) * u.Energy[v]).real();
+          part.Mass += (std::conj(u.Vector[v]) * u.Mass[v]).real();
+        }
+        return part;
+      });
+    // A is positive semi-definite: what is less than zero is rounding.
+    const double value = std::max(0.0, figures.Energy / figures.Mass);
+    const double perLength = 1.0 / std::sqrt(figures.Mass);
+    for (ComplexVector* vector : { &u.Vector, &u.Energy, &u.Mass })
+    {
+      *vector *= perLength;
+    }
+    const ComplexVector residual = value * u.Mass - u.Energy;
+    const double relative = RelativeResidual(residual.norm(), u.Energy.norm(), terms);
+    if (!std::isfinite(relative))
+    {
+      break;
+    }
+    slow = relative < SlowReduction * best.Residual ? 0 : slow + 1;
+    if (relative < best.Residual)
+    {
+      best.Value = value;
+      best.Vector = u.Vector;
+      best.Residual = relative;
+    }
+    const int left = settings.MaximumIterations - best.Iterations;
+    if (best.Residual <= settings.Tolerance || slow >= MostSlowSteps || left <= 0)
+    {
+      break;
+    }
+    SetFirst(u, others);
+    const double reduction = std::max(InnerReduction, Margin * settings.Tolerance / relative);
+    ComplexVector correction;
+    const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
+      std::min(left, MostInnerSteps),
+      [&]
+      {
+        const bool on = goOn();
+        ++best.Iterations;
+        return on;
+      },
+      correction);
+    if (outcome.Stopped)
+    {
+      break;
+    }
+    SectionProducts t(operators, std::move(correction));
+    Sections sections{ &u, &t };
+    if (search.Vector.size() > 0)
+    {
+      sections.push_back(&search);
+    }
+    const Projected projected = Project(others, nested.Values, sections);
+    const RitzPairs ritz = RayleighRitz(projected.Energy, projected.Mass, 1);
+    if (ritz.Values.size() == 0)
+    {
+      break;
+    }
+    const Eigen::VectorXcd c = ritz.Vectors.col(0);
+    u = SectionProducts(operators, Combined(others, sections, c));
+    if (search.Vector.size() > 0)
+    {
+      AddTo(t, c[Width], search, c[Width + 1]);
+    }
+    search = std::move(t);
+  }
+  lowest = std::move(others);
+  return best;
+}
+
+SmallestPairs FindSmallestPairs(const Operators& operators,
+  const std::function<ComplexVector()>& start, Solver solver, const EigenpairSettings& settings,
+  const std::function<bool(int)>& progress)
+{
+  SmallestPairs pairs;
+  const Eigen::Index rows = operators.Energy.rows();
+  const bool automatic = solver == Solver::Automatic;
+  if (solver != Solver::Direct && rows > (automatic ? DirectRows : Multigrid::CoarsestRows))
+  {
+    pairs.Hierarchy = std::make_unique<Multigrid>(operators, settings.Scale);
+    pairs.First =
+      SmallestEigenpair(operators, *pairs.Hierarchy, settings, progress, pairs.Lowest);
+    pairs.SolverUsed = Solver::Multigrid;
+    if (pairs.First.Aborted || pairs.First.Residual <= settings.Tolerance ||
+      (!automatic && std::isfinite(pairs.First.Residual)))
+    {
+      return pairs;
+    }
+    pairs = {};
+  }
+  pairs.First = SmallestEigenpair(operators.Energy, operators.Mass, start(), settings, progress);
+  return pairs;
+}
+}

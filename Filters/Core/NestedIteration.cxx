@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NestedIteration.h"
+
+#include "OperatorProducts.h"
+#include "Threads.h"
+
+#include <cmath>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr int Width = SectionBlock::Width;
+/// Relative residual of the smallest pair where a coarser level is left: its discretization is off
+/// by more than that.
+constexpr float CoarseTolerance = 0.2f;
+constexpr int MostSteps = 8;
+constexpr int MostStepsOnCoarsest = 20;
+/// On the finest level one step as a rule; more where it did not bring this.
+constexpr float FineTolerance = 0.2f;
+constexpr int MostStepsOnFinest = 4;
+
+/// Squared norms of A u - theta M u and of A u for the smallest pair.
+struct Norms
+{
+  double Residual = 0.0;
+  double Energy = 0.0;
+  Norms& operator+=(const Norms& other)
+  {
+    this->Residual += other.Residual;
+    this->Energy += other.Energy;
+    return *this;
+  }
+};
+
+/// The block iteration of one level.
+class BlockIteration
+{
+public:
+  BlockIteration(const Operators* operators, const Multigrid::Level& level, NestedPairs& pairs)
+    : Finest(operators)
+    , Matrices(level.Matrices)
+    , Pairs(pairs)
+    , Correction(level.Rows())
+  {
+    this->Multiply(pairs.Block);
+    const std::vector<SmallMatrix> products =
+      Products(level.Rows(), { { &pairs.Block.Vectors, &pairs.Block.Energy },
+                               { &pairs.Block.Vectors, &pairs.Block.Mass } });
+    this->Take(RayleighRitz(products[0], products[1], Width));
+    if (this->IsWhole())
+    {
+      Combine({ { &pairs.Block, this->Ritz.Vectors } }, pairs.Block);
+    }
+  }
+
+  /// All four pairs are there.
+  bool IsWhole() const { return this->Ritz.Values.size() == Width; }
+
+  /// Fills the correction with the residuals; returns the first one's relative size.
+  float Residuals()
+  {
+    const SectionBlock& block = this->Pairs.Block;
+    const Norms norms = ParallelSum<Norms>(block.Rows(), CompactMatrix::PieceRows, {},
+      [&](Index begin, Index end)
+      {
+        Norms part;
+        for (Index v = begin; v < end; ++v)
+        {
+          const CompactValues<Width> energy(block.Energy.data(), v);
+          CompactValues<Width> rest = energy;
+          const CompactValues<Width> mass(block.Mass.data(), v);
+          for (int b = 0; b < Width; ++b)
+          {
+            const auto theta = static_cast<float>(this->Pairs.Values[b]);
+            rest.Real[b] -= theta * mass.Real[b];
+            rest.Imaginary[b] -= theta * mass.Imaginary[b];
+          }
+          rest.Store(this->Correction.Vectors.data(), v);
+          part.Residual += rest.Real[0] * rest.Real[0] + rest.Imaginary[0] * rest.Imaginary[0];
+          part.Energy += energy.Real[0] * energy.Real[0] + energy.Imaginary[0] * energy.Imaginary[0];
+        }
+        return part;
+      });
+    return static_cast<float>(std::sqrt(norms.Residual / norms.Energy));
+  }
+
+  /// One step with the residuals that Residuals left.
+  void Step(const Cycle& cycle, std::size_t level)
+  {
+    SectionBlock& x = this->Pairs.Block;
+    SectionBlock& w = this->Correction;
+    SectionBlock& s = this->Search;
+    const bool searched = s.Rows() > 0;
+    cycle.Apply<Width>(w.Vectors.data(), w.Vectors.data(), level);
+    this->Multiply(w);
+
+    std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{
+      { &x.Vectors, &w.Energy }, { &x.Vectors, &w.Mass }, { &w.Vectors, &w.Energy },
+      { &w.Vectors, &w.Mass }
+    };
+    if (searched)
+    {
+      for (const CompactSections* other : { &x.Vectors, &w.Vectors, &s.Vectors })
+      {
+        pairs.emplace_back(other, &s.Energy);
+        pairs.emplace_back(other, &s.Mass);
+      }
+    }
+    const std::vector<SmallMatrix> products = Products(x.Rows(), pairs);
+    const int parts = searched ? 3 : 2;
+    SmallMatrix energy(parts * Width, parts * Width);
+    SmallMatrix mass(parts * Width, parts * Width);
+    const auto set = [&](int i, int j, const SmallMatrix& a, const SmallMatrix& m)
+    {
+      energy.block(i * Width, j * Width, Width, Width) = a;
+      energy.block(j * Width, i * Width, Width, Width) = a.adjoint();
+      mass.block(i * Width, j * Width, Width, Width) = m;
+      mass.block(j * Width, i * Width, Width, Width) = m.adjoint();
+    };
+    set(0, 0, SmallMatrix(this->Pairs.Values.cast<Complex>().asDiagonal()),
+      SmallMatrix::Identity(Width, Width));
+    set(0, 1, products[0], products[1]);
+    set(1, 1, products[2], products[3]);
+    for (int other = 0; searched && other < 3; ++other)
+    {
+      set(other, 2, products[4 + 2 * other], products[5 + 2 * other]);
+    }
+    this->Take(RayleighRitz(energy, mass, Width));
+    if (!this->IsWhole())
+    {
+      return;
+    }
+    const SmallMatrix ofX = this->Ritz.Vectors.topRows(Width);
+    const SmallMatrix ofW = this->Ritz.Vectors.middleRows(Width, Width);
+    if (searched)
+    {
+      Combine({ { &w, ofW }, { &s, SmallMatrix(this->Ritz.Vectors.bottomRows(Width)) } }, s);
+    }
+    else
+    {
+      s = SectionBlock(x.Rows());
+      Combine({ { &w, ofW } }, s);
+    }
+    Combine({ { &x, ofX }, { &s, SmallMatrix::Identity(Width, Width) } }, x);
+  }
+
+private:
+  void Take(RitzPairs ritz)
+  {
+    this->Ritz = std::move(ritz);
+    this->Pairs.Values = this->Ritz.Values;
+  }
+  void Multiply(SectionBlock& block) const
+  {
+    if (this->Finest)
+    {
+      DirectionFields::Multiply(
+        *this->Finest, block.Vectors.data(), block.Energy.data(), block.Mass.data());
+    }
+    else
+    {
+      this->Matrices.Multiply<Width>(
+        block.Vectors.data(), block.Energy.data(), block.Mass.data());
+    }
+  }
+
+  const Operators* Finest;
+  const LevelMatrices& Matrices;
+  NestedPairs& Pairs;
+  SectionBlock Correction;
+  /// Empty before the first step.
+  SectionBlock Search;
+  RitzPairs Ritz;
+};
+
+/// Sections without any pattern that a symmetry could make orthogonal to an eigenvector.
+SectionBlock Irregular(Index rows)
+{
+  SectionBlock block(rows);
+  for (Index v = 0; v < rows; ++v)
+  {
+    for (int b = 0; b < Width; ++b)
+    {
+      const double angle = 2.4 * static_cast<double>(v) * (b + 1) + 0.7 * b;
+      block.Vectors[2 * Width * v + b] = static_cast<float>(std::cos(angle));
+      block.Vectors[2 * Width * v + Width + b] = static_cast<float>(std::sin(angle));
+    }
+  }
+  return block;
+}
+}
+
+NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy,
+  const Cycle& cycle, const std::function<bool()>& goOn)
+{
+  const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
+  NestedPairs pairs;
+  pairs.Block = Irregular(levels.back().Rows());
+  for (std::size_t level = levels.size(); level-- > 0;)
+  {
+    if (level + 1 < levels.size())
+    {
+      SectionBlock finer(levels[level].Rows());
+      levels[level].FromCoarser.AddTo<Width>(
+        finer.Vectors.data(), pairs.Block.Vectors.data());
+      pairs.Block = std::move(finer);
+    }
+    BlockIteration iteration(level == 0 ? &operators : nullptr, levels[level], pairs);
+    const int most = level == 0 ? MostStepsOnFinest
+      : level + 1 == levels.size() ? MostStepsOnCoarsest
+                                   : MostSteps;
+    for (int step = 0; step < most && iteration.IsWhole(); ++step)
+    {
+      if (!goOn())
+      {
+        pairs.Values.resize(0);
+        return pairs;
+      }
+      if (iteration.Residuals() <= (level == 0 ? FineTolerance : CoarseTolerance))
+      {
+        break;
+      }
+      iteration.Step(cycle, level);
+    }
+    if (!iteration.IsWhole())
+    {
+      pairs.Values.resize(0);
+      return pairs;
+    }
+  }
+  return pairs;
+}
+}

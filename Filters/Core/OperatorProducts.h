@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_OperatorProducts_h
+#define DirectionFields_OperatorProducts_h
+
+#include "Operators.h"
+
+namespace DirectionFields
+{
+/// K x of a Hermitian matrix, on several threads.
+ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x);
+
+/// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
+double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
+
+/// A section and what energy and mass matrix make of it.
+struct SectionProducts
+{
+  ComplexVector Vector;
+  ComplexVector Energy;
+  ComplexVector Mass;
+
+  SectionProducts() = default;
+  SectionProducts(const Operators& operators, ComplexVector vector);
+};
+
+/// A x and M x of four sections in single precision (see CompactSections), added up in double
+/// precision.
+void Multiply(const Operators& operators, const float* x, float* ax, float* mx);
+}
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SectionBlock.h"
+
+#include "Threads.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr int Width = SectionBlock::Width;
+/// Rows whose products are added up in single precision.
+constexpr Index FewRows = 256;
+/// Basis vectors of unit length count as independent above this distance, or its square.
+constexpr double IndependentDistance = 1e-3;
+
+/// Rows of four complex numbers as real arrays, four by four.
+using Parts = std::array<float, Width * Width>;
+
+void AddProducts(const float* a, const float* b, Index begin, Index end, SmallMatrix& sum)
+{
+  for (Index first = begin; first < end; first += FewRows)
+  {
+    Parts real{};
+    Parts imaginary{};
+    const Index last = std::min(end, first + FewRows);
+    for (Index v = first; v < last; ++v)
+    {
+      const float* x = a + static_cast<std::size_t>(2 * Width) * v;
+      const float* y = b + static_cast<std::size_t>(2 * Width) * v;
+      for (int i = 0; i < Width; ++i)
+      {
+        for (int j = 0; j < Width; ++j)
+        {
+          real[Width * i + j] += x[i] * y[j] + x[Width + i] * y[Width + j];
+          imaginary[Width * i + j] += x[i] * y[Width + j] - x[Width + i] * y[j];
+        }
+      }
+    }
+    for (int i = 0; i < Width; ++i)
+    {
+      for (int j = 0; j < Width; ++j)
+      {
+        sum(i, j) += Complex(real[Width * i + j], imaginary[Width * i + j]);
+      }
+    }
+  }
+}
+}
+
+SectionBlock::SectionBlock(Index rows)
+  : Vectors(static_cast<std::size_t>(2 * Width) * rows)
+  , Energy(this->Vectors.size())
+  , Mass(this->Vectors.size())
+{
+}
+
+std::vector<SmallMatrix> Products(
+  Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs)
+{
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  const SmallMatrix all = ParallelSum<SmallMatrix>(rows, CompactMatrix::PieceRows,
+    SmallMatrix::Zero(Width, Width * count),
+    [&](Index begin, Index end) -> SmallMatrix
+    {
+      SmallMatrix part(Width, Width * count);
+      for (Eigen::Index p = 0; p < count; ++p)
+      {
+        SmallMatrix sum = SmallMatrix::Zero(Width, Width);
+        AddProducts(pairs[p].first->data(), pairs[p].second->data(), begin, end, sum);
+        part.middleCols(Width * p, Width) = sum;
+      }
+      return part;
+    });
+  std::vector<SmallMatrix> products;
+  for (Eigen::Index p = 0; p < count; ++p)
+  {
+    products.push_back(all.middleCols(Width * p, Width));
+  }
+  return products;
+}
+
+void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
+  SectionBlock& target)
+{
+  struct Factor
+  {
+    const SectionBlock* Block;
+    Parts Real;
+    Parts Imaginary;
+  };
+  std::vector<Factor> factors;
+  for (const auto& [block, matrix] : terms)
+  {
+    Factor factor{ block, {}, {} };
+    for (int i = 0; i < Width; ++i)
+    {
+      for (int j = 0; j < Width; ++j)
+      {
+        factor.Real[Width * i + j] = static_cast<float>(matrix(i, j).real());
+        factor.Imaginary[Width * i + j] = static_cast<float>(matrix(i, j).imag());
+      }
+    }
+    factors.push_back(factor);
+  }
+  ParallelFor(target.Rows(), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (const auto member : { &SectionBlock::Vectors, &SectionBlock::Energy, &SectionBlock::Mass })
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          CompactValues<Width> sum;
+          for (const Factor& factor : factors)
+          {
+            const CompactValues<Width> x((factor.Block->*member).data(), v);
+            for (int i = 0; i < Width; ++i)
+            {
+              for (int j = 0; j < Width; ++j)
+              {
+                const float re = factor.Real[Width * i + j];
+                const float im = factor.Imaginary[Width * i + j];
+                sum.Real[j] += x.Real[i] * re - x.Imaginary[i] * im;
+                sum.Imaginary[j] += x.Real[i] * im + x.Imaginary[i] * re;
+              }
+            }
+          }
+          sum.Store((target.*member).data(), v);
+        }
+      }
+    });
+}
+
+RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int wanted)
+{
+  const Eigen::Index n = mass.rows();
+  if (!energy.allFinite() || !mass.allFinite())
+  {
+    return {};
+  }
+  const Eigen::VectorXd perLength =
+    mass.diagonal().real().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+  const SmallMatrix scaled =
+    perLength.asDiagonal() * (0.5 * (mass + mass.adjoint())) * perLength.asDiagonal();
+  const Eigen::LLT<SmallMatrix> factor(scaled);
+  SmallMatrix basis = perLength.asDiagonal();
+  if (factor.info() == Eigen::Success &&
+    factor.matrixLLT().diagonal().real().minCoeff() > IndependentDistance)
+  {
+    basis = basis * SmallMatrix(factor.matrixU()).triangularView<Eigen::Upper>().solve(
+                      SmallMatrix::Identity(n, n));
+  }
+  else
+  {
+    const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(scaled);
+    const Eigen::Index kept =
+      (spectrum.eigenvalues().array() > IndependentDistance * IndependentDistance).count();
+    basis = basis * spectrum.eigenvectors().rightCols(kept) *
+      spectrum.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  }
+  if (basis.cols() == 0)
+  {
+    return {};
+  }
+  const SmallMatrix projected = basis.adjoint() * (0.5 * (energy + energy.adjoint())) * basis;
+  const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(projected);
+  const Eigen::Index count = std::min<Eigen::Index>(wanted, basis.cols());
+  return { spectrum.eigenvalues().head(count), basis * spectrum.eigenvectors().leftCols(count) };
+}
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_SectionBlock_h
+#define DirectionFields_SectionBlock_h
+
+#include "CompactMatrix.h"
+
+#include <utility>
+#include <vector>
+
+namespace DirectionFields
+{
+using SmallMatrix = Eigen::MatrixXcd;
+
+/// Four sections in single precision with what energy and mass matrix make of them.
+struct SectionBlock
+{
+  static constexpr int Width = 4;
+
+  CompactSections Vectors;
+  CompactSections Energy;
+  CompactSections Mass;
+
+  SectionBlock() = default;
+  explicit SectionBlock(Index rows);
+  Index Rows() const { return static_cast<Index>(this->Vectors.size() / (2 * Width)); }
+};
+
+/// a^* b of each pair of blocks of four sections, 4 x 4, in one pass.
+std::vector<SmallMatrix> Products(
+  Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs);
+
+/// target = sum of a c over the pairs (block a, 4 x 4 matrix c), for vectors and products alike.
+/// The target may be one of the blocks.
+void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
+  SectionBlock& target);
+
+/// The smallest pairs of a projected eigenvalue problem.
+struct RitzPairs
+{
+  /// Ascending.
+  Eigen::VectorXd Values;
+  /// Coefficients of the vectors in the basis, orthonormal in its mass matrix.
+  SmallMatrix Vectors;
+};
+
+/// Of energy and mass matrix of a basis, whose vectors may be nearly dependent and of any length.
+/// No more than wanted pairs, fewer where the basis does not have them, none where it has values
+/// that are not finite.
+RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int wanted);
+}
+
+#endif

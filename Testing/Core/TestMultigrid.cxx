@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DirectionField.h"
+#include "MultigridEigenpair.h"
+#include "TestMeshes.h"
+#include "TestSystem.h"
+#include "Threads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+using namespace DirectionFields;
+using namespace TestMeshes;
+
+namespace
+{
+/// One section in single precision.
+CompactSections Compact(const ComplexVector& x)
+{
+  CompactSections compact;
+  for (const Complex& z : x)
+  {
+    compact.push_back(static_cast<float>(z.real()));
+    compact.push_back(static_cast<float>(z.imag()));
+  }
+  return compact;
+}
+
+ComplexVector Widened(const CompactSections& x)
+{
+  ComplexVector wide(static_cast<Eigen::Index>(x.size() / 2));
+  for (Eigen::Index v = 0; v < wide.size(); ++v)
+  {
+    wide[v] = Complex(x[2 * v], x[2 * v + 1]);
+  }
+  return wide;
+}
+
+ComplexVector Applied(const Cycle& cycle, const ComplexVector& b)
+{
+  const CompactSections right = Compact(b);
+  CompactSections result(right.size());
+  cycle.Apply<1>(right.data(), result.data());
+  return Widened(result);
+}
+
+Eigen::MatrixXcd Dense(const LevelMatrices& level, bool mass)
+{
+  const CompactMatrix& energy = level.Energy;
+  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(energy.Rows(), energy.Rows());
+  for (Index i = 0; i < energy.Rows(); ++i)
+  {
+    matrix(i, i) = mass ? level.MassDiagonal[i] : energy.Diagonal[i];
+    for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+    {
+      matrix(i, energy.Column[k]) = mass ? level.MassValue[k] : energy.Value[k];
+    }
+  }
+  return matrix;
+}
+
+Eigen::MatrixXcd Dense(const Prolongator& p)
+{
+  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(p.FineRows(), p.CoarseRows());
+  for (Index i = 0; i < p.FineRows(); ++i)
+  {
+    for (Index k = p.Begin[i]; k < p.Begin[i + 1]; ++k)
+    {
+      matrix(i, p.Column[k]) = p.Value[k];
+    }
+  }
+  return matrix;
+}
+
+EigenpairSettings Settings(const System& system)
+{
+  EigenpairSettings settings;
+  settings.Scale = system.Scale;
+  return settings;
+}
+
+Eigenpair ByMultigrid(const System& system)
+{
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  SectionBlock lowest;
+  return SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
+}
+
+/// Meshes that multigrid has to cope with: well shaped, with boundary, flat, obtuse, slivers, needles,
+/// coarse triangles beside fine ones.
+std::map<std::string, Surface> Cases()
+{
+  const Eigen::Vector3d squeezed(1.0, 1.0, 0.1);
+  const Eigen::Vector3d stretched(1.0, 1.0, 8.0);
+  return { { "potato", Potato(5) }, { "hemisphere", Hemisphere(5) }, { "disk", Disk(50) },
+    { "torus", Torus(150, 60) }, { "thin torus", Torus(800, 12, 1.0, 0.1) },
+    { "squeezed", Transformed(Potato(5), squeezed.asDiagonal(), Vector3::Zero()) },
+    { "stretched", Transformed(Potato(5), stretched.asDiagonal(), Vector3::Zero()) },
+    { "jittered", Jittered(Potato(5), 0.02, 7) }, { "genus 2", FlatlySubdivided(DoubleTorus(), 1) },
+    { "plate", PlateWithHole(240, 24, 0.3, true) }, { "L", LShape(80) },
+    { "cube", FlatlySubdivided(Cube(), 5) } };
+}
+}
+
+TEST(Multigrid, CoarseMatricesAreProjections)
+{
+  const System system(Potato(3), 4, 0.3);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
+  ASSERT_GE(levels.size(), 2u);
+  EXPECT_LT(levels[1].Rows() * 3, levels[0].Rows());
+  const Eigen::MatrixXcd p = Dense(levels[0].FromCoarser);
+  const Eigen::MatrixXcd energy = p.adjoint() * Eigen::MatrixXcd(system.Matrices.Energy) * p;
+  const Eigen::MatrixXcd mass = p.adjoint() * Eigen::MatrixXcd(system.Matrices.Mass) * p;
+  EXPECT_LT((Dense(levels[1].Matrices, false) - energy).norm(), 1e-6 * energy.norm());
+  EXPECT_LT((Dense(levels[1].Matrices, true) - mass).norm(), 1e-6 * mass.norm());
+
+  const CompactSections x = Compact(RandomVector(p.rows(), 1));
+  CompactSections restricted(2 * p.cols());
+  levels[0].FromCoarser.Restrict<1>(x.data(), restricted.data());
+  EXPECT_LT((Widened(restricted) - p.adjoint() * Widened(x)).norm(), 1e-5 * restricted.size());
+}
+
+TEST(Multigrid, InterpolatesParallelSectionsExactly)
+{
+  // On a flat disk the transported section is parallel, and smoothing keeps what the energy maps to
+  // zero; the section is interpolated from its values averaged over the aggregates.
+  const System system(Disk(30), 4, 0.0);
+  const ComplexVector parallel = ByMultigrid(system).Vector;
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Eigen::MatrixXcd p = Dense(hierarchy.GetLevels()[0].FromCoarser);
+  const ComplexVector nearest =
+    p * (p.adjoint() * p).ldlt().solve(p.adjoint() * parallel);
+  EXPECT_LT((nearest - parallel).norm(), 1e-3 * parallel.norm());
+}
+
+TEST(Multigrid, CyclesAreSymmetricAndPositive)
+{
+  for (const double shift : { 0.0, 0.05 })
+  {
+    const System system(Potato(5), 4, 0.0);
+    const Multigrid hierarchy(system.Matrices, system.Scale);
+    const Cycle cycle(hierarchy, shift);
+    ASSERT_TRUE(cycle.IsUsable());
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+      const ComplexVector a = RandomVector(system.Matrices.Energy.rows(), seed);
+      const ComplexVector b = RandomVector(system.Matrices.Energy.rows(), seed + 100);
+      const ComplexVector x = Applied(cycle, a);
+      const ComplexVector y = Applied(cycle, b);
+      EXPECT_LT(std::abs(b.dot(x) - std::conj(a.dot(y))), 1e-4 * b.norm() * x.norm());
+      EXPECT_GT(a.dot(x).real(), 0.0);
+    }
+  }
+}
+
+TEST(Multigrid, CyclesReduceTheErrorAtAnySize)
+{
+  for (const int levels : { 3, 4, 5 })
+  {
+    const System system(Potato(levels), 4, 0.0);
+    const SparseMatrix& energy = system.Matrices.Energy;
+    const Multigrid hierarchy(system.Matrices, system.Scale);
+    EXPECT_LT(hierarchy.OperatorComplexity(), 1.5);
+    const Cycle cycle(hierarchy, 0.0);
+    // The slowest error, by the power method.
+    ComplexVector error = RandomVector(energy.rows(), 3);
+    double reduction = 1.0;
+    for (int step = 0; step < 30; ++step)
+    {
+      const double before = std::sqrt(error.dot(energy * error).real());
+      error -= Applied(cycle, energy * error);
+      reduction = std::sqrt(error.dot(energy * error).real()) / before;
+      error /= error.norm();
+    }
+    EXPECT_LT(reduction, 0.85) << energy.rows();
+  }
+}
+
+TEST(Multigrid, FindsTheEigenvaluesOfTheDirectSolver)
+{
+  for (const auto& [name, surface] : Cases())
+  {
+    for (const int degree : { 1, 4 })
+    {
+      const System system(surface, degree, 0.0);
+      const Eigenpair fast = ByMultigrid(system);
+      const Eigenpair direct = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+        RandomVector(system.Matrices.Energy.rows(), 5), Settings(system));
+      EXPECT_LE(fast.Residual, 1e-6) << name << degree;
+      EXPECT_NEAR(fast.Value, direct.Value, 1e-9 * direct.Value + 1e-12 * system.Scale)
+        << name << degree;
+      EXPECT_NEAR(fast.Vector.dot(system.Matrices.Mass * fast.Vector).real(), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(Multigrid, TakesFewCyclesWhateverTheMeshAndTheDegree)
+{
+  // Most take 15 to 25; more where many smallest eigenvalues lie together, as those of nearly
+  // holomorphic fields do.
+  const auto count = [&](const Surface& surface, int degree, double bias, const std::string& name)
+  {
+    const Eigenpair pair = ByMultigrid(System(surface, degree, bias));
+    EXPECT_LE(pair.Residual, 1e-6) << name << " n = " << degree << ", s = " << bias;
+    EXPECT_LE(pair.Iterations, 66) << name << " n = " << degree << ", s = " << bias;
+    EXPECT_GE(pair.Iterations, 4) << name;
+  };
+  for (const auto& [name, surface] : Cases())
+  {
+    count(surface, 4, 0.0, name);
+  }
+  for (const int degree : { 1, 2, 3, 4, 5, 6 })
+  {
+    for (const double bias : { -0.9, 0.0, 0.9 })
+    {
+      count(Cases().at("potato"), degree, bias, "potato");
+    }
+  }
+}
+
+TEST(Multigrid, BytesDoNotDependOnTheThreads)
+{
+  const Surface surface = Potato(5);
+  Options options;
+  options.Solver = Solver::Multigrid;
+  std::vector<Complex> serial;
+  for (const int threads : { 1, 2, 3 })
+  {
+    options.NumberOfThreads = threads;
+    const Result result = DirectionField(surface, threads).Compute(options);
+    EXPECT_EQ(result.Components[0].SolverUsed, Solver::Multigrid);
+    EXPECT_GT(result.Components[0].Iterations, 0);
+    serial = serial.empty() ? result.Representation : serial;
+    EXPECT_EQ(result.Representation, serial) << threads;
+  }
+}
+
+TEST(Multigrid, AutomaticFallsBackToTheDirectSolver)
+{
+  Options options;
+  // Enough for the direct solver, not for multigrid, since many smallest eigenvalues lie together.
+  options.Degree = 6;
+  options.EnergyBias = 0.9;
+  options.MaximumIterations = 30;
+  options.Solver = Solver::Multigrid;
+  const Surface surface = Potato(5);
+  const ComponentReport multigrid = DirectionField(surface).Compute(options).Components[0];
+  EXPECT_EQ(multigrid.SolverUsed, Solver::Multigrid);
+  EXPECT_FALSE(multigrid.Converged);
+  EXPECT_LE(multigrid.Iterations, 30);
+  options.Solver = Solver::Automatic;
+  const ComponentReport automatic = DirectionField(surface).Compute(options).Components[0];
+  EXPECT_EQ(automatic.SolverUsed, Solver::Direct);
+  EXPECT_TRUE(automatic.Converged);
+}
+
+TEST(Multigrid, SmallComponentsAreSolvedDirectlyByAutomatic)
+{
+  Options options;
+  options.NumberOfThreads = 2;
+  const Result result =
+    DirectionField(Joined(Potato(2), Potato(5))).Compute(options);
+  EXPECT_EQ(result.Components[0].SolverUsed, Solver::Direct);
+  EXPECT_EQ(result.Components[1].SolverUsed, Solver::Multigrid);
+  options.Solver = Solver::Direct;
+  EXPECT_EQ(DirectionField(Potato(5)).Compute(options).Components[0].SolverUsed, Solver::Direct);
+}
+
+TEST(Multigrid, StopsWhenTold)
+{
+  const System system(Potato(5), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  SectionBlock lowest;
+  int calls = 0;
+  const Eigenpair pair = SmallestEigenpair(
+    system.Matrices, hierarchy, Settings(system), [&](int) { return ++calls < 20; }, lowest);
+  EXPECT_TRUE(pair.Aborted);
+  EXPECT_EQ(calls, 20);
+}

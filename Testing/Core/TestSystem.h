@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_TestSystem_h
+#define DirectionFields_TestSystem_h
+
+#include "Operators.h"
+
+#include <random>
+
+/// The matrices of a surface's first component, and what they come from.
+namespace TestMeshes
+{
+using namespace DirectionFields;
+
+struct System
+{
+  System(const Surface& surface, int degree, double energyBias)
+    : Mesh(surface)
+    , Lengths(this->Mesh, surface.Points)
+    , Transport(this->Mesh, this->Lengths, surface.Points)
+    , Matrices(AssembleOperators(this->Mesh, this->Lengths, this->Transport,
+        this->Mesh.GetComponents()[0], degree, energyBias))
+    , Scale(2.0 * Pi * degree / this->Lengths.ComponentArea[0])
+  {
+  }
+  TriangleMesh Mesh;
+  Metric Lengths;
+  Connection Transport;
+  Operators Matrices;
+  double Scale;
+};
+
+inline ComplexVector RandomVector(Eigen::Index n, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  ComplexVector v(n);
+  for (Complex& z : v)
+  {
+    z = std::polar(1.0, engine() / 4294967296.0 * 2.0 * Pi);
+  }
+  return v;
+}
+}
+
+#endif
