@@ -3,200 +3,91 @@
 
 #include "TriangleMesh.h"
 
+#include "ConnectedTriangles.h"
+#include "EdgeMatching.h"
 #include "MeshError.h"
+#include "MortonCurve.h"
+#include "RadixSort.h"
+#include "SortedTriangles.h"
+#include "Threads.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace DirectionFields
 {
 namespace
 {
+/// Triangles, vertices or half-edges that a thread takes at a time.
+constexpr Index PieceSize = 1 << 13;
+
 std::string Id(Index id)
 {
   return std::to_string(id);
 }
-
-struct HalfEdgeKey
-{
-  Index Far;
-  Index HalfEdge;
-  bool operator<(const HalfEdgeKey& other) const
-  {
-    return this->Far != other.Far ? this->Far < other.Far : this->HalfEdge < other.HalfEdge;
-  }
-};
 }
 
 TriangleMesh::TriangleMesh(const Surface& surface)
 {
-  this->CollectTriangles(surface);
-  if (!this->MatchEdges(false))
+  this->Collect(surface);
+  this->LinkVertices();
+  if (this->Components.size() == 1 && this->Repaired.NonManifoldPoints == 0)
+  {
+    Component& all = this->Components.front();
+    all.FirstTriangle = all.FirstVertex = 0;
+    all.EndTriangle = this->GetNumberOfTriangles();
+    all.EndVertex = this->GetNumberOfVertices();
+  }
+  else
+  {
+    this->OrderComponents();
+    this->SortVertices(surface.Points);
+    this->SortTriangles();
+  }
+  this->NumberEdges();
+  this->TriangleComponent = {};
+}
+
+/// Matches the edges and finds the components.
+void TriangleMesh::Collect(const Surface& surface)
+{
+  SortedTriangles sorted(surface);
+  const auto vertices = static_cast<Index>(sorted.Points.size());
+  this->Repaired.CollapsedTriangles = sorted.Collapsed;
+  EdgeMatching matching(sorted.Corners, vertices);
+  if (matching.Edges.Crowded > 0 || matching.Edges.Duplicate > 0)
   {
     // Duplicate triangles are the one harmless cause of crowded edges.
-    this->RemoveDuplicates();
-    this->MatchEdges(true);
+    this->Repaired.DuplicateTriangles = sorted.RemoveDuplicates();
+    matching = EdgeMatching(sorted.Corners, vertices);
   }
-  this->Orient();
-  this->Renumber();
-  this->LinkVertices();
-}
-
-void TriangleMesh::CollectTriangles(const Surface& surface)
-{
-  const auto points = static_cast<Index>(surface.Points.size());
-  std::vector<Index> vertexOfPoint(points, None);
-  this->Corners.reserve(3 * surface.Triangles.size());
-  this->TriangleInput.reserve(surface.Triangles.size());
-  Index firstNonFinite = None;
-  Index nonFinite = 0;
-  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  this->Repaired.NonManifoldEdges = matching.Edges.Crowded;
+  this->VertexPoint = std::move(sorted.Points);
+  this->Corners = std::move(sorted.Corners);
+  this->TriangleInput = std::move(sorted.Input);
+  this->Twins = std::move(matching.Twins);
+  this->Crowded = std::move(matching.IsCrowded);
+  if (matching.Edges.Reversed > 0)
   {
-    const Triangle& triangle = surface.Triangles[t];
-    for (const Index point : triangle)
-    {
-      if (point < 0 || point >= points)
-      {
-        throw MeshError(MeshError::Kind::InvalidPointId, point,
-          "A triangle uses point " + Id(point) + ", but the points are 0 to " + Id(points - 1) +
-            ". Correct the connectivity of the mesh.");
-      }
-    }
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-    {
-      ++this->Repaired.CollapsedTriangles;
-      continue;
-    }
-    for (const Index point : triangle)
-    {
-      if (vertexOfPoint[point] == None)
-      {
-        vertexOfPoint[point] = static_cast<Index>(this->VertexPoint.size());
-        this->VertexPoint.push_back(point);
-        if (!surface.Points[point].allFinite())
-        {
-          ++nonFinite;
-          firstNonFinite = firstNonFinite == None ? point : std::min(firstNonFinite, point);
-        }
-      }
-      this->Corners.push_back(vertexOfPoint[point]);
-    }
-    this->TriangleInput.push_back(static_cast<Index>(t));
+    this->Orient();
   }
-  if (nonFinite > 0)
+  else
   {
-    throw MeshError(MeshError::Kind::NonFinitePoint, firstNonFinite,
-      Id(nonFinite) + (nonFinite == 1 ? " point of the surface has" : " points of the surface have") +
-        " NaN or infinite coordinates, the first is point " + Id(firstNonFinite) +
-        ". Remove the cells at these points or correct their coordinates.");
+    ConnectedTriangles connected(this->Twins);
+    this->TriangleComponent = std::move(connected.Component);
+    this->Components.resize(connected.Count);
   }
 }
 
-/// Fills Twins, whatever the winding. Where an edge has more than two triangles, or two triangles
-/// have all corners in common: splits it if told to, else returns false.
-bool TriangleMesh::MatchEdges(bool split)
-{
-  const Index halfEdges = this->GetNumberOfHalfEdges();
-  const Index vertices = this->GetNumberOfVertices();
-  this->Twins.assign(halfEdges, None);
-  std::vector<Index> begin(vertices + 1, 0);
-  for (Index h = 0; h < halfEdges; ++h)
-  {
-    ++begin[std::min(this->Tail(h), this->Head(h)) + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<HalfEdgeKey> keys(halfEdges);
-  {
-    std::vector<Index> fill(begin.begin(), begin.end() - 1);
-    for (Index h = 0; h < halfEdges; ++h)
-    {
-      const Index tail = this->Tail(h);
-      const Index head = this->Head(h);
-      keys[fill[std::min(tail, head)]++] = { std::max(tail, head), h };
-    }
-  }
-  for (Index low = 0; low < vertices; ++low)
-  {
-    const auto first = keys.begin() + begin[low];
-    const auto last = keys.begin() + begin[low + 1];
-    std::sort(first, last);
-    for (auto group = first; group != last;)
-    {
-      auto end = group + 1;
-      while (end != last && end->Far == group->Far)
-      {
-        ++end;
-      }
-      const auto count = end - group;
-      if (count == 2)
-      {
-        const Index g = group->HalfEdge;
-        const Index h = (group + 1)->HalfEdge;
-        this->Twins[g] = h;
-        this->Twins[h] = g;
-        if (!split && this->Tail(Previous(g)) == this->Tail(Previous(h)))
-        {
-          return false;
-        }
-      }
-      else if (count > 2)
-      {
-        if (!split)
-        {
-          return false;
-        }
-        this->Crowded.resize(halfEdges, 0);
-        for (auto key = group; key != end; ++key)
-        {
-          this->Crowded[key->HalfEdge] = 1;
-        }
-        ++this->Repaired.NonManifoldEdges;
-      }
-      group = end;
-    }
-  }
-  return true;
-}
-
-void TriangleMesh::RemoveDuplicates()
-{
-  const Index triangles = this->GetNumberOfTriangles();
-  std::vector<Triangle> sorted(triangles);
-  for (Index t = 0; t < triangles; ++t)
-  {
-    std::copy_n(this->Corners.begin() + 3 * t, 3, sorted[t].begin());
-    std::sort(sorted[t].begin(), sorted[t].end());
-  }
-  std::vector<Index> order(triangles);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
-  std::vector<char> duplicate(triangles, 0);
-  for (Index k = 1; k < triangles; ++k)
-  {
-    duplicate[order[k]] = sorted[order[k]] == sorted[order[k - 1]];
-  }
-  Index kept = 0;
-  for (Index t = 0; t < triangles; ++t)
-  {
-    if (!duplicate[t])
-    {
-      std::copy_n(this->Corners.begin() + 3 * t, 3, this->Corners.begin() + 3 * kept);
-      this->TriangleInput[kept++] = this->TriangleInput[t];
-    }
-  }
-  this->Repaired.DuplicateTriangles = triangles - kept;
-  this->Corners.resize(3 * kept);
-  this->TriangleInput.resize(kept);
-}
-
-/// Finds the components and the triangles to turn.
+/// Finds the components and turns the minority of their triangles.
 void TriangleMesh::Orient()
 {
   const Index triangles = this->GetNumberOfTriangles();
   this->TriangleComponent.assign(triangles, None);
-  this->Turned.assign(triangles, 0);
+  std::vector<char> isTurned(triangles, 0);
   std::vector<Index> members;
   Index components = 0;
   for (Index seed = 0; seed < triangles; ++seed)
@@ -220,15 +111,15 @@ void TriangleMesh::Orient()
         }
         const Index neighbour = twin / 3;
         // Twins of the same direction mean opposite windings.
-        const char turn = this->Turned[t] ^ (this->Tail(h) == this->Tail(twin));
+        const char turn = isTurned[t] ^ (this->Tail(h) == this->Tail(twin));
         if (this->TriangleComponent[neighbour] == None)
         {
           this->TriangleComponent[neighbour] = components;
-          this->Turned[neighbour] = turn;
+          isTurned[neighbour] = turn;
           turned += turn;
           members.push_back(neighbour);
         }
-        else if (this->Turned[neighbour] != turn)
+        else if (isTurned[neighbour] != turn)
         {
           const Index point = this->VertexPoint[this->Tail(h)];
           throw MeshError(MeshError::Kind::NonOrientable, point,
@@ -240,11 +131,13 @@ void TriangleMesh::Orient()
       }
     }
     const auto size = static_cast<Index>(members.size());
-    if (2 * static_cast<std::int64_t>(turned) > size)
+    const auto twice = 2 * static_cast<std::int64_t>(turned);
+    // Where there is no majority, the first triangle of the input decides.
+    if (twice > size || (twice == size && isTurned[this->FirstOfInput(members)] != 0))
     {
       for (const Index t : members)
       {
-        this->Turned[t] ^= 1;
+        isTurned[t] ^= 1;
       }
       turned = size - turned;
     }
@@ -252,123 +145,350 @@ void TriangleMesh::Orient()
     ++components;
   }
   this->Components.resize(components);
+  this->Turn(isTurned);
 }
 
-/// Sorts everything by component and winds the triangles.
-void TriangleMesh::Renumber()
+/// The one that comes first in the input.
+Index TriangleMesh::FirstOfInput(const std::vector<Index>& triangles) const
+{
+  return *std::min_element(triangles.begin(), triangles.end(),
+    [this](Index a, Index b) { return this->TriangleInput[a] < this->TriangleInput[b]; });
+}
+
+/// Turns triangles: (a, b, c) becomes (a, c, b), its half-edges 0 and 2 change places.
+void TriangleMesh::Turn(const std::vector<char>& turned)
+{
+  const auto renumbered = [&turned](Index h)
+  { return turned[h / 3] ? 3 * (h / 3) + 2 - h % 3 : h; };
+  const std::vector<Index> twins = std::move(this->Twins);
+  const std::vector<char> crowded = std::move(this->Crowded);
+  this->Twins.resize(twins.size());
+  this->Crowded.resize(crowded.size());
+  for (Index h = 0; h < this->GetNumberOfHalfEdges(); ++h)
+  {
+    this->Twins[renumbered(h)] = twins[h] == None ? None : renumbered(twins[h]);
+    if (!crowded.empty())
+    {
+      this->Crowded[renumbered(h)] = crowded[h];
+    }
+  }
+  for (Index t = 0; t < this->GetNumberOfTriangles(); ++t)
+  {
+    if (turned[t])
+    {
+      std::swap(this->Corners[3 * t + 1], this->Corners[3 * t + 2]);
+    }
+  }
+}
+
+/// Orders the components by their first triangles in the input.
+void TriangleMesh::OrderComponents()
 {
   const Index triangles = this->GetNumberOfTriangles();
-  std::vector<Index> next(this->Components.size() + 1, 0);
-  for (const Index component : this->TriangleComponent)
+  const auto components = static_cast<Index>(this->Components.size());
+  std::vector<Keyed<std::uint32_t>> first(components);
+  for (Index c = 0; c < components; ++c)
   {
-    ++next[component + 1];
+    first[c] = { std::numeric_limits<std::uint32_t>::max(), c };
   }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t c = 0; c < this->Components.size(); ++c)
-  {
-    this->Components[c].FirstTriangle = next[c];
-    this->Components[c].EndTriangle = next[c + 1];
-  }
-  std::vector<Index> newTriangle(triangles);
+  std::uint32_t last = 0;
   for (Index t = 0; t < triangles; ++t)
   {
-    newTriangle[t] = next[this->TriangleComponent[t]]++;
+    const auto input = static_cast<std::uint32_t>(this->TriangleInput[t]);
+    std::uint32_t& least = first[this->TriangleComponent[t]].Value;
+    least = std::min(least, input);
+    last = std::max(last, input);
   }
-  // A turned triangle (a, b, c) becomes (a, c, b): its half-edges 0 and 2 change places.
-  const auto renumbered = [&](Index h)
+  RadixSort(first, BitsBelow(static_cast<Index>(last) + 1));
+  std::vector<Index> place(components);
+  for (Index c = 0; c < components; ++c)
   {
-    const Index corner = h % 3;
-    return 3 * newTriangle[h / 3] + (this->Turned[h / 3] ? 2 - corner : corner);
-  };
-  std::vector<Index> corners(this->Corners.size());
-  std::vector<Index> twins(this->Twins.size());
-  std::vector<char> crowded(this->Crowded.size());
-  std::vector<Index> input(triangles);
-  for (Index t = 0; t < triangles; ++t)
-  {
-    const Index s = newTriangle[t];
-    input[s] = this->TriangleInput[t];
-    for (Index c = 0; c < 3; ++c)
-    {
-      const Index h = 3 * t + c;
-      corners[3 * s + (this->Turned[t] ? (3 - c) % 3 : c)] = this->Corners[h];
-      twins[renumbered(h)] = this->Twins[h] == None ? None : renumbered(this->Twins[h]);
-      if (!crowded.empty())
-      {
-        crowded[renumbered(h)] = this->Crowded[h];
-      }
-    }
+    place[first[c].Item] = c;
   }
-  this->Corners = std::move(corners);
-  this->Twins = std::move(twins);
-  this->Crowded = std::move(crowded);
-  this->TriangleInput = std::move(input);
-  this->TriangleComponent = {};
-  this->Turned = {};
+  for (Index& component : this->TriangleComponent)
+  {
+    component = place[component];
+  }
 }
 
-/// Numbers vertices and edges by first use. Every fan of triangles is a vertex.
+/// Makes every fan of triangles a vertex.
 void TriangleMesh::LinkVertices()
 {
-  const std::vector<Index> pointOf = std::move(this->VertexPoint);
-  const std::vector<Index> corners = std::move(this->Corners);
-  std::vector<char> fans(pointOf.size(), 0);
-  this->VertexPoint.clear();
-  this->VertexPoint.reserve(pointOf.size());
-  this->VertexHalfEdge.reserve(pointOf.size());
-  this->Corners.assign(corners.size(), None);
-  this->Edges.assign(corners.size(), None);
-  this->EdgeHalfEdge.reserve(corners.size() / 2 + 1);
-  for (Component& component : this->Components)
-  {
-    component.FirstVertex = this->GetNumberOfVertices();
-    component.FirstEdge = this->GetNumberOfEdges();
-    component.Closed = true;
-    for (Index h = 3 * component.FirstTriangle; h < 3 * component.EndTriangle; ++h)
+  const Index points = this->GetNumberOfVertices();
+  // Any half-edge of each point, whichever thread comes last.
+  std::vector<std::atomic<Index>> any(points);
+  ParallelFor(this->GetNumberOfHalfEdges(), PieceSize,
+    [&](Index begin, Index end)
     {
-      if (this->Corners[h] == None)
+      for (Index h = begin; h < end; ++h)
       {
-        this->VertexHalfEdge.push_back(this->NumberFan(h, this->GetNumberOfVertices()));
-        this->VertexPoint.push_back(pointOf[corners[h]]);
-        char& count = fans[corners[h]];
-        this->Repaired.NonManifoldPoints += count == 1;
-        count = static_cast<char>(std::min(2, count + 1));
+        any[this->Corners[h]].store(h, std::memory_order_relaxed);
       }
-      const Index twin = this->Twins[h];
-      component.Closed = component.Closed && twin != None;
-      if (twin == None || h < twin)
+    });
+  this->VertexHalfEdge.resize(points);
+  const auto seen = ParallelSum<Index>(points, PieceSize, 0,
+    [&](Index begin, Index end)
+    {
+      Index corners = 0;
+      for (Index v = begin; v < end; ++v)
       {
-        this->Edges[h] = this->GetNumberOfEdges();
-        this->EdgeHalfEdge.push_back(h);
+        const Fan fan = this->FindFan(any[v].load(std::memory_order_relaxed));
+        this->VertexHalfEdge[v] = fan.First;
+        corners += fan.Corners;
       }
-      else
-      {
-        this->Edges[h] = this->Edges[twin];
-      }
-    }
-    component.EndVertex = this->GetNumberOfVertices();
-    component.EndEdge = this->GetNumberOfEdges();
+      return corners;
+    });
+  if (seen < this->GetNumberOfHalfEdges())
+  {
+    this->SplitPoints();
   }
 }
 
-/// Gives the corners of a fan their vertex. Returns the fan's first outgoing half-edge.
-Index TriangleMesh::NumberFan(Index start, Index vertex)
+/// The fan of a half-edge: its first outgoing half-edge, on the boundary the first one
+/// counter-clockwise, else the one of the least number.
+TriangleMesh::Fan TriangleMesh::FindFan(Index start) const
 {
+  Fan fan{ start, 0 };
   Index h = start;
   do
   {
-    this->Corners[h] = vertex;
+    ++fan.Corners;
+    fan.First = std::min(fan.First, h);
     h = this->NextOutgoing(h);
   } while (h != None && h != start);
-  if (h == start)
+  if (h == None)
   {
-    return start;
+    for (h = start; this->Twins[h] != None; ++fan.Corners)
+    {
+      h = Next(this->Twins[h]);
+    }
+    fan.First = h;
   }
-  for (h = start; this->Twins[h] != None;)
+  return fan;
+}
+
+/// Numbers the fans as vertices where a point has several of them.
+void TriangleMesh::SplitPoints()
+{
+  const std::vector<Index> pointOf = std::move(this->VertexPoint);
+  std::vector<char> fans(pointOf.size(), 0);
+  std::vector<char> done(this->Corners.size(), 0);
+  std::vector<Keyed<std::uint32_t>> order;
+  for (Index h = 0; h < this->GetNumberOfHalfEdges(); ++h)
   {
-    h = Next(this->Twins[h]);
-    this->Corners[h] = vertex;
+    if (done[h])
+    {
+      continue;
+    }
+    const Index point = this->Corners[h];
+    const Index first = this->FindFan(h).First;
+    order.push_back({ static_cast<std::uint32_t>(point), first });
+    for (Index k = first; k != None && !done[k]; k = this->NextOutgoing(k))
+    {
+      done[k] = 1;
+    }
+    this->Repaired.NonManifoldPoints += fans[point] == 1;
+    fans[point] = static_cast<char>(std::min(2, fans[point] + 1));
   }
-  return h;
+  RadixSort(order, BitsBelow(static_cast<Index>(pointOf.size())));
+  const auto vertices = static_cast<Index>(order.size());
+  this->VertexPoint.resize(vertices);
+  this->VertexHalfEdge.resize(vertices);
+  std::fill(done.begin(), done.end(), 0);
+  for (Index v = 0; v < vertices; ++v)
+  {
+    const Index first = order[v].Item;
+    this->VertexPoint[v] = pointOf[order[v].Value];
+    this->VertexHalfEdge[v] = first;
+    for (Index k = first; k != None && !done[k]; k = this->NextOutgoing(k))
+    {
+      this->Corners[k] = v;
+      done[k] = 1;
+    }
+  }
+}
+
+/// Sorts the vertices of each component along a Morton curve of its own, so that no other component
+/// has a say in it.
+void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
+{
+  const Index vertices = this->GetNumberOfVertices();
+  const auto component = [this](Index v)
+  { return this->TriangleComponent[this->VertexHalfEdge[v] / 3]; };
+  std::vector<BoundingBox> boxes(this->Components.size());
+  std::vector<Index> begin(this->Components.size() + 1, 0);
+  std::vector<Keyed<std::uint64_t>> order(vertices);
+  for (Index v = 0; v < vertices; ++v)
+  {
+    boxes[component(v)].Add(points[this->VertexPoint[v]]);
+    ++begin[component(v) + 1];
+    order[v] = { static_cast<std::uint64_t>(this->VertexPoint[v]), v };
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for (std::size_t c = 0; c < this->Components.size(); ++c)
+  {
+    this->Components[c].FirstVertex = begin[c];
+    this->Components[c].EndVertex = begin[c + 1];
+  }
+  RadixSort(order, BitsBelow(static_cast<Index>(points.size())));
+  const std::vector<MortonCurve> curves(boxes.begin(), boxes.end());
+  ParallelFor(vertices, PieceSize,
+    [&](Index first, Index last)
+    {
+      for (Index k = first; k < last; ++k)
+      {
+        const Index v = order[k].Item;
+        order[k].Value = curves[component(v)].Place(points[this->VertexPoint[v]]);
+      }
+    });
+  RadixSort(order, MortonCurve::Bits);
+  for (Keyed<std::uint64_t>& vertex : order)
+  {
+    vertex.Value = static_cast<std::uint64_t>(component(vertex.Item));
+  }
+  RadixSort(order, BitsBelow(static_cast<Index>(this->Components.size())));
+
+  std::vector<Index> number(vertices);
+  const std::vector<Index> pointOf = std::move(this->VertexPoint);
+  const std::vector<Index> halfEdgeOf = std::move(this->VertexHalfEdge);
+  this->VertexPoint.resize(vertices);
+  this->VertexHalfEdge.resize(vertices);
+  ParallelFor(vertices, PieceSize,
+    [&](Index first, Index last)
+    {
+      for (Index v = first; v < last; ++v)
+      {
+        number[order[v].Item] = v;
+        this->VertexPoint[v] = pointOf[order[v].Item];
+        this->VertexHalfEdge[v] = halfEdgeOf[order[v].Item];
+      }
+    });
+  ParallelFor(this->GetNumberOfHalfEdges(), PieceSize,
+    [&](Index first, Index last)
+    {
+      for (Index h = first; h < last; ++h)
+      {
+        this->Corners[h] = number[this->Corners[h]];
+      }
+    });
+}
+
+/// Sorts the triangles by their lowest vertices, and so by component.
+void TriangleMesh::SortTriangles()
+{
+  const Index triangles = this->GetNumberOfTriangles();
+  std::vector<Keyed<std::uint32_t>> order(triangles);
+  std::vector<Index> begin(this->Components.size() + 1, 0);
+  Index last = 0;
+  for (Index t = 0; t < triangles; ++t)
+  {
+    order[t] = { static_cast<std::uint32_t>(this->TriangleInput[t]), t };
+    last = std::max(last, this->TriangleInput[t]);
+    ++begin[this->TriangleComponent[t] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for (std::size_t c = 0; c < this->Components.size(); ++c)
+  {
+    this->Components[c].FirstTriangle = begin[c];
+    this->Components[c].EndTriangle = begin[c + 1];
+  }
+  RadixSort(order, BitsBelow(last + 1));
+  for (Keyed<std::uint32_t>& triangle : order)
+  {
+    const auto corner = this->Corners.begin() + 3 * triangle.Item;
+    triangle.Value = static_cast<std::uint32_t>(*std::min_element(corner, corner + 3));
+  }
+  RadixSort(order, BitsBelow(this->GetNumberOfVertices()));
+
+  std::vector<Index> number(triangles);
+  for (Index t = 0; t < triangles; ++t)
+  {
+    number[order[t].Item] = t;
+  }
+  const auto renumbered = [&number](Index h) { return 3 * number[h / 3] + h % 3; };
+  const std::vector<Index> corners = std::move(this->Corners);
+  const std::vector<Index> twins = std::move(this->Twins);
+  const std::vector<Index> input = std::move(this->TriangleInput);
+  const std::vector<char> crowded = std::move(this->Crowded);
+  this->Corners.resize(corners.size());
+  this->Twins.resize(twins.size());
+  this->TriangleInput.resize(input.size());
+  this->Crowded.resize(crowded.size());
+  ParallelFor(triangles, PieceSize,
+    [&](Index first, Index end)
+    {
+      for (Index t = first; t < end; ++t)
+      {
+        this->TriangleInput[t] = input[order[t].Item];
+        for (Index c = 0; c < 3; ++c)
+        {
+          const Index h = 3 * order[t].Item + c;
+          this->Corners[3 * t + c] = corners[h];
+          this->Twins[3 * t + c] = twins[h] == None ? None : renumbered(twins[h]);
+          if (!crowded.empty())
+          {
+            this->Crowded[3 * t + c] = crowded[h];
+          }
+        }
+      }
+    });
+  ParallelFor(this->GetNumberOfVertices(), PieceSize,
+    [&](Index first, Index end)
+    {
+      for (Index v = first; v < end; ++v)
+      {
+        this->VertexHalfEdge[v] = this->FindFan(renumbered(this->VertexHalfEdge[v])).First;
+      }
+    });
+}
+
+/// Numbers the edges by their first half-edges.
+void TriangleMesh::NumberEdges()
+{
+  const Index halfEdges = this->GetNumberOfHalfEdges();
+  const auto isFirst = [this](Index h) { return this->Twins[h] == None || h < this->Twins[h]; };
+  std::vector<Index> number(NumberOfPieces(halfEdges, PieceSize), 0);
+  ParallelFor(halfEdges, PieceSize,
+    [&](Index begin, Index end)
+    {
+      Index count = 0;
+      for (Index h = begin; h < end; ++h)
+      {
+        count += isFirst(h);
+      }
+      number[begin / PieceSize] = count;
+    });
+  Index edges = 0;
+  for (Index& first : number)
+  {
+    first = std::exchange(edges, edges + first);
+  }
+  this->Edges.resize(halfEdges);
+  this->EdgeHalfEdge.resize(edges);
+  ParallelFor(halfEdges, PieceSize,
+    [&](Index begin, Index end)
+    {
+      Index edge = number[begin / PieceSize];
+      for (Index h = begin; h < end; ++h)
+      {
+        if (isFirst(h))
+        {
+          this->EdgeHalfEdge[edge] = h;
+          this->Edges[h] = edge;
+          if (this->Twins[h] != None)
+          {
+            this->Edges[this->Twins[h]] = edge;
+          }
+          ++edge;
+        }
+      }
+    });
+  for (std::size_t c = this->Components.size(); c-- > 0;)
+  {
+    Component& component = this->Components[c];
+    component.EndEdge = edges;
+    component.FirstEdge = edges = this->Edges[3 * component.FirstTriangle];
+    component.Closed = 2 * component.Edges() == 3 * component.Triangles();
+  }
 }
 }

@@ -14,11 +14,15 @@ namespace DirectionFields
 /// Half-edge structure of an oriented manifold triangle mesh, with or without boundary.
 ///
 /// Half-edge 3 t + c runs from corner c of triangle t to corner (c + 1) % 3. Triangles, edges and
-/// vertices are numbered component by component, so that everything of a component is contiguous.
+/// vertices are numbered component by component, so that everything of a component is contiguous,
+/// and the components by their first triangles in the input. Within a component vertices follow a
+/// Morton curve (Z-order) through their points, triangles their lowest vertices and edges their
+/// lowest half-edges: what is close on the surface is mostly close in memory, whatever the order of
+/// the input.
 ///
-/// A vertex is a fan of triangles at a used point, in the order of first use. A surface that is no
-/// manifold is split into sheets: an edge of more than two triangles becomes boundary for all of
-/// them, and where several fans meet in a point each is a vertex of its own.
+/// A vertex is a fan of triangles at a used point. A surface that is no manifold is split into
+/// sheets: an edge of more than two triangles becomes boundary for all of them, and where several
+/// fans meet in a point each is a vertex of its own.
 class TriangleMesh
 {
 public:
@@ -72,13 +76,23 @@ public:
   const Repairs& GetRepairs() const { return this->Repaired; }
 
 private:
-  void CollectTriangles(const Surface& surface);
-  bool MatchEdges(bool split);
-  void RemoveDuplicates();
+  struct Fan
+  {
+    Index First;
+    Index Corners;
+  };
+
+  void Collect(const Surface& surface);
   void Orient();
-  void Renumber();
+  Index FirstOfInput(const std::vector<Index>& triangles) const;
+  void Turn(const std::vector<char>& turned);
+  void OrderComponents();
   void LinkVertices();
-  Index NumberFan(Index start, Index vertex);
+  Fan FindFan(Index start) const;
+  void SplitPoints();
+  void SortVertices(const std::vector<Vector3>& points);
+  void SortTriangles();
+  void NumberEdges();
 
   std::vector<Index> Corners;
   std::vector<Index> Twins;
@@ -91,9 +105,8 @@ private:
   std::vector<Component> Components;
   Repairs Repaired;
 
-  /// While building: the component and the turn of each triangle as it came.
+  /// While building: the component of each triangle.
   std::vector<Index> TriangleComponent;
-  std::vector<char> Turned;
 };
 }
 

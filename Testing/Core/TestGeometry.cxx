@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 using namespace DirectionFields;
 using namespace TestMeshes;
@@ -32,6 +34,24 @@ struct Geometry
   Connection Transport;
   TangentFrames Frames;
 };
+
+/// The half-edge of each of a mesh in another mesh of the same triangles.
+std::vector<Index> HalfEdgesIn(const TriangleMesh& other, const TriangleMesh& mesh)
+{
+  const auto key = [](const TriangleMesh& m, Index h)
+  { return std::pair(m.InputTriangle(h / 3), m.Point(m.Tail(h))); };
+  std::map<std::pair<Index, Index>, Index> found;
+  for (Index h = 0; h < other.GetNumberOfHalfEdges(); ++h)
+  {
+    found[key(other, h)] = h;
+  }
+  std::vector<Index> halfEdges;
+  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    halfEdges.push_back(found.at(key(mesh, h)));
+  }
+  return halfEdges;
+}
 
 double Wrapped(double angle)
 {
@@ -194,14 +214,16 @@ TEST(TangentFrames, DependOnlyOnTheShapeUpToTheReferenceAngle)
   const Geometry g(surface);
   const Geometry turned(Transformed(surface, rotation, { -4, 1, 2 }));
   int otherReference = 0;
+  const std::vector<Index> halfEdge = HalfEdgesIn(turned.Mesh, g.Mesh);
   for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Index v = g.Mesh.Tail(h);
     const double a = g.Transport.EdgeAngle[h];
-    const double b = turned.Transport.EdgeAngle[h];
+    const double b = turned.Transport.EdgeAngle[halfEdge[h]];
+    const Index w = turned.Mesh.Tail(halfEdge[h]);
     otherReference += std::abs(Wrapped(a - b)) > 0.1;
     const Vector3 inSpace = std::cos(a) * g.Frames.X[v] + std::sin(a) * g.Frames.Y[v];
-    const Vector3 inTurned = std::cos(b) * turned.Frames.X[v] + std::sin(b) * turned.Frames.Y[v];
+    const Vector3 inTurned = std::cos(b) * turned.Frames.X[w] + std::sin(b) * turned.Frames.Y[w];
     EXPECT_LT((rotation * inSpace - inTurned).norm(), 1e-12);
   }
   EXPECT_GT(otherReference, 0);

@@ -3,11 +3,14 @@
 
 #include "MeshError.h"
 #include "TestMeshes.h"
+#include "Threads.h"
 #include "TriangleMesh.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <set>
 
 using namespace DirectionFields;
 using namespace TestMeshes;
@@ -147,8 +150,12 @@ TEST(TriangleMesh, IgnoresCollapsedAndDuplicateTriangles)
   EXPECT_EQ(mesh.GetRepairs().DuplicateTriangles, 2);
   EXPECT_TRUE(mesh.GetComponents()[0].Closed);
   // The first of the equal ones stays.
-  EXPECT_EQ(mesh.InputTriangle(0), 1);
-  EXPECT_EQ(mesh.InputTriangle(7), 8);
+  std::set<Index> kept;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    kept.insert(mesh.InputTriangle(t));
+  }
+  EXPECT_EQ(kept, std::set<Index>({ 1, 2, 3, 4, 5, 6, 7, 8 }));
 
   const TriangleMesh pillow(Surface{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 1 } } });
   EXPECT_EQ(pillow.GetNumberOfTriangles(), 1);
@@ -231,6 +238,127 @@ TEST(TriangleMesh, SplitsPointsWhereFansMeet)
 TEST(TriangleMesh, RefusesNonOrientableSurfaces)
 {
   EXPECT_EQ(ErrorOf(MoebiusStrip(12)).first, MeshError::Kind::NonOrientable);
+}
+
+TEST(TriangleMesh, WithoutAMajorityTheFirstTriangleDecides)
+{
+  const Surface hinge{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
+    { { 1, 2, 3 }, { 0, 1, 2 } } };
+  for (const bool swapped : { false, true })
+  {
+    Surface s = hinge;
+    if (swapped)
+    {
+      std::swap(s.Triangles[0], s.Triangles[1]);
+    }
+    const TriangleMesh mesh(s);
+    ExpectConsistent(mesh);
+    EXPECT_EQ(mesh.GetRepairs().ReversedTriangles, 1);
+    for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const Triangle& first = s.Triangles[0];
+      if (mesh.InputTriangle(h / 3) == 0 && mesh.Point(mesh.Tail(h)) == first[0])
+      {
+        EXPECT_EQ(mesh.Point(mesh.Head(h)), first[1]);
+      }
+    }
+  }
+}
+
+TEST(TriangleMesh, NeighboursAreCloseInMemoryWhateverTheOrderOfTheInput)
+{
+  std::vector<Index> newPoint;
+  std::vector<Index> newTriangle;
+  const Surface parts = Joined(Potato(4), Transformed(Potato(5), Eigen::Matrix3d::Identity(),
+                                            Vector3(0.4, 0.3, 0.2)));
+  const Surface shuffled = Shuffled(parts, 5, newPoint, newTriangle);
+  const TriangleMesh mesh(shuffled);
+  ExpectConsistent(mesh);
+  ASSERT_EQ(mesh.GetComponents().size(), 2u);
+  for (const auto& component : mesh.GetComponents())
+  {
+    // A patch of k vertices has about sqrt(k) edges to others; in random order the mean were a
+    // third of all.
+    double distance = 0.0;
+    for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
+    {
+      const Index h = mesh.HalfEdge(e);
+      distance += std::abs(mesh.Tail(h) - mesh.Head(h));
+    }
+    const double vertices = component.Vertices();
+    EXPECT_LT(distance / component.Edges(), 3.0 * std::sqrt(vertices));
+    distance = 0.0;
+    Index inner = 0;
+    for (Index h = 3 * component.FirstTriangle; h < 3 * component.EndTriangle; ++h)
+    {
+      distance += std::abs(mesh.Twin(h) / 3 - h / 3);
+      ++inner;
+    }
+    EXPECT_LT(distance / inner, 6.0 * std::sqrt(vertices));
+  }
+}
+
+TEST(TriangleMesh, VerticesHaveTheSameOrderWhateverThatOfTheInput)
+{
+  std::vector<Index> newPoint;
+  std::vector<Index> newTriangle;
+  Surface surface = Joined(Potato(3), Transformed(Hemisphere(3), ObliqueRotation(1.0), { 9, 0, 0 }));
+  // Wound by a majority of two to one.
+  for (std::size_t t = 0; t < surface.Triangles.size(); t += 3)
+  {
+    std::swap(surface.Triangles[t][0], surface.Triangles[t][1]);
+  }
+  const Surface shuffled = Shuffled(surface, 11, newPoint, newTriangle);
+  const TriangleMesh a(surface);
+  const TriangleMesh b(shuffled);
+  ASSERT_EQ(a.GetNumberOfVertices(), b.GetNumberOfVertices());
+  const Index other = a.GetComponents()[0].Vertices() == b.GetComponents()[0].Vertices() ? 0 : 1;
+  for (Index c = 0; c < 2; ++c)
+  {
+    const auto& from = a.GetComponents()[c];
+    const auto& to = b.GetComponents()[c ^ other];
+    ASSERT_EQ(from.Vertices(), to.Vertices());
+    for (Index v = 0; v < from.Vertices(); ++v)
+    {
+      EXPECT_EQ(newPoint[a.Point(from.FirstVertex + v)], b.Point(to.FirstVertex + v));
+    }
+  }
+}
+
+TEST(TriangleMesh, SameNumbersForAnyNumberOfThreads)
+{
+  std::vector<Index> newPoint;
+  std::vector<Index> newTriangle;
+  // Fins and a bow-tie among them, some pieces for each thread.
+  Surface surface = Joined(Potato(5), Square(60));
+  surface.Points.emplace_back(0.5, 0.25, 1.0);
+  const auto tip = static_cast<Index>(surface.Points.size()) - 1;
+  surface.Triangles.push_back({ 0, surface.Triangles[0][1], tip });
+  surface.Triangles.push_back({ 12000, 11000, tip });
+  surface = Shuffled(surface, 3, newPoint, newTriangle);
+  const auto numbers = [&surface](int threads)
+  {
+    Threads several(threads);
+    const Threads::Scope scope(several);
+    const TriangleMesh mesh(surface);
+    std::vector<std::array<Index, 4>> all;
+    for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      all.push_back({ mesh.Tail(h), mesh.Twin(h), mesh.Edge(h), mesh.InputTriangle(h / 3) });
+    }
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      all.push_back({ mesh.Point(v), mesh.Outgoing(v), 0, 0 });
+    }
+    for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+    {
+      all.push_back({ mesh.HalfEdge(e), 0, 0, 0 });
+    }
+    return all;
+  };
+  const auto serial = numbers(1);
+  EXPECT_EQ(numbers(2), serial);
+  EXPECT_EQ(numbers(3), serial);
 }
 
 TEST(TriangleMesh, EmptySurface)

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_ConnectedTriangles_h
+#define DirectionFields_ConnectedTriangles_h
+
+#include "Types.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// The connected components of triangles, numbered by their first triangles.
+struct ConnectedTriangles
+{
+  /// @param twins the other side of each half-edge, three of each triangle, or None
+  explicit ConnectedTriangles(const std::vector<Index>& twins);
+
+  /// Of each triangle.
+  std::vector<Index> Component;
+  Index Count = 0;
+};
+}
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MortonCurve.h"
+
+#include "RadixSort.h"
+#include "Threads.h"
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr Index PieceSize = 1 << 13;
+
+/// The bits of a number below 2^21 with two zeros before each.
+std::uint64_t Spread(std::uint64_t bits)
+{
+  bits = (bits | bits << 32) & 0x001f00000000ffffu;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+  return (bits | bits << 2) & 0x1249249249249249u;
+}
+}
+
+// Halved: the difference of the largest coordinates would overflow.
+MortonCurve::MortonCurve(const BoundingBox& box)
+  : HalfLow(0.5 * box.Low)
+  , HalfSize((0.5 * box.High - 0.5 * box.Low).maxCoeff())
+{
+}
+
+std::uint64_t MortonCurve::Place(const Vector3& point) const
+{
+  constexpr double cells = 1 << (Bits / 3);
+  if (!(this->HalfSize > 0.0))
+  {
+    return 0;
+  }
+  std::uint64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double part = (0.5 * point[axis] - this->HalfLow[axis]) / this->HalfSize;
+    place |= Spread(static_cast<std::uint64_t>(std::min(part * cells, cells - 1.0))) << axis;
+  }
+  return place;
+}
+
+std::vector<Index> MortonCurve::Sorted(
+  const std::vector<Vector3>& points, const std::vector<Index>& members)
+{
+  const auto count = static_cast<Index>(members.size());
+  const MortonCurve curve(ParallelSum(count, PieceSize, BoundingBox{},
+    [&](Index begin, Index end)
+    {
+      BoundingBox box;
+      for (Index k = begin; k < end; ++k)
+      {
+        box.Add(points[members[k]]);
+      }
+      return box;
+    }));
+  std::vector<Keyed<std::uint64_t>> order(members.size());
+  ParallelFor(count, PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        order[k] = { curve.Place(points[members[k]]), members[k] };
+      }
+    });
+  RadixSort(order, Bits);
+  std::vector<Index> sorted(members.size());
+  std::transform(order.begin(), order.end(), sorted.begin(),
+    [](const Keyed<std::uint64_t>& point) { return point.Item; });
+  return sorted;
+}
+}
