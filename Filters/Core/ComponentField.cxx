@@ -114,7 +114,7 @@ std::vector<Complex> GuidanceSection(
     const Vector3 vector = guidance.Vectors[point] / longest;
     if (weight > 0.0 && vector.allFinite())
     {
-      const Complex z(vector.dot(frames.X[v]), vector.dot(frames.Y[v]));
+      const Complex z = frames.Tangential(v, vector);
       // What is left of a normal vector is rounding.
       if (std::abs(z) > 1e-9 * vector.norm())
       {

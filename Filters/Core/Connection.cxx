@@ -3,57 +3,84 @@
 
 #include "Connection.h"
 
+#include "Threads.h"
+
 namespace DirectionFields
 {
+namespace
+{
+constexpr Index PieceSize = 1 << 12;
+}
+
 Connection::Connection(
-  const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& points)
-  : CornerAngle(mesh.GetNumberOfHalfEdges())
-  , EdgeAngle(mesh.GetNumberOfHalfEdges())
+  const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& positions)
+  : EdgeAngle(mesh.GetNumberOfHalfEdges())
   , AngleSum(mesh.GetNumberOfVertices())
   , Rotation(mesh.GetNumberOfEdges())
   , Curvature(mesh.GetNumberOfTriangles())
 {
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    const bool boundary = mesh.IsBoundary(v);
-    Index reference = mesh.Outgoing(v);
-    double sum = 0.0;
-    Index h = mesh.Outgoing(v);
-    do
+  // The corner angles first stand where the sums of those before them come.
+  std::vector<double>& cornerAngle = this->EdgeAngle;
+  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+    [&](Index begin, Index end)
     {
-      sum += metric.CornerAngle[h];
-      if (!boundary &&
-        LexicographicallyLess(
-          points[mesh.Point(mesh.Head(h))], points[mesh.Point(mesh.Head(reference))]))
+      for (Index t = begin; t < end; ++t)
       {
-        reference = h;
+        const std::array<double, 3> angles = metric.CornerAngles(mesh, t);
+        std::copy(angles.begin(), angles.end(), cornerAngle.begin() + 3 * t);
       }
-      h = mesh.NextOutgoing(h);
-    } while (h != None && h != mesh.Outgoing(v));
-
-    const double scale = boundary ? 1.0 : 2.0 * Pi / sum;
-    this->AngleSum[v] = boundary ? sum : 2.0 * Pi;
-    double angle = 0.0;
-    h = reference;
-    do
+    });
+  ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
+    [&](Index begin, Index end)
     {
-      this->EdgeAngle[h] = angle;
-      this->CornerAngle[h] = scale * metric.CornerAngle[h];
-      angle += this->CornerAngle[h];
-      h = mesh.NextOutgoing(h);
-    } while (h != None && h != reference);
-  }
-  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
-  {
-    const Index h = mesh.HalfEdge(e);
-    const Index twin = mesh.Twin(h);
-    const double back = twin == None ? this->AngleSum[mesh.Head(h)] : this->EdgeAngle[twin];
-    this->Rotation[e] = back + Pi - this->EdgeAngle[h];
-  }
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    this->Curvature[t] =
-      this->CornerAngle[3 * t] + this->CornerAngle[3 * t + 1] + this->CornerAngle[3 * t + 2] - Pi;
-  }
+      std::vector<Index> fan;
+      for (Index v = begin; v < end; ++v)
+      {
+        mesh.GetFan(v, fan);
+        const bool boundary = mesh.IsBoundary(v);
+        std::size_t reference = 0;
+        double sum = 0.0;
+        for (std::size_t k = 0; k < fan.size(); ++k)
+        {
+          sum += cornerAngle[fan[k]];
+          if (!boundary &&
+            LexicographicallyLess(
+              positions[mesh.Head(fan[k])], positions[mesh.Head(fan[reference])]))
+          {
+            reference = k;
+          }
+        }
+        const double scale = boundary ? 1.0 : 2.0 * Pi / sum;
+        this->AngleSum[v] = boundary ? sum : 2.0 * Pi;
+        double angle = 0.0;
+        for (std::size_t k = 0; k < fan.size(); ++k)
+        {
+          const std::size_t at = reference + k < fan.size() ? reference + k : reference + k - fan.size();
+          const double corner = scale * cornerAngle[fan[at]];
+          this->EdgeAngle[fan[at]] = angle;
+          angle += corner;
+        }
+      }
+    });
+  ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index e = begin; e < end; ++e)
+      {
+        const Index h = mesh.HalfEdge(e);
+        const Index twin = mesh.Twin(h);
+        const double back = twin == None ? this->AngleSum[mesh.Head(h)] : this->EdgeAngle[twin];
+        this->Rotation[e] = back + Pi - this->EdgeAngle[h];
+      }
+    });
+  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        this->Curvature[t] = this->CornerAngle(mesh, 3 * t) + this->CornerAngle(mesh, 3 * t + 1) +
+          this->CornerAngle(mesh, 3 * t + 2) - Pi;
+      }
+    });
 }
 }

@@ -21,10 +21,9 @@ namespace DirectionFields
 /// they depend on no numbering. KCPS13 section 6.1; the holonomy here is never wrapped.
 struct Connection
 {
-  Connection(const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& points);
+  /// @param positions of the vertices
+  Connection(const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& positions);
 
-  /// Scaled angle of the corner at the tail of each half-edge.
-  std::vector<double> CornerAngle;
   /// theta_i(ij) of each half-edge i -> j.
   std::vector<double> EdgeAngle;
   /// Sum of the scaled corner angles of each vertex: 2 pi in the interior; on the boundary the
@@ -36,6 +35,16 @@ struct Connection
   /// Curvature of each triangle, the sum of its scaled corner angles - pi; n times it is the
   /// holonomy Omega of a field of degree n.
   std::vector<double> Curvature;
+
+  /// Scaled angle of the corner at the tail of a half-edge.
+  double CornerAngle(const TriangleMesh& mesh, Index h) const
+  {
+    const Index next = mesh.NextOutgoing(h);
+    const double end = next == None ? this->AngleSum[mesh.Tail(h)] : this->EdgeAngle[next];
+    const double angle = end - this->EdgeAngle[h];
+    // The next edge may be the reference edge.
+    return angle > 0.0 ? angle : angle + 2.0 * Pi;
+  }
 
   /// rho along a half-edge.
   double RotationAlong(const TriangleMesh& mesh, Index h) const

@@ -150,13 +150,13 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
     if (sharpest != None)
     {
       // For odd degrees both ends of the edge must agree on its direction.
-      const Vector3& here = input.Points[mesh.Point(v)];
-      const Vector3& there = input.Points[mesh.Point(mesh.Head(sharpest))];
+      const Vector3& here = input.Positions[v];
+      const Vector3& there = input.Positions[mesh.Head(sharpest)];
       const bool turn = LexicographicallyLess(there, here);
       // The angle of the edge's projection, not that in the tangent cone: the field is to follow the
       // edge in space, and where the edge is sharp the two differ by some degrees.
       const Vector3 edge = (there - here).stableNormalized();
-      const Complex projected(edge.dot(input.Frames.X[v]), edge.dot(input.Frames.Y[v]));
+      const Complex projected = input.Frames.Tangential(v, edge);
       const double angle = std::abs(projected) > 1e-9 ? std::arg(projected)
                                                       : input.Transport.EdgeAngle[sharpest];
       this->Set(v, ConstraintKind::SharpEdge,

@@ -23,7 +23,8 @@ struct Constraints
     const TriangleMesh& Mesh;
     const Connection& Transport;
     const TangentFrames& Frames;
-    const std::vector<Vector3>& Points;
+    /// Of the vertices.
+    const std::vector<Vector3>& Positions;
     /// Of each edge; may be empty if sharp edges are not asked for.
     const std::vector<double>& DihedralAngles;
     /// May be null if curvature is not asked for.

@@ -12,13 +12,15 @@ namespace DirectionFields
 {
 /// Signed angle between the normals of the two triangles of each edge, radians, positive where the
 /// surface is convex; 0 on the boundary.
-std::vector<double> DihedralAngles(const TriangleMesh& mesh, const std::vector<Vector3>& points);
+/// @param positions of the vertices
+std::vector<double> DihedralAngles(
+  const TriangleMesh& mesh, const std::vector<Vector3>& positions);
 
 /// Discrete curvature of a mesh over its vertices. Lengths are in units of Metric::Unit.
 struct Curvature
 {
   Curvature(const TriangleMesh& mesh, const Metric& metric, const Connection& connection,
-    const TangentFrames& frames, const std::vector<Vector3>& points,
+    const TangentFrames& frames, const std::vector<Vector3>& positions,
     const std::vector<double>& dihedralAngles);
 
   /// Hopf differential, a section of degree 2: (k_max - k_min) / 2 exp(2 i theta) with theta the

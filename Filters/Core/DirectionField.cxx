@@ -69,7 +69,7 @@ std::vector<Vector3> InSpace(
     if (std::abs(section[v]) > 0.0)
     {
       const double angle = std::arg(section[v]) / degree;
-      vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y[v];
+      vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y(static_cast<Index>(v));
     }
   }
   return vectors;
@@ -185,7 +185,7 @@ Result DirectionField::Compute(
   const bool usesCurvature =
     options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature;
   const Constraints constraints(
-    { mesh, stages.GetConnection(), stages.GetFrames(), stages.GetPoints(),
+    { mesh, stages.GetConnection(), stages.GetFrames(), stages.GetPositions(),
       options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
       usesCurvature ? &stages.GetCurvature() : nullptr, stages.GetMetric().ComponentArea, given },
     options, result.Notes);

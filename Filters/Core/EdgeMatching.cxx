@@ -3,6 +3,7 @@
 
 #include "EdgeMatching.h"
 
+#include "SortFew.h"
 #include "Threads.h"
 
 #include <algorithm>
@@ -44,26 +45,6 @@ struct Side
     return this->Far != other.Far ? this->Far < other.Far : this->HalfEdge < other.HalfEdge;
   }
 };
-
-/// Most vertices have few edges, which insertion sorts fastest.
-void SortSides(std::vector<Side>& sides)
-{
-  if (sides.size() > 32)
-  {
-    std::sort(sides.begin(), sides.end());
-    return;
-  }
-  for (std::size_t k = 1; k < sides.size(); ++k)
-  {
-    const Side side = sides[k];
-    std::size_t at = k;
-    for (; at > 0 && side < sides[at - 1]; --at)
-    {
-      sides[at] = sides[at - 1];
-    }
-    sides[at] = side;
-  }
-}
 
 /// Numbers from 0 on in groups: Members[Begin[k]] to Members[Begin[k + 1]], in ascending order.
 struct Groups
@@ -132,7 +113,7 @@ EdgeMatching::EdgeMatching(const std::vector<Index>& corners, Index vertices)
           const Index h = third.Members[k];
           sides.push_back({ std::max(corners[h], corners[Next(h)]), h });
         }
-        SortSides(sides);
+        SortFew(sides);
         for (std::size_t k = 0; k < sides.size();)
         {
           std::size_t next = k + 1;

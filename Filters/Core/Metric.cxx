@@ -4,6 +4,8 @@
 #include "Metric.h"
 
 #include "MeshError.h"
+#include "Threads.h"
+#include "VectorMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +15,23 @@ namespace DirectionFields
 {
 namespace
 {
+constexpr Index PieceSize = 1 << 13;
+/// Squares of lengths in this range neither overflow nor vanish.
+constexpr double Small = 1e-100;
+constexpr double Large = 1e100;
 /// By how much the triangle inequality must hold, relative to the longest edge.
 constexpr double Slack = 1e-6;
 /// Shortest edge, relative to the mean.
 constexpr double ShortestEdge = 1e-9;
 /// Lengthening an edge can spoil the triangle on its other side; so many times this is followed.
 constexpr int MaximumSweeps = 50;
+
+/// What the triangle inequality with its slack misses.
+double Deficit(double a, double b, double c)
+{
+  const double longest = std::max({ a, b, c });
+  return longest + Slack * longest - (a + b + c - longest);
+}
 
 class Mollification
 {
@@ -70,11 +83,8 @@ private:
 
   double Deficit(Index t) const
   {
-    const double a = this->Length[this->Mesh.Edge(3 * t)];
-    const double b = this->Length[this->Mesh.Edge(3 * t + 1)];
-    const double c = this->Length[this->Mesh.Edge(3 * t + 2)];
-    const double longest = std::max({ a, b, c });
-    return longest + Slack * longest - (a + b + c - longest);
+    return ::DirectionFields::Deficit(this->Length[this->Mesh.Edge(3 * t)],
+      this->Length[this->Mesh.Edge(3 * t + 1)], this->Length[this->Mesh.Edge(3 * t + 2)]);
   }
 
   bool ClampEdges(Index t)
@@ -129,89 +139,190 @@ private:
   std::vector<double>& Length;
 };
 
-/// Heron's formula as arranged by Kahan, for a >= b >= c.
-double TriangleArea(double a, double b, double c)
+/// Heron's formula as arranged by Kahan.
+double TriangleArea(const std::array<double, 3>& l)
 {
+  const double low = std::min(l[0], l[1]);
+  const double high = std::max(l[0], l[1]);
+  const double a = std::max(high, l[2]);
+  const double c = std::min(low, l[2]);
+  const double b = std::max(low, std::min(high, l[2]));
   return 0.25 * std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
+}
+
+struct EdgeSums
+{
+  /// Coordinate difference.
+  double Largest = 0.0;
+  double Length = 0.0;
+
+  void operator+=(const EdgeSums& other)
+  {
+    this->Largest = std::max(this->Largest, other.Largest);
+    this->Length += other.Length;
+  }
+};
+
+struct TriangleSums
+{
+  double Area = 0.0;
+  Index Bad = 0;
+
+  void operator+=(const TriangleSums& other)
+  {
+    this->Area += other.Area;
+    this->Bad += other.Bad;
+  }
+};
+
+/// Loops over a range of numbers.
+template <typename Sum, typename Body>
+Sum SumOver(Index first, Index end, const Body& body)
+{
+  return ParallelSum(end - first, PieceSize, Sum{},
+    [&](Index pieceBegin, Index pieceEnd)
+    {
+      Sum sum;
+      for (Index k = first + pieceBegin; k < first + pieceEnd; ++k)
+      {
+        body(k, sum);
+      }
+      return sum;
+    });
+}
+
+[[noreturn]] void RefuseOverflow(
+  const TriangleMesh& mesh, const TriangleMesh::Component& component, const std::vector<Vector3>& p)
+{
+  for (Index e = component.FirstEdge;; ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (!(p[mesh.Head(h)] - p[mesh.Tail(h)]).allFinite())
+    {
+      const Index point = mesh.Point(mesh.Tail(h));
+      throw MeshError(MeshError::Kind::NonFinitePoint, point,
+        "The coordinates at point " + std::to_string(point) +
+          " are so large that an edge length overflows. Scale the mesh down.");
+    }
+  }
 }
 }
 
-Metric::Metric(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+Metric::Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
   : SquaredLength(mesh.GetNumberOfEdges())
-  , CornerAngle(mesh.GetNumberOfHalfEdges())
   , Area(mesh.GetNumberOfTriangles())
+  , Unit(mesh.GetComponents().size())
+  , ComponentArea(mesh.GetComponents().size())
 {
+  std::vector<Index> degenerate(mesh.GetComponents().size());
+  mesh.ForEachComponent([&](Index c) { degenerate[c] = this->Measure(mesh, positions, c); });
+  this->DegenerateTriangles = std::accumulate(degenerate.begin(), degenerate.end(), Index(0));
+}
+
+/// Returns the number of degenerate triangles.
+Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions, Index c)
+{
+  const TriangleMesh::Component& component = mesh.GetComponents()[c];
+  std::vector<double>& length = this->SquaredLength;
   const auto edgeVector = [&](Index e) -> Vector3
   {
     const Index h = mesh.HalfEdge(e);
-    return points[mesh.Point(mesh.Head(h))] - points[mesh.Point(mesh.Tail(h))];
+    return positions[mesh.Head(h)] - positions[mesh.Tail(h)];
   };
-  std::vector<double> length(mesh.GetNumberOfEdges());
-  Mollification mollification(mesh, length);
-  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  auto sums = SumOver<EdgeSums>(component.FirstEdge, component.EndEdge,
+    [&](Index e, EdgeSums& sum)
+    {
+      const Vector3 edge = edgeVector(e);
+      sum.Largest = std::max(sum.Largest, edge.lpNorm<Eigen::Infinity>());
+      length[e] = edge.norm();
+      sum.Length += length[e];
+    });
+  double scale = 1.0;
+  if (!(sums.Largest > Small && sums.Largest < Large))
   {
     // The largest coordinate difference is divided out first: squares of it could overflow.
-    double largest = 0.0;
-    for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
+    if (!std::isfinite(sums.Largest))
     {
-      const double extent = edgeVector(e).lpNorm<Eigen::Infinity>();
-      if (!std::isfinite(extent))
+      RefuseOverflow(mesh, component, positions);
+    }
+    scale = sums.Largest > 0.0 ? sums.Largest : 1.0;
+    sums = SumOver<EdgeSums>(component.FirstEdge, component.EndEdge,
+      [&](Index e, EdgeSums& sum)
       {
-        const Index point = mesh.Point(mesh.Tail(mesh.HalfEdge(e)));
-        throw MeshError(MeshError::Kind::NonFinitePoint, point,
-          "The coordinates at point " + std::to_string(point) +
-            " are so large that an edge length overflows. Scale the mesh down.");
-      }
-      largest = std::max(largest, extent);
-    }
-    if (largest == 0.0)
-    {
-      largest = 1.0;
-    }
-    double sum = 0.0;
-    for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
-    {
-      length[e] = (edgeVector(e) / largest).norm();
-      sum += length[e];
-    }
-    const double mean = sum > 0.0 ? sum / component.Edges() : 1.0;
-    this->Unit.push_back(largest * mean);
-    for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
-    {
-      // Where all points coincide only the connectivity is left: every edge gets the same length.
-      length[e] = sum > 0.0 ? length[e] / mean : 1.0;
-    }
-    this->DegenerateTriangles +=
-      sum > 0.0 ? mollification.Apply(component) : component.Triangles();
-
-    double area = 0.0;
-    for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
-    {
-      std::array<double, 3> l;
-      for (int c = 0; c < 3; ++c)
-      {
-        l[c] = length[mesh.Edge(3 * t + c)];
-      }
-      std::array<double, 3> descending = l;
-      std::sort(descending.begin(), descending.end(), std::greater<double>());
-      this->Area[t] = TriangleArea(descending[0], descending[1], descending[2]);
-      area += this->Area[t];
-      for (int c = 0; c < 3; ++c)
-      {
-        const double next = l[c];
-        const double previous = l[(c + 2) % 3];
-        const double opposite = l[(c + 1) % 3];
-        // next^2 + previous^2 - opposite^2 without the cancellation of squares.
-        const double twiceDot =
-          next * next + (previous - opposite) * (previous + opposite);
-        this->CornerAngle[3 * t + c] = std::atan2(4.0 * this->Area[t], twiceDot);
-      }
-    }
-    this->ComponentArea.push_back(area);
+        length[e] = (edgeVector(e) / scale).norm();
+        sum.Length += length[e];
+      });
   }
-  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  const double mean = sums.Length > 0.0 ? sums.Length / component.Edges() : 1.0;
+  this->Unit[c] = scale * mean;
+  ParallelFor(component.Edges(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index e = component.FirstEdge + begin; e < component.FirstEdge + end; ++e)
+      {
+        // Where all points coincide only the connectivity is left: every edge gets the same length.
+        length[e] = sums.Length > 0.0 ? length[e] / mean : 1.0;
+      }
+    });
+  const auto measureAreas = [&]
   {
-    this->SquaredLength[e] = length[e] * length[e];
+    return SumOver<TriangleSums>(component.FirstTriangle, component.EndTriangle,
+      [&](Index t, TriangleSums& sum)
+      {
+        const std::array<double, 3> l = { length[mesh.Edge(3 * t)], length[mesh.Edge(3 * t + 1)],
+          length[mesh.Edge(3 * t + 2)] };
+        this->Area[t] = TriangleArea(l);
+        sum.Area += this->Area[t];
+        sum.Bad += std::min({ l[0], l[1], l[2] }) < ShortestEdge || Deficit(l[0], l[1], l[2]) > 0.0;
+      });
+  };
+  TriangleSums triangles = measureAreas();
+  Index degenerate = sums.Length > 0.0 ? 0 : component.Triangles();
+  if (triangles.Bad > 0)
+  {
+    degenerate = Mollification(mesh, length).Apply(component);
+    triangles = measureAreas();
   }
+  this->ComponentArea[c] = triangles.Area;
+  ParallelFor(component.Edges(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index e = component.FirstEdge + begin; e < component.FirstEdge + end; ++e)
+      {
+        length[e] *= length[e];
+      }
+    });
+  return degenerate;
+}
+
+std::array<double, 3> Metric::CornerAngles(const TriangleMesh& mesh, Index triangle) const
+{
+  // opposite[c] is the length of the edge opposite to corner c.
+  std::array<double, 3> opposite;
+  for (int c = 0; c < 3; ++c)
+  {
+    opposite[(c + 2) % 3] = std::sqrt(this->SquaredLength[mesh.Edge(3 * triangle + c)]);
+  }
+  const int first = opposite[0] >= opposite[1] ? (opposite[0] >= opposite[2] ? 0 : 2)
+                                               : (opposite[1] >= opposite[2] ? 1 : 2);
+  const int second = (first + 1) % 3;
+  const int third = (first + 2) % 3;
+  const double longest = opposite[first];
+  const double twiceSum = 2.0 * (longest + (opposite[second] + opposite[third]));
+  // tan(angle / 2) = area / (s (s - opposite)), s half the sum of the lengths. The two smaller angles
+  // come without cancellation, and the largest one is what they leave.
+  const std::array<double, 2> tangents = {
+    8.0 * this->Area[triangle] /
+      (twiceSum * (opposite[third] + (longest - opposite[second]))),
+    8.0 * this->Area[triangle] /
+      (twiceSum * (opposite[second] + (longest - opposite[third]))),
+  };
+  std::array<double, 2> halves;
+  Arctangents(tangents.data(), 2, halves.data());
+  std::array<double, 3> angles;
+  angles[second] = 2.0 * halves[0];
+  angles[third] = 2.0 * halves[1];
+  angles[first] = Pi - (angles[second] + angles[third]);
+  return angles;
 }
 }

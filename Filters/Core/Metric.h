@@ -20,12 +20,11 @@ namespace DirectionFields
 struct Metric
 {
   /// Throws MeshError where coordinates are so large that their differences overflow.
-  Metric(const TriangleMesh& mesh, const std::vector<Vector3>& points);
+  /// @param positions of the vertices
+  Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions);
 
   /// Squared length of each edge.
   std::vector<double> SquaredLength;
-  /// Angle of the corner at the tail of each half-edge, radians, in (0, pi).
-  std::vector<double> CornerAngle;
   /// Area of each triangle.
   std::vector<double> Area;
   /// Mean edge length of each component in the input's unit.
@@ -34,6 +33,16 @@ struct Metric
   std::vector<double> ComponentArea;
   /// Triangles whose edges had to be lengthened.
   Index DegenerateTriangles = 0;
+
+  /// Angles of the corners at the tails of a triangle's half-edges, radians, in (0, pi).
+  std::array<double, 3> CornerAngles(const TriangleMesh& mesh, Index triangle) const;
+  double CornerAngle(const TriangleMesh& mesh, Index h) const
+  {
+    return this->CornerAngles(mesh, h / 3)[h % 3];
+  }
+
+private:
+  Index Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions, Index c);
 };
 }
 

@@ -4,116 +4,186 @@
 #include "Operators.h"
 
 #include "SectionIntegrals.h"
+#include "SortFew.h"
+#include "Threads.h"
+#include "VectorMath.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 
 namespace DirectionFields
 {
 namespace
 {
-/// Entries of both matrices on the diagonal, and in row tail and column head of each edge.
-struct Entries
+constexpr Index PieceSize = 1 << 11;
+
+struct Problem
 {
-  std::vector<double> EnergyDiagonal;
-  std::vector<double> MassDiagonal;
-  std::vector<Complex> Energy;
-  std::vector<Complex> Mass;
+  const TriangleMesh& Mesh;
+  const Metric& Lengths;
+  const Connection& Angles;
+  const TriangleMesh::Component& Component;
+  int Degree;
+  double EnergyBias;
+  /// r of each edge of the component in its direction.
+  std::vector<Complex> Transport;
 };
 
-Entries Integrate(const TriangleMesh& mesh, const Metric& metric, const Connection& connection,
-  const TriangleMesh::Component& component, int degree, double energyBias)
+/// Computes columns of both matrices, each from the fan of its vertex.
+class ColumnAssembler
+{
+public:
+  explicit ColumnAssembler(const Problem& problem)
+    : Given(problem)
+  {
+  }
+
+  /// The number of entries of a vertex' column.
+  Index Count(Index vertex)
+  {
+    const TriangleMesh& mesh = this->Given.Mesh;
+    mesh.GetFan(vertex, this->Fan);
+    if (!mesh.HasNonManifoldEdges())
+    {
+      return static_cast<Index>(this->Fan.size()) + mesh.IsBoundary(vertex) + 1;
+    }
+    this->AddRows(vertex);
+    SortFew(this->Order);
+    Index count = 0;
+    for (std::size_t k = 0; k < this->Order.size(); ++k)
+    {
+      count += k == 0 || this->Order[k].Row != this->Order[k - 1].Row;
+    }
+    return count;
+  }
+
+  void Fill(Index vertex, Index* rows, Complex* energy, Complex* mass)
+  {
+    this->Given.Mesh.GetFan(vertex, this->Fan);
+    this->AddRows(vertex);
+    this->Integrate();
+    SortFew(this->Order);
+    Index at = -1;
+    for (const Place& place : this->Order)
+    {
+      const Entry& entry = this->Column[place.Number];
+      if (at >= 0 && rows[at] == place.Row)
+      {
+        // Along a slit, where the surface was split, two edges join the same vertices.
+        energy[at] += entry.Transport * entry.Energy;
+        mass[at] += entry.Transport * entry.Mass;
+      }
+      else
+      {
+        rows[++at] = place.Row;
+        energy[at] = entry.Transport * entry.Energy;
+        mass[at] = entry.Transport * entry.Mass;
+      }
+    }
+  }
+
+private:
+  struct Entry
+  {
+    Complex Transport;
+    Complex Energy;
+    Complex Mass;
+  };
+  struct Place
+  {
+    Index Row;
+    Index Number;
+    bool operator<(const Place& other) const { return this->Row < other.Row; }
+  };
+
+  void AddRow(Index vertex, const Complex& transport)
+  {
+    const auto number = static_cast<Index>(this->Column.size());
+    this->Column.push_back({ transport, 0.0, 0.0 });
+    this->Order.push_back({ vertex - this->Given.Component.FirstVertex, number });
+  }
+
+  /// The neighbours counter-clockwise, then the vertex itself.
+  void AddRows(Index vertex)
+  {
+    const TriangleMesh& mesh = this->Given.Mesh;
+    const auto along = [&](Index h) -> const Complex&
+    { return this->Given.Transport[mesh.Edge(h) - this->Given.Component.FirstEdge]; };
+    this->Column.clear();
+    this->Order.clear();
+    for (const Index h : this->Fan)
+    {
+      this->AddRow(mesh.Head(h), mesh.GivesDirection(h) ? along(h) : std::conj(along(h)));
+    }
+    if (mesh.IsBoundary(vertex))
+    {
+      // The last edge has no half-edge but the one that comes in.
+      const Index last = TriangleMesh::Previous(this->Fan.back());
+      this->AddRow(mesh.Tail(last), std::conj(along(last)));
+    }
+    this->Neighbours = this->Column.size();
+    this->AddRow(vertex, 1.0);
+  }
+
+  /// Adds up the integrals over the triangles.
+  void Integrate()
+  {
+    const Problem& given = this->Given;
+    Entry& diagonal = this->Column.back();
+    for (std::size_t k = 0; k < this->Fan.size(); ++k)
+    {
+      const Index h = this->Fan[k];
+      const auto squaredLength = [&given](Index side)
+      { return given.Lengths.SquaredLength[given.Mesh.Edge(side)]; };
+      const LocalIntegrals local({ squaredLength(h), squaredLength(TriangleMesh::Next(h)),
+                                   squaredLength(TriangleMesh::Previous(h)) },
+        given.Lengths.Area[h / 3], given.Degree * given.Angles.Curvature[h / 3],
+        given.EnergyBias);
+      diagonal.Energy += local.EnergyDiagonal(0);
+      diagonal.Mass += local.MassDiagonal();
+      // The first side runs out of the vertex, the last one into it.
+      Entry& first = this->Column[k];
+      first.Energy += std::conj(local.Energy(0));
+      first.Mass += std::conj(local.Mass());
+      Entry& last = this->Column[k + 1 < this->Neighbours ? k + 1 : 0];
+      last.Energy += local.Energy(2);
+      last.Mass += local.Mass();
+    }
+  }
+
+  const Problem& Given;
+  std::vector<Index> Fan;
+  std::vector<Entry> Column;
+  std::vector<Place> Order;
+  std::size_t Neighbours = 0;
+};
+
+std::vector<Complex> Transport(
+  const Connection& connection, const TriangleMesh::Component& component, int degree)
 {
   std::vector<Complex> transport(component.Edges());
-  for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
-  {
-    transport[e - component.FirstEdge] = std::polar(1.0, degree * connection.Rotation[e]);
-  }
-  Entries entries;
-  entries.EnergyDiagonal.assign(component.Vertices(), 0.0);
-  entries.MassDiagonal.assign(component.Vertices(), 0.0);
-  entries.Energy.assign(component.Edges(), 0.0);
-  entries.Mass.assign(component.Edges(), 0.0);
-  for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
-  {
-    std::array<double, 3> squaredLength;
-    std::array<Complex, 3> r;
-    for (int c = 0; c < 3; ++c)
+  ParallelFor(component.Edges(), PieceSize,
+    [&](Index begin, Index end)
     {
-      const Index h = 3 * t + c;
-      const Complex& along = transport[mesh.Edge(h) - component.FirstEdge];
-      squaredLength[c] = metric.SquaredLength[mesh.Edge(h)];
-      r[c] = mesh.GivesDirection(h) ? along : std::conj(along);
-    }
-    const LocalMatrices local(
-      squaredLength, metric.Area[t], degree * connection.Curvature[t], r, energyBias);
-    for (int c = 0; c < 3; ++c)
-    {
-      const Index h = 3 * t + c;
-      const Index e = mesh.Edge(h) - component.FirstEdge;
-      const Index v = mesh.Tail(h) - component.FirstVertex;
-      const bool along = mesh.GivesDirection(h);
-      entries.EnergyDiagonal[v] += local.EnergyDiagonal[c];
-      entries.MassDiagonal[v] += local.MassDiagonal;
-      entries.Energy[e] += along ? local.Energy[c] : std::conj(local.Energy[c]);
-      entries.Mass[e] += along ? local.Mass[c] : std::conj(local.Mass[c]);
-    }
-  }
-  return entries;
-}
-
-/// A neighbour in a column: its row, and the edge to it, complemented where it is directed away
-/// from the row.
-struct Neighbour
-{
-  Index Row;
-  Index Edge;
-  bool operator<(const Neighbour& other) const
-  {
-    return this->Row != other.Row ? this->Row < other.Row : this->Edge < other.Edge;
-  }
-};
-
-SparseMatrix Fill(const std::vector<Index>& begin, const std::vector<Neighbour>& neighbours,
-  const std::vector<double>& diagonal, const std::vector<Complex>& edges)
-{
-  const auto n = static_cast<Index>(diagonal.size());
-  SparseMatrix matrix(n, n);
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(neighbours.size()) + n);
-  Index* outer = matrix.outerIndexPtr();
-  Index* inner = matrix.innerIndexPtr();
-  Complex* values = matrix.valuePtr();
-  Index at = 0;
-  for (Index column = 0; column < n; ++column)
-  {
-    outer[column] = at;
-    Index k = begin[column];
-    const auto take = [&](Index end)
-    {
-      for (; k < begin[column + 1] && neighbours[k].Row < end; ++k)
+      constexpr Index most = 64;
+      std::array<double, most> angles;
+      std::array<double, most> cosines;
+      std::array<double, most> sines;
+      for (Index first = begin; first < end; first += most)
       {
-        const Index edge = neighbours[k].Edge;
-        const Complex value = edge >= 0 ? edges[edge] : std::conj(edges[~edge]);
-        if (at > outer[column] && inner[at - 1] == neighbours[k].Row)
+        const Index count = std::min(most, end - first);
+        for (Index k = 0; k < count; ++k)
         {
-          // Along a slit, where the surface was split, two edges join the same vertices.
-          values[at - 1] += value;
+          angles[k] = degree * connection.Rotation[component.FirstEdge + first + k];
         }
-        else
+        CosinesAndSines(angles.data(), count, cosines.data(), sines.data());
+        for (Index k = 0; k < count; ++k)
         {
-          inner[at] = neighbours[k].Row;
-          values[at++] = value;
+          transport[first + k] = Complex(cosines[k], sines[k]);
         }
       }
-    };
-    take(column);
-    inner[at] = column;
-    values[at++] = diagonal[column];
-    take(n);
-  }
-  outer[n] = at;
-  matrix.resizeNonZeros(at);
-  return matrix;
+    });
+  return transport;
 }
 }
 
@@ -121,38 +191,46 @@ Operators AssembleOperators(const TriangleMesh& mesh, const Metric& metric,
   const Connection& connection, const TriangleMesh::Component& component, int degree,
   double energyBias)
 {
-  const Entries entries = Integrate(mesh, metric, connection, component, degree, energyBias);
-
-  std::vector<Index> begin(component.Vertices() + 1, 0);
-  const auto ends = [&](Index e)
-  {
-    const Index h = mesh.HalfEdge(e);
-    return std::pair(mesh.Tail(h) - component.FirstVertex, mesh.Head(h) - component.FirstVertex);
-  };
-  for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
-  {
-    const auto [tail, head] = ends(e);
-    ++begin[tail + 1];
-    ++begin[head + 1];
-  }
-  for (Index v = 0; v < component.Vertices(); ++v)
+  const Problem problem{ mesh, metric, connection, component, degree, energyBias,
+    Transport(connection, component, degree) };
+  const Index n = component.Vertices();
+  std::vector<Index> begin(n + 1, 0);
+  ParallelFor(n, PieceSize,
+    [&](Index first, Index end)
+    {
+      ColumnAssembler columns(problem);
+      for (Index v = first; v < end; ++v)
+      {
+        begin[v + 1] = columns.Count(component.FirstVertex + v);
+      }
+    });
+  for (Index v = 0; v < n; ++v)
   {
     begin[v + 1] += begin[v];
   }
-  std::vector<Neighbour> neighbours(begin.back());
-  std::vector<Index> fill(begin.begin(), begin.end() - 1);
-  for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
-  {
-    const auto [tail, head] = ends(e);
-    const Index edge = e - component.FirstEdge;
-    neighbours[fill[head]++] = { tail, edge };
-    neighbours[fill[tail]++] = { head, ~edge };
-  }
-  for (Index v = 0; v < component.Vertices(); ++v)
-  {
-    std::sort(neighbours.begin() + begin[v], neighbours.begin() + begin[v + 1]);
-  }
-  return { Fill(begin, neighbours, entries.EnergyDiagonal, entries.Energy),
-    Fill(begin, neighbours, entries.MassDiagonal, entries.Mass) };
+  Operators operators;
+  SparseMatrix* const matrices[2] = { &operators.Energy, &operators.Mass };
+  // What is allocated is also filled with zeros, which takes its time.
+  ParallelFor(2, 1,
+    [&](Index k, Index)
+    {
+      matrices[k]->resize(n, n);
+      matrices[k]->resizeNonZeros(begin.back());
+      std::copy(begin.begin(), begin.end(), matrices[k]->outerIndexPtr());
+    });
+  ParallelFor(n, PieceSize,
+    [&](Index first, Index end)
+    {
+      ColumnAssembler columns(problem);
+      Index* const rows = operators.Energy.innerIndexPtr();
+      for (Index v = first; v < end; ++v)
+      {
+        columns.Fill(component.FirstVertex + v, rows + begin[v],
+          operators.Energy.valuePtr() + begin[v], operators.Mass.valuePtr() + begin[v]);
+      }
+      std::copy(
+        rows + begin[first], rows + begin[end], operators.Mass.innerIndexPtr() + begin[first]);
+    });
+  return operators;
 }
 }

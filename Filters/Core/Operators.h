@@ -12,6 +12,22 @@ namespace DirectionFields
 /// component's mean edge length. Row and column v belong to the vertex FirstVertex + v.
 struct Operators
 {
+  Operators() = default;
+  Operators(const Operators&) = default;
+  Operators& operator=(const Operators&) = default;
+  /// Eigen would copy the matrices.
+  Operators(Operators&& other) noexcept { this->Swap(other); }
+  Operators& operator=(Operators&& other) noexcept
+  {
+    this->Swap(other);
+    return *this;
+  }
+  void Swap(Operators& other) noexcept
+  {
+    this->Energy.swap(other.Energy);
+    this->Mass.swap(other.Mass);
+  }
+
   SparseMatrix Energy;
   SparseMatrix Mass;
 };

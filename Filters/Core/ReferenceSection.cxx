@@ -3,6 +3,9 @@
 
 #include "ReferenceSection.h"
 
+#include "MortonCurve.h"
+#include "Threads.h"
+
 #include <cmath>
 
 namespace DirectionFields
@@ -11,54 +14,97 @@ namespace
 {
 /// A sum below this part of the sum of absolute values cancels by symmetry.
 constexpr double Cancelled = 1e-3;
+constexpr Index PieceSize = 1 << 12;
+
+Complex IntegerPower(Complex z, int exponent)
+{
+  Complex power = 1.0;
+  for (; exponent > 0; exponent /= 2)
+  {
+    power *= exponent % 2 == 1 ? z : Complex(1.0);
+    z *= z;
+  }
+  return power;
 }
 
-ReferenceSection::ReferenceSection(const TriangleMesh& mesh, const TangentFrames& frames,
-  const std::vector<Vector3>& points, const TriangleMesh::Component& component, int degree)
-  : Mesh(mesh)
-  , Frames(frames)
-  , Points(points)
+/// A sum and that of its absolute values.
+struct Overlap
+{
+  Complex Sum = 0.0;
+  double Size = 0.0;
+
+  void operator+=(const Overlap& other)
+  {
+    this->Sum += other.Sum;
+    this->Size += other.Size;
+  }
+};
+
+/// The number of a vertex with the largest value, the first of several.
+struct Largest
+{
+  double Value = -1.0;
+  Index Vertex = 0;
+
+  void operator+=(const Largest& other)
+  {
+    *this = other.Value > this->Value ? other : *this;
+  }
+};
+}
+
+ReferenceSection::ReferenceSection(const TangentFrames& frames,
+  const std::vector<Vector3>& positions, const TriangleMesh::Component& component, int degree)
+  : Frames(frames)
+  , Positions(positions)
   , Component(component)
   , Degree(degree)
 {
-  Vector3 low = points[mesh.Point(component.FirstVertex)];
-  Vector3 high = low;
-  for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
-  {
-    low = low.cwiseMin(points[mesh.Point(v)]);
-    high = high.cwiseMax(points[mesh.Point(v)]);
-  }
-  this->Center = 0.5 * low + 0.5 * high;
-  const double size = (high - low).maxCoeff();
+  const auto box = ParallelSum(component.Vertices(), PieceSize, BoundingBox{},
+    [&](Index begin, Index end)
+    {
+      BoundingBox part;
+      for (Index v = begin; v < end; ++v)
+      {
+        part.Add(positions[component.FirstVertex + v]);
+      }
+      return part;
+    });
+  this->Center = 0.5 * box.Low + 0.5 * box.High;
+  const double size = (box.High - box.Low).maxCoeff();
   this->HalfSize = size > 0.0 ? 0.5 * size : 1.0;
 }
 
 Complex ReferenceSection::Power(Index vertex, const Vector3& v) const
 {
-  const Index i = this->Component.FirstVertex + vertex;
-  const Complex z(v.dot(this->Frames.X[i]), v.dot(this->Frames.Y[i]));
-  return std::polar(std::abs(z), this->Degree * std::arg(z));
+  const Complex z = this->Frames.Tangential(this->Component.FirstVertex + vertex, v);
+  const double length = std::abs(z);
+  return length > 0.0 ? length * IntegerPower(z / length, this->Degree) : Complex(0.0);
 }
 
 Vector3 ReferenceSection::Position(Index vertex) const
 {
-  const Index i = this->Component.FirstVertex + vertex;
-  return (this->Points[this->Mesh.Point(i)] - this->Center) / this->HalfSize;
+  return (this->Positions[this->Component.FirstVertex + vertex] - this->Center) / this->HalfSize;
 }
 
 ComplexVector ReferenceSection::Start() const
 {
   ComplexVector start(this->Component.Vertices());
-  for (Index v = 0; v < start.size(); ++v)
-  {
-    const Vector3 p = this->Position(v);
-    // Irregular coefficients, so that no symmetry of the surface makes the section orthogonal to
-    // the eigenvector.
-    const Vector3 field(0.83 + 0.31 * p[1] - 0.24 * p[2] + 0.17 * std::sin(1.3 * p[0] + 2.1 * p[1]),
-      0.47 - 0.38 * p[0] + 0.29 * p[2] + 0.19 * std::sin(1.7 * p[1] + 0.9 * p[2] + 0.4),
-      0.29 + 0.22 * p[0] - 0.35 * p[1] + 0.23 * std::sin(2.3 * p[2] - 1.1 * p[0] + 0.7));
-    start[v] = this->Power(v, field);
-  }
+  ParallelFor(this->Component.Vertices(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const Vector3 p = this->Position(v);
+        // Irregular coefficients, so that no symmetry of the surface makes the section orthogonal to
+        // the eigenvector.
+        const Vector3 field(
+          0.83 + 0.31 * p[1] - 0.24 * p[2] + 0.17 * std::sin(1.3 * p[0] + 2.1 * p[1]),
+          0.47 - 0.38 * p[0] + 0.29 * p[2] + 0.19 * std::sin(1.7 * p[1] + 0.9 * p[2] + 0.4),
+          0.29 + 0.22 * p[0] - 0.35 * p[1] + 0.23 * std::sin(2.3 * p[2] - 1.1 * p[0] + 0.7));
+        start[v] = this->Power(v, field);
+      }
+    });
   if (!(start.norm() > 0.0))
   {
     start.setOnes();
@@ -68,39 +114,49 @@ ComplexVector ReferenceSection::Start() const
 
 void ReferenceSection::FixPhase(ComplexVector& u) const
 {
+  const auto count = static_cast<Index>(u.size());
+  const auto turn = [&](const Complex& phase)
+  {
+    ParallelFor(count, PieceSize,
+      [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
+  };
   for (int axis = 0; axis < 3; ++axis)
   {
-    Complex sum = 0.0;
-    double size = 0.0;
-    for (Index v = 0; v < u.size(); ++v)
+    const auto overlap = ParallelSum(count, PieceSize, Overlap{},
+      [&](Index begin, Index end)
+      {
+        Overlap part;
+        for (Index v = begin; v < end; ++v)
+        {
+          const Complex term = std::conj(u[v]) * this->Power(v, Vector3::Unit(axis));
+          part.Sum += term;
+          part.Size += std::abs(term);
+        }
+        return part;
+      });
+    const double length = std::abs(overlap.Sum);
+    if (length > Cancelled * overlap.Size && overlap.Size > 0.0)
     {
-      const Complex term = std::conj(u[v]) * this->Power(v, Vector3::Unit(axis));
-      sum += term;
-      size += std::abs(term);
-    }
-    if (std::abs(sum) > Cancelled * size && size > 0.0)
-    {
-      u *= sum / std::abs(sum);
+      turn(overlap.Sum / length);
       return;
     }
   }
   // One vertex that no symmetry maps to another decides.
   const Vector3 oblique(0.37, 0.23, 0.11);
-  Index chosen = 0;
-  double largest = -1.0;
-  for (Index v = 0; v < u.size(); ++v)
-  {
-    const double value = std::abs(u[v]) * (2.0 + oblique.dot(this->Position(v)));
-    if (value > largest)
+  const Index chosen = ParallelSum(count, PieceSize, Largest{},
+    [&](Index begin, Index end)
     {
-      largest = value;
-      chosen = v;
-    }
-  }
-  const Complex turn = std::conj(u[chosen]) * this->Power(chosen, oblique);
-  if (std::abs(turn) > 0.0)
+      Largest part;
+      for (Index v = begin; v < end; ++v)
+      {
+        part += Largest{ std::abs(u[v]) * (2.0 + oblique.dot(this->Position(v))), v };
+      }
+      return part;
+    }).Vertex;
+  const Complex overlap = std::conj(u[chosen]) * this->Power(chosen, oblique);
+  if (std::abs(overlap) > 0.0)
   {
-    u *= turn / std::abs(turn);
+    turn(overlap / std::abs(overlap));
   }
 }
 }

@@ -14,8 +14,9 @@ namespace DirectionFields
 class ReferenceSection
 {
 public:
-  ReferenceSection(const TriangleMesh& mesh, const TangentFrames& frames,
-    const std::vector<Vector3>& points, const TriangleMesh::Component& component, int degree);
+  /// @param positions of the vertices of the mesh
+  ReferenceSection(const TangentFrames& frames,
+    const std::vector<Vector3>& positions, const TriangleMesh::Component& component, int degree);
 
   /// A smooth section without any symmetry, made of a smooth vector field in space.
   ComplexVector Start() const;
@@ -30,9 +31,8 @@ private:
   /// Position within the component's bounding box, about -1 to 1.
   Vector3 Position(Index vertex) const;
 
-  const TriangleMesh& Mesh;
   const TangentFrames& Frames;
-  const std::vector<Vector3>& Points;
+  const std::vector<Vector3>& Positions;
   const TriangleMesh::Component& Component;
   int Degree;
   Vector3 Center;

@@ -9,52 +9,67 @@ namespace DirectionFields
 {
 namespace
 {
-/// 2^20 / 24!, the first term left out at the switch, is below rounding.
-constexpr int SeriesTerms = 20;
+/// The first term left out, 2^20 / 24!, is below rounding at the switch.
+constexpr int MostTerms = 20;
 
-/// 1 / (m + 4)!
-const std::array<double, SeriesTerms>& InverseFactorials()
+/// The coefficients of z^m in E4, -F1 and -F2.
+struct Coefficients
 {
-  static const std::array<double, SeriesTerms> values = []
+  std::array<double, MostTerms> E4{};
+  std::array<double, MostTerms> F1{};
+  std::array<double, MostTerms> F2{};
+
+  constexpr Coefficients()
   {
-    std::array<double, SeriesTerms> inverse;
     double factorial = 24.0;
-    for (int m = 0; m < SeriesTerms; ++m)
+    for (int m = 0; m < MostTerms; ++m)
     {
-      inverse[m] = 1.0 / factorial;
+      // 1 / (m + 4)!
+      this->E4[m] = 1.0 / factorial;
       factorial *= m + 5;
+      // The first terms of F1 and F2 follow another rule.
+      this->F1[m] = m == 0 ? 0.0 : m == 1 ? 1.0 / 24.0 : 0.5 * (m + 1) * (m + 2) * this->E4[m];
+      this->F2[m] = m == 0 ? 0.25 : m == 1 ? 1.0 / 24.0 : (m + 2) * (m + 2) * this->E4[m];
     }
-    return inverse;
-  }();
-  return values;
+  }
+};
+
+/// Horner's scheme in z^2 = -omega^2 for the even (real) and the odd (imaginary) terms.
+template <int Terms>
+SectionIntegrals Sum(double omega)
+{
+  static_assert(Terms % 2 == 0, "Even and odd terms come in pairs.");
+  constexpr Coefficients c;
+  const double square = -omega * omega;
+  const auto sum = [&](const std::array<double, MostTerms>& terms)
+  {
+    double even = 0.0;
+    double odd = 0.0;
+    for (int m = Terms - 2; m >= 0; m -= 2)
+    {
+      even = even * square + terms[m];
+      odd = odd * square + terms[m + 1];
+    }
+    return Complex(even, omega * odd);
+  };
+  return { sum(c.E4), -sum(c.F1), -sum(c.F2) };
 }
 }
 
 SectionIntegrals SectionIntegrals::At(double omega)
 {
-  return std::abs(omega) < SwitchHolonomy ? Series(omega) : ClosedForm(omega);
+  // The first term left out of F2 is less than 1e-16.
+  const double size = std::abs(omega);
+  return size < 0.01 ? Sum<6>(omega)
+    : size < 0.06    ? Sum<8>(omega)
+    : size < 0.3     ? Sum<12>(omega)
+    : size < SwitchHolonomy ? Series(omega)
+                            : ClosedForm(omega);
 }
 
 SectionIntegrals SectionIntegrals::Series(double omega)
 {
-  // Horner's scheme in z^2 = -omega^2 for the even (real) and the odd (imaginary) terms.
-  const std::array<double, SeriesTerms>& inverse = InverseFactorials();
-  const double square = -omega * omega;
-  std::array<double, 2> e4{};
-  std::array<double, 2> f1{};
-  std::array<double, 2> f2{};
-  for (int m = SeriesTerms - 1; m >= 0; --m)
-  {
-    const int parity = m % 2;
-    // The first terms of F1 and F2 follow another rule: 0 and -z/24, -1/4 and -z/24.
-    const double c1 = m == 0 ? 0.0 : m == 1 ? 1.0 / 24.0 : 0.5 * (m + 1) * (m + 2) * inverse[m];
-    const double c2 = m == 0 ? 0.25 : m == 1 ? 1.0 / 24.0 : (m + 2) * (m + 2) * inverse[m];
-    e4[parity] = e4[parity] * square + inverse[m];
-    f1[parity] = f1[parity] * square - c1;
-    f2[parity] = f2[parity] * square - c2;
-  }
-  const auto sum = [omega](const std::array<double, 2>& s) { return Complex(s[0], omega * s[1]); };
-  return { sum(e4), sum(f1), sum(f2) };
+  return Sum<MostTerms>(omega);
 }
 
 SectionIntegrals SectionIntegrals::ClosedForm(double omega)
@@ -75,27 +90,13 @@ SectionIntegrals SectionIntegrals::ClosedForm(double omega)
 LocalMatrices::LocalMatrices(const std::array<double, 3>& squaredLength, double area, double omega,
   const std::array<Complex, 3>& transport, double energyBias)
 {
-  const SectionIntegrals integrals = SectionIntegrals::At(omega);
-  this->MassDiagonal = area / 6.0;
-  for (int j = 0; j < 3; ++j)
+  const LocalIntegrals integrals(squaredLength, area, omega, energyBias);
+  this->MassDiagonal = integrals.MassDiagonal();
+  for (int c = 0; c < 3; ++c)
   {
-    const int k = (j + 1) % 3;
-    const int i = (j + 2) % 3;
-    const double jk = squaredLength[j];
-    const double ki = squaredLength[k];
-    const double ij = squaredLength[i];
-    // <p_ij, p_ik>, at the corner opposite the edge jk.
-    const double dot = 0.5 * (ij + ki - jk);
-
-    // The diagonal entry of corner i.
-    this->EnergyDiagonal[i] = (jk + omega * omega * (ij + dot + ki) / 90.0) / (4.0 * area) -
-      energyBias * omega / 6.0;
-
-    const Complex r = std::conj(transport[j]);
-    this->Mass[j] = r * (2.0 * area * integrals.E4);
-    const Complex dirichlet = r * (((ij + ki) * integrals.F1 + dot * integrals.F2) / area);
-    this->Energy[j] =
-      dirichlet - energyBias * (omega / area * this->Mass[j] - Complex(0.0, 0.5) * r);
+    this->EnergyDiagonal[c] = integrals.EnergyDiagonal(c);
+    this->Energy[c] = std::conj(transport[c]) * integrals.Energy(c);
+    this->Mass[c] = std::conj(transport[c]) * integrals.Mass();
   }
 }
 }

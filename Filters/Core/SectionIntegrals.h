@@ -24,14 +24,75 @@ struct SectionIntegrals
   /// near 0, the series converges slowly far from it.
   static constexpr double SwitchHolonomy = 2.0;
 
-  /// Accurate to 1e-13 for any Omega.
+  /// Accurate to 1e-13 for any Omega. Sums as many terms as matter.
   static SectionIntegrals At(double omega);
+  /// As many terms as the switch needs.
   static SectionIntegrals Series(double omega);
   static SectionIntegrals ClosedForm(double omega);
 };
 
-/// Integrals over one triangle of positive area, its corners 0, 1, 2 counter-clockwise. Entry
-/// [c] of the off-diagonal arrays belongs to the row of corner c and the column of corner c + 1.
+/// Integrals over one triangle of positive area, its corners 0, 1, 2 counter-clockwise, of hat
+/// sections that are not transported between its corners: entry [c] of the row of corner c and the
+/// column of corner c + 1 is yet to be multiplied by conj(r) of that edge.
+class LocalIntegrals
+{
+public:
+  /// @param squaredLength |p|^2 of the edges from corner c to c + 1
+  /// @param area          area of the triangle
+  /// @param omega         its holonomy, not wrapped
+  /// @param energyBias    s
+  LocalIntegrals(const std::array<double, 3>& squaredLength, double area, double omega,
+    double energyBias)
+    : Functions(SectionIntegrals::At(omega))
+    , SquaredLength(squaredLength)
+    , Area(area)
+    , Omega(omega)
+    , EnergyBias(energyBias)
+  {
+  }
+
+  double EnergyDiagonal(int c) const
+  {
+    const int next = (c + 1) % 3;
+    const double spread = this->SquaredLength[c] + this->DotAt(c) + this->SquaredLength[(c + 2) % 3];
+    return (this->SquaredLength[next] + this->Omega * this->Omega * spread / 90.0) /
+      (4.0 * this->Area) -
+      this->EnergyBias * this->Omega / 6.0;
+  }
+
+  Complex Energy(int c) const
+  {
+    const int next = (c + 1) % 3;
+    const int previous = (c + 2) % 3;
+    const double sum = this->SquaredLength[next] + this->SquaredLength[previous];
+    const Complex dirichlet =
+      (sum * this->Functions.F1 + this->DotAt(previous) * this->Functions.F2) / this->Area;
+    return dirichlet -
+      this->EnergyBias * (2.0 * this->Omega * this->Functions.E4 - Complex(0.0, 0.5));
+  }
+
+  double MassDiagonal() const { return this->Area / 6.0; }
+  /// The same for all edges.
+  Complex Mass() const { return 2.0 * this->Area * this->Functions.E4; }
+
+private:
+  /// The scalar product of the two edges from a corner.
+  double DotAt(int c) const
+  {
+    return 0.5 *
+      ((this->SquaredLength[c] + this->SquaredLength[(c + 2) % 3]) -
+        this->SquaredLength[(c + 1) % 3]);
+  }
+
+  SectionIntegrals Functions;
+  std::array<double, 3> SquaredLength;
+  double Area;
+  double Omega;
+  double EnergyBias;
+};
+
+/// LocalIntegrals with the transport. Entry [c] of the off-diagonal arrays belongs to the row of
+/// corner c and the column of corner c + 1.
 struct LocalMatrices
 {
   std::array<double, 3> EnergyDiagonal;
@@ -39,11 +100,7 @@ struct LocalMatrices
   double MassDiagonal;
   std::array<Complex, 3> Mass;
 
-  /// @param squaredLength |p|^2 of the edges from corner c to c + 1
-  /// @param area          area of the triangle
-  /// @param omega         its holonomy, not wrapped
-  /// @param transport     r of the edges from corner c to c + 1, of modulus 1
-  /// @param energyBias    s
+  /// @param transport r of the edges from corner c to c + 1, of modulus 1
   LocalMatrices(const std::array<double, 3>& squaredLength, double area, double omega,
     const std::array<Complex, 3>& transport, double energyBias);
 };

@@ -3,36 +3,51 @@
 
 #include "Singularities.h"
 
+#include "Threads.h"
+
 #include <cmath>
 
 namespace DirectionFields
 {
+namespace
+{
+constexpr Index PieceSize = 1 << 13;
+}
+
 std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& connection,
   int degree, const std::vector<Complex>& field)
 {
   std::vector<double> phase(mesh.GetNumberOfVertices());
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    phase[v] = std::arg(field[v]);
-  }
-  std::vector<double> omega(mesh.GetNumberOfEdges());
-  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
-  {
-    const Index h = mesh.HalfEdge(e);
-    omega[e] = std::remainder(
-      phase[mesh.Head(h)] - phase[mesh.Tail(h)] - degree * connection.Rotation[e], 2.0 * Pi);
-  }
-  std::vector<int> index(mesh.GetNumberOfTriangles());
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    double sum = degree * connection.Curvature[t];
-    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+  ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
+    [&](Index begin, Index end)
     {
-      const double along = omega[mesh.Edge(h)];
-      sum += mesh.GivesDirection(h) ? along : -along;
-    }
-    index[t] = static_cast<int>(std::lround(sum / (2.0 * Pi)));
-  }
+      for (Index v = begin; v < end; ++v)
+      {
+        phase[v] = std::arg(field[v]);
+      }
+    });
+  // Computed in the direction of the edge for both its triangles.
+  const auto along = [&](Index h)
+  {
+    const Index e = mesh.Edge(h);
+    const bool forwards = mesh.HalfEdge(e) == h;
+    const Index from = forwards ? mesh.Tail(h) : mesh.Head(h);
+    const Index to = forwards ? mesh.Head(h) : mesh.Tail(h);
+    const double angle = phase[to] - phase[from] - degree * connection.Rotation[e];
+    const double omega = angle - 2.0 * Pi * std::nearbyint(angle / (2.0 * Pi));
+    return forwards ? omega : -omega;
+  };
+  std::vector<int> index(mesh.GetNumberOfTriangles());
+  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        const double sum =
+          degree * connection.Curvature[t] + along(3 * t) + along(3 * t + 1) + along(3 * t + 2);
+        index[t] = static_cast<int>(std::lround(sum / (2.0 * Pi)));
+      }
+    });
   return index;
 }
 }

@@ -11,11 +11,11 @@
 namespace DirectionFields
 {
 Stages::Stages(const Surface& surface)
-  : Points(surface.Points)
-  , Mesh(surface)
-  , Geometry(this->Mesh, this->Points)
-  , Transport(this->Mesh, this->Geometry, this->Points)
-  , Frames(this->Mesh, this->Geometry, this->Transport, this->Points)
+  : Mesh(surface)
+  , Positions(this->Mesh.Positions(surface.Points))
+  , Geometry(this->Mesh, this->Positions)
+  , Transport(this->Mesh, this->Geometry, this->Positions)
+  , Frames(this->Mesh, this->Transport, this->Positions)
 {
 }
 
@@ -28,7 +28,7 @@ const std::vector<double>& Stages::GetDihedralAngles()
 {
   if (!this->Dihedral)
   {
-    this->Dihedral = DihedralAngles(this->Mesh, this->Points);
+    this->Dihedral = DihedralAngles(this->Mesh, this->Positions);
   }
   return *this->Dihedral;
 }
@@ -37,7 +37,7 @@ const Curvature& Stages::GetCurvature()
 {
   if (!this->Curved)
   {
-    this->Curved.emplace(this->Mesh, this->Geometry, this->Transport, this->Frames, this->Points,
+    this->Curved.emplace(this->Mesh, this->Geometry, this->Transport, this->Frames, this->Positions,
       this->GetDihedralAngles());
   }
   return *this->Curved;
@@ -71,7 +71,7 @@ const EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunct
     settings.MaximumIterations = options.MaximumIterations;
     settings.Scale = this->GetScale(c, options.Degree);
     const ReferenceSection reference(
-      this->Mesh, this->Frames, this->Points, component, options.Degree);
+      this->Frames, this->Positions, component, options.Degree);
     SmallestPairs pairs = FindSmallestPairs(
       stage.Matrices.back(), [&] { return reference.Start(); }, options.Solver, settings, report);
     if (pairs.First.Aborted)

@@ -58,8 +58,9 @@ public:
   /// Throws MeshError.
   explicit Stages(const Surface& surface);
 
-  const std::vector<Vector3>& GetPoints() const { return this->Points; }
   const TriangleMesh& GetMesh() const { return this->Mesh; }
+  /// Of the vertices.
+  const std::vector<Vector3>& GetPositions() const { return this->Positions; }
   const Metric& GetMetric() const { return this->Geometry; }
   const Connection& GetConnection() const { return this->Transport; }
   const TangentFrames& GetFrames() const { return this->Frames; }
@@ -73,8 +74,8 @@ public:
   const Curvature& GetCurvature();
 
 private:
-  std::vector<Vector3> Points;
   TriangleMesh Mesh;
+  std::vector<Vector3> Positions;
   Metric Geometry;
   Connection Transport;
   TangentFrames Frames;

@@ -51,6 +51,56 @@ TriangleMesh::TriangleMesh(const Surface& surface)
   this->TriangleComponent = {};
 }
 
+void TriangleMesh::GetFan(Index vertex, std::vector<Index>& fan) const
+{
+  fan.clear();
+  const Index first = this->VertexHalfEdge[vertex];
+  Index h = first;
+  do
+  {
+    fan.push_back(h);
+    h = this->NextOutgoing(h);
+  } while (h != None && h != first);
+}
+
+void TriangleMesh::ForEachComponent(const std::function<void(Index)>& body) const
+{
+  const auto isLarge = [this](Index c) { return this->Components[c].Triangles() > 4 * PieceSize; };
+  const auto components = static_cast<Index>(this->Components.size());
+  for (Index c = 0; c < components; ++c)
+  {
+    if (isLarge(c))
+    {
+      body(c);
+    }
+  }
+  ParallelFor(components, 64,
+    [&](Index begin, Index end)
+    {
+      for (Index c = begin; c < end; ++c)
+      {
+        if (!isLarge(c))
+        {
+          body(c);
+        }
+      }
+    });
+}
+
+std::vector<Vector3> TriangleMesh::Positions(const std::vector<Vector3>& points) const
+{
+  std::vector<Vector3> positions(this->VertexPoint.size());
+  ParallelFor(this->GetNumberOfVertices(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        positions[v] = points[this->VertexPoint[v]];
+      }
+    });
+  return positions;
+}
+
 /// Matches the edges and finds the components.
 void TriangleMesh::Collect(const Surface& surface)
 {

@@ -7,6 +7,7 @@
 #include "Surface.h"
 #include "Types.h"
 
+#include <functional>
 #include <vector>
 
 namespace DirectionFields
@@ -58,6 +59,7 @@ public:
   Index Edge(Index h) const { return this->Edges[h]; }
   /// The edge was split because more than two triangles share it.
   bool IsNonManifold(Index h) const { return !this->Crowded.empty() && this->Crowded[h] != 0; }
+  bool HasNonManifoldEdges() const { return !this->Crowded.empty(); }
   /// The half-edge that gives an edge its direction.
   Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
   bool GivesDirection(Index h) const { return this->EdgeHalfEdge[this->Edges[h]] == h; }
@@ -67,9 +69,18 @@ public:
   /// The next outgoing half-edge counter-clockwise; None after the last one of a boundary vertex.
   Index NextOutgoing(Index h) const { return this->Twins[Previous(h)]; }
 
+  /// The outgoing half-edges of a vertex counter-clockwise, from Outgoing on.
+  void GetFan(Index vertex, std::vector<Index>& fan) const;
+
   const std::vector<Component>& GetComponents() const { return this->Components; }
+  /// Calls body(c) once for each component. Small components are shared out among the threads; large
+  /// ones come one after the other, for their own loops to be shared out.
+  void ForEachComponent(const std::function<void(Index)>& body) const;
   /// Input point of a vertex; vertices of split points share it.
   Index Point(Index vertex) const { return this->VertexPoint[vertex]; }
+  /// The position of each vertex.
+  /// @param points of the input
+  std::vector<Vector3> Positions(const std::vector<Vector3>& points) const;
   /// Input triangle of a triangle.
   Index InputTriangle(Index triangle) const { return this->TriangleInput[triangle]; }
   /// DegenerateTriangles is left to the metric.

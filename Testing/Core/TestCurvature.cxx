@@ -15,6 +15,12 @@ using namespace TestMeshes;
 
 namespace
 {
+std::vector<double> Dihedrals(const Surface& surface)
+{
+  const TriangleMesh mesh(surface);
+  return DihedralAngles(mesh, mesh.Positions(surface.Points));
+}
+
 using Gradient = std::function<Vector3(const Vector3&)>;
 
 Vector3 EllipsoidGradient(const Vector3& p)
@@ -93,7 +99,7 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
       shape.col(k) = (normal(p + d) - normal(p - d)) / (2.0 * step);
     }
     const Vector3& x = stages.GetFrames().X[v];
-    const Vector3& y = stages.GetFrames().Y[v];
+    const Vector3 y = stages.GetFrames().Y(v);
     const double xx = x.dot(shape * x);
     const double yy = y.dot(shape * y);
     const double xy = 0.5 * (x.dot(shape * y) + y.dot(shape * x));
@@ -176,7 +182,7 @@ TEST(Curvature, DihedralAnglesAreSignedAndExact)
   const Surface cube = Cube();
   const TriangleMesh mesh(cube);
   int right = 0;
-  for (const double angle : DihedralAngles(mesh, cube.Points))
+  for (const double angle : DihedralAngles(mesh, mesh.Positions(cube.Points)))
   {
     EXPECT_TRUE(std::abs(angle) < 1e-12 || std::abs(angle - 0.5 * Pi) < 1e-12) << angle;
     right += angle > 1.0;
@@ -187,12 +193,12 @@ TEST(Curvature, DihedralAnglesAreSignedAndExact)
   {
     std::swap(t[0], t[1]);
   }
-  for (const double angle : DihedralAngles(TriangleMesh(inside), inside.Points))
+  for (const double angle : Dihedrals(inside))
   {
     EXPECT_LT(angle, 1e-12);
   }
   const Surface disk = Disk(3);
-  for (const double angle : DihedralAngles(TriangleMesh(disk), disk.Points))
+  for (const double angle : Dihedrals(disk))
   {
     EXPECT_EQ(angle, 0.0);
   }

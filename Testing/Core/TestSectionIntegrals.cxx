@@ -186,6 +186,22 @@ TEST(SectionIntegrals, SeriesMeetsClosedFormAtTheSwitch)
   }
 }
 
+TEST(SectionIntegrals, AsManyTermsAsMatterAreSummed)
+{
+  // Also right below and above where the number of terms changes.
+  for (double omega = 1e-12; omega < SectionIntegrals::SwitchHolonomy; omega *= 1.003)
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      const SectionIntegrals some = SectionIntegrals::At(sign * omega);
+      const SectionIntegrals all = SectionIntegrals::Series(sign * omega);
+      EXPECT_LT(std::abs(some.E4 - all.E4), 1e-17) << omega;
+      EXPECT_LT(std::abs(some.F1 - all.F1), 1e-16) << omega;
+      EXPECT_LT(std::abs(some.F2 - all.F2), 1e-16) << omega;
+    }
+  }
+}
+
 TEST(SectionIntegrals, FlatTriangleHasCotangentWeights)
 {
   const SectionIntegrals flat = SectionIntegrals::At(0.0);

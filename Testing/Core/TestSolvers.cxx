@@ -70,7 +70,7 @@ TEST(Operators, FlatSurfaceHasCotangentWeightsAndTheLinearMassMatrix)
     {
       if (side != None)
       {
-        cotangents += 1.0 / std::tan(s.Lengths.CornerAngle[TriangleMesh::Previous(side)]);
+        cotangents += 1.0 / std::tan(s.Lengths.CornerAngle(s.Mesh, TriangleMesh::Previous(side)));
         area += s.Lengths.Area[side / 3];
       }
     }
@@ -312,7 +312,7 @@ TEST(Singularities, KnownFieldsOnTheDisk)
     p += Vector3(0.02, 0.03, 0.0);
   }
   const System system(disk, 1, 0.0);
-  const TangentFrames frames(system.Mesh, system.Lengths, system.Transport, disk.Points);
+  const TangentFrames frames(system.Mesh, system.Transport, system.Positions);
   for (const int k : { -2, -1, 0, 1, 2 })
   {
     for (const int degree : { 1, 2, 4, 6 })

@@ -17,14 +17,16 @@ struct System
 {
   System(const Surface& surface, int degree, double energyBias)
     : Mesh(surface)
-    , Lengths(this->Mesh, surface.Points)
-    , Transport(this->Mesh, this->Lengths, surface.Points)
+    , Positions(this->Mesh.Positions(surface.Points))
+    , Lengths(this->Mesh, this->Positions)
+    , Transport(this->Mesh, this->Lengths, this->Positions)
     , Matrices(AssembleOperators(this->Mesh, this->Lengths, this->Transport,
         this->Mesh.GetComponents()[0], degree, energyBias))
     , Scale(2.0 * Pi * degree / this->Lengths.ComponentArea[0])
   {
   }
   TriangleMesh Mesh;
+  std::vector<Vector3> Positions;
   Metric Lengths;
   Connection Transport;
   Operators Matrices;

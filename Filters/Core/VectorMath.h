@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_VectorMath_h
+#define DirectionFields_VectorMath_h
+
+#include "Types.h"
+
+namespace DirectionFields
+{
+/// Elementary functions of many finite numbers at once. Where the C library has them for vectors of
+/// numbers, they take a third of the time, and are accurate to a few units in the last place.
+
+/// @param angles in radians
+void CosinesAndSines(const double* angles, Index count, double* cosines, double* sines);
+void Arctangents(const double* values, Index count, double* angles);
+}
+
+#endif
