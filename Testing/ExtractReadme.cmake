@@ -1,12 +1,12 @@
-# Writes all blocks of a language in the file README, one after the other, into the file OUTPUT: what
-# the README shows is what the tests run.
-function (extract_blocks readme language output)
-  file(READ "${readme}" text)
+# What the README shows is what the tests run.
+
+# Sets output to all blocks of a language in the text, one after the other.
+function (find_blocks text language output)
   string(LENGTH "\n```${language}\n" fence)
   set(blocks)
   string(FIND "${text}" "\n```${language}\n" begin)
   if (begin EQUAL -1)
-    message(FATAL_ERROR "${readme} has no block of ${language}.")
+    message(FATAL_ERROR "There is no block of ${language}.")
   endif ()
   while (NOT begin EQUAL -1)
     math(EXPR begin "${begin} + ${fence}")
@@ -18,5 +18,25 @@ function (extract_blocks readme language output)
     string(SUBSTRING "${text}" ${end} -1 text)
     string(FIND "${text}" "\n```${language}\n" begin)
   endwhile ()
+  set(${output} "${blocks}" PARENT_SCOPE)
+endfunction ()
+
+# Writes all blocks of a language in the file README into the file OUTPUT.
+function (extract_blocks readme language output)
+  file(READ "${readme}" text)
+  find_blocks("${text}" "${language}" blocks)
   file(WRITE "${output}" "${blocks}")
+endfunction ()
+
+# Sets output to what stands in the file README below a heading, up to the next heading of any level.
+function (find_section readme heading output)
+  file(READ "${readme}" text)
+  string(FIND "${text}" "# ${heading}\n" begin)
+  if (begin EQUAL -1)
+    message(FATAL_ERROR "${readme} has no heading ${heading}.")
+  endif ()
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "\n#" end)
+  string(SUBSTRING "${text}" 0 ${end} text)
+  set(${output} "${text}\n" PARENT_SCOPE)
 endfunction ()

@@ -1,0 +1,7 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Direction fields in plain VTK: from directionfields_vtk import vtkDirectionField."""
+
+from .vtkDirectionFieldsFilters import vtkDirectionField, vtkDirectionFieldGlyphs
+
+__all__ = ["vtkDirectionField", "vtkDirectionFieldGlyphs"]

@@ -1,0 +1,26 @@
+# Runs the commands below a HEADING of the examples' README as they stand there, in a DIRECTORY that
+# looks like the project's, and compares what they print with the text below the commands, where
+# there is one. The first heading's commands build the programs, anew.
+include("${CMAKE_CURRENT_LIST_DIR}/ExtractReadme.cmake")
+if (HEADING STREQUAL "Examples")
+  file(REMOVE_RECURSE "${DIRECTORY}")
+endif ()
+file(MAKE_DIRECTORY "${DIRECTORY}")
+foreach (name IN ITEMS Data Examples)
+  file(CREATE_LINK "${SOURCE}/${name}" "${DIRECTORY}/${name}" SYMBOLIC)
+endforeach ()
+file(CREATE_LINK "${PREFIX}" "${DIRECTORY}/install" SYMBOLIC)
+find_section("${SOURCE}/Examples/README.md" "${HEADING}" section)
+find_blocks("${section}" sh commands)
+execute_process(COMMAND sh -e -c "${commands}" WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE error)
+message("${text}${error}")
+if (result OR error)
+  message(FATAL_ERROR "The commands failed (${result}).")
+endif ()
+if (section MATCHES "```text")
+  find_blocks("${section}" text expected)
+  if (NOT text STREQUAL expected)
+    message(FATAL_ERROR "The README says:\n${expected}")
+  endif ()
+endif ()
