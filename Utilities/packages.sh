@@ -11,15 +11,16 @@
 
 # find_package(ParaView) asks for the development files of every library that ParaView was built
 # with; paraview-dev depends on a few of them only. What these packages depend on is not repeated.
-# xmlpatterns (qtxmlpatterns5-dev-tools) makes the plugin's help pages; Python's development files are
-# for the filters' Python package.
+# xmlpatterns (qtxmlpatterns5-dev-tools) makes the plugin's help pages, Python's development files are
+# for the filters' Python package, dpkg-dev and file for the Debian packages.
 # shellcheck disable=SC2034
 plugin_packages=(
   g++ make cmake libeigen3-dev libsuitesparse-dev libgtest-dev
   paraview-dev python3-paraview python3-numpy xvfb xauth libgl1-mesa-dri
   qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools
   libopenmpi-dev libgdal-dev libglew-dev libgl2ps-dev libfreetype-dev
-  libtheora-dev libavformat-dev libswscale-dev libutfcpp-dev libdouble-conversion-dev libpython3-dev)
+  libtheora-dev libavformat-dev libswscale-dev libutfcpp-dev libdouble-conversion-dev libpython3-dev
+  dpkg-dev file)
 
 # Debian's own VTK 9.1: its libraries, and what its CMake files ask for beyond the above. Its
 # development package excludes python3-paraview and is unpacked beside instead of installed.

@@ -1,0 +1,13 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Install.sh DIRECTORY: installs the packages in it, on a machine that has none of them.
+set -e
+if dpkg-query --show direction-fields >/dev/null 2>&1
+then
+  echo "direction-fields is installed already; remove it first." >&2
+  exit 1
+fi
+dpkg --install "$1"/direction-fields_*.deb "$1"/direction-fields-dev_*.deb
+touch "$1/installed"

@@ -1,0 +1,19 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Remove.sh DIRECTORY: removes what Install.sh has installed, and looks for remains.
+set -e
+rm "$1/installed"
+dpkg --purge direction-fields-dev direction-fields
+for remains in /usr/lib/*/paraview-*/plugins/*irection*ields* /usr/lib/*/libvtkDirectionFields* \
+  /usr/lib/*/libDirectionFields* /usr/lib/*/cmake/DirectionFields /usr/include/DirectionFields \
+  /usr/lib/python3/dist-packages/directionfields_vtk /usr/share/doc/direction-fields*
+do
+  if [ -e "$remains" ]
+  then
+    echo "$remains remains." >&2
+    exit 1
+  fi
+done
+! grep --no-messages direction-fields /usr/bin/paraview.conf
