@@ -5,13 +5,15 @@
 
 #include "ComponentField.h"
 #include "Constraints.h"
+#include "MergePoints.h"
+#include "OutputPoints.h"
 #include "Singularities.h"
 #include "Stages.h"
 #include "Threads.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <string>
 
 namespace DirectionFields
 {
@@ -19,45 +21,6 @@ namespace
 {
 /// A linear system counts as solved below this relative residual.
 constexpr double SystemTolerance = 1e-8;
-
-/// Numbers the output points: those of the input, then one for each vertex whose point has another
-/// vertex already.
-class OutputPoints
-{
-public:
-  OutputPoints(const TriangleMesh& mesh, std::size_t inputPoints)
-    : OfVertex(mesh.GetNumberOfVertices())
-  {
-    std::vector<char> taken(inputPoints, 0);
-    this->Original.resize(inputPoints);
-    std::iota(this->Original.begin(), this->Original.end(), 0);
-    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-    {
-      const Index point = mesh.Point(v);
-      this->OfVertex[v] = taken[point] ? static_cast<Index>(this->Original.size()) : point;
-      if (taken[point])
-      {
-        this->Original.push_back(point);
-      }
-      taken[point] = 1;
-    }
-  }
-
-  /// Values over the vertices as an array over the output points, zero where there is no vertex.
-  template <typename T>
-  std::vector<T> Spread(const std::vector<T>& values, const T& zero) const
-  {
-    std::vector<T> spread(this->Original.size(), zero);
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-      spread[this->OfVertex[v]] = values[v];
-    }
-    return spread;
-  }
-
-  std::vector<Index> OfVertex;
-  std::vector<Index> Original;
-};
 
 /// Tangent vectors of the angles that n-th powers have.
 std::vector<Vector3> InSpace(
@@ -99,10 +62,9 @@ CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
     points.Spread(gaussian, 0.0) };
 }
 
-void AddTriangles(const TriangleMesh& mesh, const OutputPoints& points, const Surface& surface,
-  const std::vector<int>& indices, Result& result)
+void AddTriangles(const TriangleMesh& mesh, std::size_t triangles, const std::vector<int>& indices,
+  Result& result)
 {
-  const std::size_t triangles = surface.Triangles.size();
   result.SingularityIndex.assign(triangles, 0);
   result.Component.assign(triangles, None);
   for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
@@ -114,23 +76,6 @@ void AddTriangles(const TriangleMesh& mesh, const OutputPoints& points, const Su
       result.SingularityIndex[input] = indices[t];
       result.Component[input] = static_cast<Index>(c);
       result.Components[c].IndexSum += indices[t];
-    }
-  }
-  if (points.Original.size() == surface.Points.size())
-  {
-    return;
-  }
-  result.SplitTriangles = surface.Triangles;
-  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    // Winding and first corner stay the input's.
-    for (Index& corner : result.SplitTriangles[mesh.InputTriangle(h / 3)])
-    {
-      if (corner == mesh.Point(mesh.Tail(h)))
-      {
-        corner = points.OfVertex[mesh.Tail(h)];
-        break;
-      }
     }
   }
 }
@@ -150,17 +95,27 @@ Vector3 Result::Direction(Index point, int k) const
   return std::cos(angle) * x + std::sin(angle) * y;
 }
 
-DirectionField::DirectionField(const Surface& surface, int numberOfThreads)
+DirectionField::DirectionField(const Surface& surface)
   : Input(surface)
 {
-  Threads threads(numberOfThreads);
-  const Threads::Scope scope(threads);
-  this->Kept = std::make_unique<Stages>(surface);
 }
 
 DirectionField::~DirectionField() = default;
 DirectionField::DirectionField(DirectionField&&) noexcept = default;
 DirectionField& DirectionField::operator=(DirectionField&&) noexcept = default;
+
+void DirectionField::MakeStages(const Options& options)
+{
+  if (this->Kept && this->Merges == options.MergePoints)
+  {
+    return;
+  }
+  this->Kept.reset();
+  this->Merges = options.MergePoints;
+  this->FirstPoint = this->Merges ? FirstAtSamePlace(this->Input) : std::vector<Index>{};
+  this->Kept = std::make_unique<Stages>(
+    this->Merges ? Merged(this->Input, this->FirstPoint) : this->Input);
+}
 
 Result DirectionField::Compute(
   const Options& options, const Guidance& guidance, const ProgressFunction& progress)
@@ -169,18 +124,28 @@ Result DirectionField::Compute(
   Check(guidance, options, this->Input.Points.size());
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
+  this->MakeStages(options);
   Stages& stages = *this->Kept;
   const TriangleMesh& mesh = stages.GetMesh();
-  const OutputPoints points(mesh, this->Input.Points.size());
   Result result;
   result.Degree = options.Degree;
   result.Repaired = mesh.GetRepairs();
   result.Repaired.DegenerateTriangles = stages.GetMetric().DegenerateTriangles;
 
+  const BoundaryPoints& boundary = stages.GetBoundaryPoints();
+  if (!options.MergePoints && boundary.LookLikeSoup())
+  {
+    result.Notes.emplace_back(std::to_string(boundary.Coincident) + " of the " +
+      std::to_string(boundary.Count) +
+      " points on the boundary of the surface lie exactly on another one: triangles touch there that "
+      "are not connected. Switch on MergePoints to connect them.");
+  }
+
   const bool usesVectors =
     options.Alignment == Alignment::PointVectors || options.ConstrainGuidance;
   const std::vector<Complex> given = usesVectors
-    ? GuidanceSection(mesh, stages.GetFrames(), guidance, options.Degree)
+    ? GuidanceSection(mesh, stages.GetFrames(),
+        options.MergePoints ? Merged(guidance, this->FirstPoint) : guidance, options.Degree)
     : std::vector<Complex>{};
   const bool usesCurvature =
     options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature;
@@ -265,10 +230,12 @@ Result DirectionField::Compute(
     return aborted;
   }
 
-  AddTriangles(mesh, points, this->Input,
+  AddTriangles(mesh, this->Input.Triangles.size(),
     SingularityIndices(mesh, stages.GetConnection(), options.Degree, field), result);
+  const OutputPoints points(mesh, this->Input, this->FirstPoint);
   const Vector3 zero = Vector3::Zero();
   result.OriginalPoint = points.Original;
+  result.SplitTriangles = points.SplitTriangles;
   result.Representation = points.Spread(field, Complex(0.0));
   result.Normal = points.Spread(stages.GetFrames().Normal, zero);
   result.XAxis = points.Spread(stages.GetFrames().X, zero);

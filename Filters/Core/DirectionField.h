@@ -30,26 +30,30 @@ using ProgressFunction = std::function<bool(double)>;
 /// B. Pellenard, G. Orbay, J. Chen, S. Sohan, W. Kwok, J. R. Tristano: QMCF: QMorph Cross
 /// Field-driven Quad-dominant Meshing Algorithm. Procedia Engineering 82, 2014 (POC14).
 ///
-/// Whatever depends on the surface only is computed once, when the object is made; the matrices,
-/// the smallest eigenpairs and the curvature are kept for the next call of Compute and redone only
-/// when the options that they depend on change. Not to be used by two threads at once.
+/// What Compute does first, the mesh, is kept for the next call, as are the matrices, the smallest
+/// eigenpairs and the curvature; each is redone only when the options that it depends on change. Not
+/// to be used by two threads at once.
 class DirectionField
 {
 public:
-  /// Throws MeshError for a surface that cannot be processed.
-  /// @param numberOfThreads as in Options
-  explicit DirectionField(const Surface& surface, int numberOfThreads = 0);
+  explicit DirectionField(const Surface& surface);
   ~DirectionField();
   DirectionField(DirectionField&&) noexcept;
   DirectionField& operator=(DirectionField&&) noexcept;
 
-  /// Throws std::invalid_argument for options out of range, for curvature alignment or constraints
+  /// Throws MeshError for a surface that cannot be processed. Throws std::invalid_argument for options out of range, for curvature alignment or constraints
   /// with a degree other than 2 and 4, and for guidance of the wrong size.
   Result Compute(
     const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {});
 
 private:
+  /// Those of the surface, unless they are there already.
+  void MakeStages(const Options& options);
+
   Surface Input;
+  /// What Kept was made with: Options::MergePoints, and which points are one; empty if none are.
+  bool Merges = false;
+  std::vector<Index> FirstPoint;
   std::unique_ptr<Stages> Kept;
 };
 }

@@ -70,6 +70,11 @@ struct Options
   /// OMP_NUM_THREADS says. Changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;
 
+  /// Points of exactly the same coordinates are one for the computation, which connects triangles
+  /// that share places but no points; the result is the same at each of them. Guidance is that of
+  /// the first of them that has any.
+  bool MergePoints = false;
+
   DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
   DirectionFields::CurvatureDirection CurvatureDirection =
     DirectionFields::CurvatureDirection::Maximum;

@@ -109,7 +109,7 @@ struct Result
   std::vector<Index> Component;
   std::vector<ComponentReport> Components;
   Repairs Repaired;
-  /// Sentences for the user: options that changed nothing, and why.
+  /// Sentences for the user: options that changed nothing, and why; and what looks like a mistake.
   std::vector<std::string> Notes;
   /// The computation was stopped by its progress callback; all arrays are empty.
   bool Aborted = false;

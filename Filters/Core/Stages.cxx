@@ -16,6 +16,7 @@ Stages::Stages(const Surface& surface)
   , Geometry(this->Mesh, this->Positions)
   , Transport(this->Mesh, this->Geometry, this->Positions)
   , Frames(this->Mesh, this->Transport, this->Positions)
+  , Boundary(this->Mesh, surface.Points)
 {
 }
 

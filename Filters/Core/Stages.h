@@ -7,6 +7,7 @@
 #include "Connection.h"
 #include "Curvature.h"
 #include "DirectionField.h"
+#include "MergePoints.h"
 #include "Metric.h"
 #include "Operators.h"
 #include "MultigridEigenpair.h"
@@ -64,6 +65,7 @@ public:
   const Metric& GetMetric() const { return this->Geometry; }
   const Connection& GetConnection() const { return this->Transport; }
   const TangentFrames& GetFrames() const { return this->Frames; }
+  const BoundaryPoints& GetBoundaryPoints() const { return this->Boundary; }
 
   /// The order of magnitude of a component's smallest eigenvalue: 2 pi n / area, in 1 / unit^2.
   double GetScale(std::size_t component, int degree) const;
@@ -79,6 +81,7 @@ private:
   Metric Geometry;
   Connection Transport;
   TangentFrames Frames;
+  BoundaryPoints Boundary;
   std::optional<EnergyStage> Energy;
   std::optional<std::vector<double>> Dihedral;
   std::optional<Curvature> Curved;

@@ -157,6 +157,7 @@ vtkDirectionField::vtkDirectionField()
   this->EnergyBias = defaults.EnergyBias;
   this->Tolerance = defaults.Tolerance;
   this->MaximumIterations = defaults.MaximumIterations;
+  this->MergePoints = defaults.MergePoints;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
   this->AlignmentStrength = defaults.AlignmentStrength;
@@ -191,6 +192,7 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnergyBias: " << this->EnergyBias << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "CurvatureDirection: " << this->CurvatureDirection << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
@@ -220,6 +222,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.EnergyBias = this->EnergyBias;
   options.Tolerance = this->Tolerance;
   options.MaximumIterations = this->MaximumIterations;
+  options.MergePoints = this->MergePoints;
   options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
   options.CurvatureDirection =
     static_cast<DirectionFields::CurvatureDirection>(this->CurvatureDirection);

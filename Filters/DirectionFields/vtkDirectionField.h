@@ -122,7 +122,8 @@
  *
  * @warning
  * Every connected component of the mesh counts: where points are not shared between polygons, as
- * along texture seams or after reading an STL file, merge them first with vtkCleanPolyData.
+ * along texture seams or after reading an STL file, switch on MergePoints. A warning says so where at
+ * least half of the points on the boundary lie exactly on another one.
  */
 
 #ifndef vtkDirectionField_h
@@ -181,6 +182,18 @@ public:
    */
   vtkSetClampMacro(MaximumIterations, int, 1, 10000);
   vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Take points of exactly the same coordinates for one in the computation. Surfaces whose triangles
+   * share places but no points (STL files, texture seams) fall into pieces without it. The output
+   * keeps the input's points; those at the same place have the same directions. Points that are only
+   * close to each other stay apart: vtkCleanPolyData merges these. Default off.
+   */
+  vtkSetMacro(MergePoints, bool);
+  vtkGetMacro(MergePoints, bool);
+  vtkBooleanMacro(MergePoints, bool);
   ///@}
 
   enum AlignmentType
@@ -383,6 +396,7 @@ private:
   double EnergyBias;
   double Tolerance;
   int MaximumIterations;
+  bool MergePoints;
   int Alignment;
   int CurvatureDirection;
   double AlignmentStrength;

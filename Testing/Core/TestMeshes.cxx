@@ -419,6 +419,21 @@ double Deviation(const DirectionFields::Result& field, Index point, const Vector
   return best;
 }
 
+Surface Soup(const Surface& surface)
+{
+  Surface soup;
+  for (const auto& triangle : surface.Triangles)
+  {
+    const auto first = static_cast<Index>(soup.Points.size());
+    for (const Index point : triangle)
+    {
+      soup.Points.push_back(surface.Points[point]);
+    }
+    soup.Triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return soup;
+}
+
 DirectionFields::Guidance GuidanceAt(
   const Surface& surface, const std::map<Index, Vector3>& vectors)
 {

@@ -61,6 +61,9 @@ Surface Joined(const Surface& a, const Surface& b);
 Surface Shuffled(const Surface& surface, unsigned seed, std::vector<Index>& newPoint,
   std::vector<Index>& newTriangle);
 
+/// Each triangle with three points of its own.
+Surface Soup(const Surface& surface);
+
 /// Guidance that is zero but at some points.
 DirectionFields::Guidance GuidanceAt(
   const Surface& surface, const std::map<Index, Vector3>& vectors);

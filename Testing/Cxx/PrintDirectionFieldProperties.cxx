@@ -49,6 +49,7 @@ int main()
   PRINT(EnergyBias, ",");
   PRINT(Tolerance, ",");
   PRINT(MaximumIterations, ",");
+  PRINT_DEFAULT(MergePoints, ",");
   PRINT(Alignment, ",");
   PRINT(CurvatureDirection, ",");
   PRINT(AlignmentStrength, ",");

@@ -31,6 +31,7 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetEnergyBias(filter->GetEnergyBias());
   fresh->SetTolerance(filter->GetTolerance());
   fresh->SetMaximumIterations(filter->GetMaximumIterations());
+  fresh->SetMergePoints(filter->GetMergePoints());
   fresh->SetAlignment(filter->GetAlignment());
   fresh->SetCurvatureDirection(filter->GetCurvatureDirection());
   fresh->SetAlignmentStrength(filter->GetAlignmentStrength());

@@ -141,6 +141,50 @@ void TestWarnings()
     { "1 triangle without area" });
 }
 
+/// Triangles that share places but no points: a warning names the remedy, and it is one.
+void TestSoup()
+{
+  auto pebble = TestMeshes::Pebble(1);
+  std::vector<TestMeshes::Point> points;
+  TestMeshes::Cells triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < pebble->GetNumberOfPolys(); ++i)
+  {
+    pebble->GetPolys()->GetCellAtId(i, ids);
+    const auto first = static_cast<vtkIdType>(points.size());
+    triangles.push_back({ first, first + 1, first + 2 });
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      points.emplace_back();
+      pebble->GetPoint(ids->GetId(k), points.back().data());
+    }
+  }
+  auto soup = TestMeshes::Make(points, triangles, VTK_FLOAT);
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(soup);
+  filter->Update();
+  CHECK(messages->IsOneWarning({ "240 of the 240 points", "Switch on MergePoints" }));
+  CHECK(filter->GetOutput()->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 80);
+
+  messages->Warnings.clear();
+  filter->MergePointsOn();
+  filter->Update();
+  CHECK(messages->IsEmpty());
+  vtkPolyData* field = filter->GetOutput();
+  CHECK(field->GetNumberOfPoints() == 240);
+  CHECK(field->GetPoints() == soup->GetPoints());
+  CHECK(field->GetPolys() == soup->GetPolys());
+  CHECK(field->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
+  CHECK(FieldValue(field, "IndexSum") == 8);
+  CHECK(SumOfIndices(field->GetCellData()) == 8);
+
+  filter->MergePointsOff();
+  filter->Update();
+  CHECK(filter->GetOutput()->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 80);
+}
+
 /// Too few iterations: the field that was reached, and a warning that says what to do.
 void TestConvergence()
 {
@@ -174,6 +218,7 @@ int TestDirectionFieldErrors(int, char*[])
 {
   TestErrors();
   TestWarnings();
+  TestSoup();
   TestConvergence();
   TestNotANumber();
   return Result();

@@ -409,11 +409,14 @@ void TestManifold()
 {
   vtkNew<vtkDirectionField> split, whole;
   vtkNew<Messages> messages;
+  vtkNew<Messages> messagesOfWhole;
   messages->Observe(split);
+  messagesOfWhole->Observe(whole);
   split->SetInputData(Book(3, 2, 1));
   whole->SetInputConnection(split->GetOutputPort());
   whole->Update();
   CHECK(messages->IsOneWarning({ "split" }));
+  CHECK(messagesOfWhole->IsOneWarning({ "not connected" }));
   CHECK(split->GetOutput()->GetPointData()->HasArray("OriginalPointIds"));
   CHECK(!whole->GetOutput()->GetPointData()->HasArray("OriginalPointIds"));
   CHECK(whole->GetOutput()->GetPoints() == split->GetOutput()->GetPoints());

@@ -140,7 +140,7 @@ def test_panel():
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert list(groups) == ["Alignment", "Constraints"], groups
-    outside = {"Degree", "EnergyBias", "Tolerance", "MaximumIterations", "Input"}
+    outside = {"Degree", "EnergyBias", "MergePoints", "Tolerance", "MaximumIterations", "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_OutputPoints_h
+#define DirectionFields_OutputPoints_h
+
+#include "TriangleMesh.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// The points that results are given at: those of the input, then one for each vertex whose points
+/// have another vertex already.
+class OutputPoints
+{
+public:
+  /// @param mesh    of the surface, or of what came of it when points were merged
+  /// @param surface as it came in
+  /// @param merged  for each point the one that stands for it in the mesh; empty if none was merged
+  OutputPoints(
+    const TriangleMesh& mesh, const Surface& surface, const std::vector<Index>& merged);
+
+  /// Values over the vertices as an array over the output points, zero where there is no vertex.
+  template <typename T>
+  std::vector<T> Spread(const std::vector<T>& values, const T& zero) const
+  {
+    std::vector<T> spread(this->Vertex.size(), zero);
+    for (std::size_t i = 0; i < spread.size(); ++i)
+    {
+      if (this->Vertex[i] != None)
+      {
+        spread[i] = values[this->Vertex[i]];
+      }
+    }
+    return spread;
+  }
+
+  /// Vertex of each output point; None where no triangle uses it.
+  std::vector<Index> Vertex;
+  /// Input point of each output point.
+  std::vector<Index> Original;
+  /// Corners of the input's triangles as output points; empty where nothing was split. Winding and
+  /// first corner are the input's.
+  std::vector<Triangle> SplitTriangles;
+};
+}
+
+#endif
