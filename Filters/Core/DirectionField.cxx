@@ -7,6 +7,7 @@
 #include "Constraints.h"
 #include "MergePoints.h"
 #include "OutputPoints.h"
+#include "OwnedParts.h"
 #include "Singularities.h"
 #include "Stages.h"
 #include "Threads.h"
@@ -62,11 +63,11 @@ CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
     points.Spread(gaussian, 0.0) };
 }
 
-void AddTriangles(const TriangleMesh& mesh, std::size_t triangles, const std::vector<int>& indices,
+void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::vector<int>& indices,
   Result& result)
 {
-  result.SingularityIndex.assign(triangles, 0);
-  result.Component.assign(triangles, None);
+  result.SingularityIndex.assign(surface.Triangles.size(), 0);
+  result.Component.assign(surface.Triangles.size(), None);
   for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
@@ -75,7 +76,8 @@ void AddTriangles(const TriangleMesh& mesh, std::size_t triangles, const std::ve
       const Index input = mesh.InputTriangle(t);
       result.SingularityIndex[input] = indices[t];
       result.Component[input] = static_cast<Index>(c);
-      result.Components[c].IndexSum += indices[t];
+      const bool counts = surface.Ghost.empty() || surface.Ghost[input] == 0;
+      result.Components[c].IndexSum += counts ? indices[t] : 0;
     }
   }
 }
@@ -174,6 +176,7 @@ Result DirectionField::Compute(
   const EnergyStage* energy = stages.GetEnergy(
     options, [&](double fraction) { return goOn(energyPart * fraction); });
   std::vector<Complex> field(mesh.GetNumberOfVertices());
+  const OwnedParts owned(mesh, this->Input);
   for (std::size_t c = 0; energy != nullptr && c < mesh.GetComponents().size(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
@@ -212,11 +215,14 @@ Result DirectionField::Compute(
     figures.Residual = smoothest.Residual;
     figures.Iterations = smoothest.Iterations;
     figures.SolverUsed = energy->Smoothest[c].SolverUsed;
-    figures.EulerCharacteristic = component.Vertices() - component.Edges() + component.Triangles();
-    figures.Vertices = component.Vertices();
-    figures.Triangles = component.Triangles();
-    figures.Constraints = static_cast<Index>(values.size());
-    figures.Closed = component.Closed;
+    const OwnedParts::Counts& counts = owned.Components[c];
+    figures.EulerCharacteristic = counts.Vertices - counts.Edges + counts.Triangles;
+    figures.Vertices = counts.Vertices;
+    figures.Triangles = counts.Triangles;
+    figures.Constraints = static_cast<Index>(std::count_if(problem.Given.Vertices.begin(),
+      problem.Given.Vertices.end(),
+      [&](Index v) { return owned.Vertex.empty() || owned.Vertex[component.FirstVertex + v]; }));
+    figures.Closed = component.Closed && counts.Ghosts == 0;
     figures.Converged =
       smoothest.Residual <= options.Tolerance && figures.SystemResidual <= SystemTolerance;
     result.Components.push_back(figures);
@@ -230,7 +236,7 @@ Result DirectionField::Compute(
     return aborted;
   }
 
-  AddTriangles(mesh, this->Input.Triangles.size(),
+  AddTriangles(mesh, this->Input,
     SingularityIndices(mesh, stages.GetConnection(), options.Degree, field), result);
   const OutputPoints points(mesh, this->Input, this->FirstPoint);
   const Vector3 zero = Vector3::Zero();

@@ -12,7 +12,8 @@
 
 namespace DirectionFields
 {
-/// Figures of one connected component.
+/// Figures of one connected component. Counts and sums are those of its part that belongs to this
+/// piece, where there are ghosts of others (Surface::Ghost); eigenvalue and field those of all of it.
 struct ComponentReport
 {
   /// The smallest lambda of A u = lambda M u, in 1 / length^2 of the input.
@@ -44,7 +45,7 @@ struct ComponentReport
   Index Triangles = 0;
   /// Vertices that are constrained.
   Index Constraints = 0;
-  /// The component has no boundary.
+  /// The component has no boundary and no ghosts.
   bool Closed = false;
   /// Residual <= Options::Tolerance.
   bool Converged = false;

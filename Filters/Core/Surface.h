@@ -16,6 +16,9 @@ struct Surface
   std::vector<Vector3> Points;
   /// Corners counter-clockwise as seen from outside.
   std::vector<Triangle> Triangles;
+  /// Not 0 for triangles that belong to another piece of a surface in pieces: the field goes on over
+  /// them, but they do not count. Empty where there are none, else one a triangle.
+  std::vector<char> Ghost = {};
 };
 
 /// What had to be mended in the input; zero everywhere for a clean mesh.

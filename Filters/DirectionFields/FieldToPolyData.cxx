@@ -356,7 +356,7 @@ void MakeSingularities(const TriangulatedPolyData& input, const Result& field, i
   const Surface& mesh = input.Mesh;
   for (size_t t = 0; t < field.SingularityIndex.size(); ++t)
   {
-    if (field.SingularityIndex[t] == 0)
+    if (field.SingularityIndex[t] == 0 || (!mesh.Ghost.empty() && mesh.Ghost[t] != 0))
     {
       continue;
     }

@@ -16,7 +16,7 @@ namespace DirectionFields
 void AddFieldArrays(
   const TriangulatedPolyData& input, const Result& field, vtkPolyData* output);
 
-/// Makes a vertex at the centroid of every triangle whose index is not 0. points: of the input.
+/// Makes a vertex at the centroid of every triangle whose index is not 0, but for ghosts. points: of the input.
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,
   vtkPolyData* singularities);
 }

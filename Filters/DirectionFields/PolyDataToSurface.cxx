@@ -205,11 +205,10 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
 
   auto ghosts = vtkUnsignedCharArray::SafeDownCast(
     polyData->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const auto isHidden = [ghosts](vtkIdType cell)
-  {
-    return ghosts && cell < ghosts->GetNumberOfValues() &&
-      (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0;
-  };
+  const auto isMarked = [ghosts](vtkIdType cell, unsigned char as)
+  { return ghosts && cell < ghosts->GetNumberOfValues() && (ghosts->GetValue(cell) & as) != 0; };
+  const auto isHidden = [&isMarked](vtkIdType cell)
+  { return isMarked(cell, vtkDataSetAttributes::HIDDENCELL); };
 
   Triangulator triangulator(points, result);
   vtkNew<vtkIdList> ids;
@@ -228,6 +227,14 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
     {
       strips->GetCellAtId(i, ids);
       triangulator.AddStrip(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
+    }
+  }
+  for (size_t t = 0; ghosts && t < result.CellOfTriangle.size(); ++t)
+  {
+    if (isMarked(result.CellOfTriangle[t], vtkDataSetAttributes::DUPLICATECELL))
+    {
+      result.Mesh.Ghost.resize(result.CellOfTriangle.size(), 0);
+      result.Mesh.Ghost[t] = 1;
     }
   }
   return result;

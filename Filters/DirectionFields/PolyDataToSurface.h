@@ -26,7 +26,8 @@ struct TriangulatedPolyData
 
 /// Triangles are taken as they are. Polygons are cut by their ears; one that cannot be cut so
 /// (no area, self-intersecting) becomes a fan. Strips are unrolled with alternating winding.
-/// Vertices, lines and cells marked as hidden in vtkGhostType give no triangle.
+/// Vertices, lines and cells marked as hidden in vtkGhostType give no triangle; cells marked as
+/// duplicates give ghosts.
 ///
 /// Throws std::length_error for more points or triangles than Index can number.
 TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData);

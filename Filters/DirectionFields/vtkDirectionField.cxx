@@ -124,7 +124,8 @@ public:
   {
     DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(input);
     if (!this->Stages || !SameBytes(surface.Mesh.Points, this->Surface.Mesh.Points) ||
-      !SameBytes(surface.Mesh.Triangles, this->Surface.Mesh.Triangles))
+      !SameBytes(surface.Mesh.Triangles, this->Surface.Mesh.Triangles) ||
+      !SameBytes(surface.Mesh.Ghost, this->Surface.Mesh.Ghost))
     {
       this->Stages.reset();
       this->Stages.emplace(surface.Mesh);

@@ -35,7 +35,8 @@
  * Any vtkPolyData. Triangles enter the computation as they are; polygons and triangle strips are
  * cut into triangles internally, and the results come back on the input's own points and cells.
  * Vertices and lines are passed through. Cells that vtkGhostType marks as hidden are passed through
- * but take no part. An input without polygons and strips has the zero field; an empty input gives
+ * but take no part. Cells that it marks as duplicates of another piece's carry the field on, but do
+ * not count: neither in the sums of the field data nor on port 1. Each piece is solved for itself. An input without polygons and strips has the zero field; an empty input gives
  * an empty output.
  *
  * @section Output Output port 0: the field
@@ -58,7 +59,8 @@
  *   - `Eigenvalue`: double. lambda, the smoothness energy of the smoothest field, in 1 / length^2.
  *   - `Residual`: double. |A u - lambda M u| / |A u| reached by the solver.
  *   - `Iterations`: int. Solves that it took; 0 for small components solved directly.
- *   - `EulerCharacteristic`: int. Vertices - edges + triangles.
+ *   - `EulerCharacteristic`: int. Vertices - edges + triangles. Of a surface in pieces with a layer
+ *     of ghosts each, the values of the pieces add up to that of the surface.
  *   - `IndexSum`: int. Sum of the singularity indices, in units of 1/n.
  *   - `Lambda`: double. lambda_t of the system that gave the field, in 1 / length^2: `Eigenvalue`
  *     for the smoothest field, less for an aligned one, the lowest double where AlignmentStrength
@@ -85,7 +87,8 @@
  * Where they are not, arrays of these names that an earlier filter left are removed.
  *
  * @section Singularities Output port 1: the singularities
- * A vertex at the centroid of every triangle with an index other than 0, with point data
+ * A vertex at the centroid of every triangle with an index other than 0 that no other piece owns,
+ * with point data
  * - `SingularityIndex`: int, in units of 1/n.
  * - `Index`: double. The same in full turns, SingularityIndex / n.
  * - `CellId`: vtkIdType. The cell of the input with the triangle.

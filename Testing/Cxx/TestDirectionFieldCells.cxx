@@ -273,6 +273,65 @@ void TestHiddenCells()
   CHECK(field->GetCellData()->GetArray("SingularityIndex")->GetTuple1(5) == 0.0);
   CHECK(field->GetNumberOfCells() == mesh->GetNumberOfCells());
 }
+
+/// A surface in two pieces, each with the other's cells as ghosts: both have the field of the whole,
+/// and what counts adds up to it.
+void TestGhostCells()
+{
+  auto mesh = TestMeshes::QuadTorus(24, 12);
+  auto whole = FieldOf(mesh, 3);
+  auto wholeIndex = whole->GetCellData()->GetArray("SingularityIndex");
+  double characteristic = 0.0;
+  double indexSum = 0.0;
+  vtkIdType singularities = 0;
+  vtkIdType singular = 0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    singular += wholeIndex->GetTuple1(i) != 0.0;
+  }
+  for (const int piece : { 0, 1 })
+  {
+    auto part = vtkSmartPointer<vtkPolyData>::New();
+    part->ShallowCopy(mesh);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName("vtkGhostType");
+    ghosts->SetNumberOfTuples(mesh->GetNumberOfCells());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+    {
+      // Cut obliquely, so that no number of a cell tells its piece.
+      ghosts->SetValue(i, (i / 7) % 2 == piece ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+    part->GetCellData()->AddArray(ghosts);
+    vtkNew<vtkDirectionField> filter;
+    filter->SetInputData(part);
+    filter->SetDegree(3);
+    filter->Update();
+    vtkPolyData* field = filter->GetOutput();
+    CHECK(IsSame(Direction(field, 0), Direction(whole, 0)));
+    CHECK(IsSame(field->GetCellData()->GetArray("SingularityIndex"), wholeIndex));
+    characteristic += FieldValue(field, "EulerCharacteristic");
+    indexSum += FieldValue(field, "IndexSum");
+    vtkPolyData* points = filter->GetOutput(1);
+    singularities += points->GetNumberOfPoints();
+    vtkDataArray* cells = points->GetPointData()->GetArray("CellId");
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      CHECK(ghosts->GetValue(static_cast<vtkIdType>(cells->GetTuple1(i))) == 0);
+    }
+
+    // Another owner of a cell is noticed.
+    ghosts->SetValue(0, piece == 0 ? vtkDataSetAttributes::DUPLICATECELL : 0);
+    ghosts->Modified();
+    part->Modified();
+    const double before = FieldValue(field, "EulerCharacteristic");
+    filter->Update();
+    CHECK(FieldValue(filter->GetOutput(), "EulerCharacteristic") != before);
+  }
+  CHECK(singular > 0);
+  CHECK(singularities == singular);
+  CHECK(characteristic == FieldValue(whole, "EulerCharacteristic"));
+  CHECK(indexSum == FieldValue(whole, "IndexSum"));
+}
 }
 
 int TestDirectionFieldCells(int, char*[])
@@ -284,5 +343,6 @@ int TestDirectionFieldCells(int, char*[])
   TestPolygons();
   TestFlatPolygon();
   TestHiddenCells();
+  TestGhostCells();
   return Result();
 }
