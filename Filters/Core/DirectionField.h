@@ -41,8 +41,9 @@ public:
   DirectionField(DirectionField&&) noexcept;
   DirectionField& operator=(DirectionField&&) noexcept;
 
-  /// Throws MeshError for a surface that cannot be processed. Throws std::invalid_argument for options out of range, for curvature alignment or constraints
-  /// with a degree other than 2 and 4, and for guidance of the wrong size.
+  /// Throws MeshError for a surface that cannot be processed, and std::invalid_argument for options
+  /// out of range, for curvature alignment or constraints with a degree other than 2 and 4, and for
+  /// guidance of the wrong size.
   Result Compute(
     const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {});
 

@@ -232,7 +232,7 @@ TEST(Multigrid, BytesDoNotDependOnTheThreads)
   for (const int threads : { 1, 2, 3 })
   {
     options.NumberOfThreads = threads;
-    const Result result = DirectionField(surface, threads).Compute(options);
+    const Result result = DirectionField(surface).Compute(options);
     EXPECT_EQ(result.Components[0].SolverUsed, Solver::Multigrid);
     EXPECT_GT(result.Components[0].Iterations, 0);
     serial = serial.empty() ? result.Representation : serial;
