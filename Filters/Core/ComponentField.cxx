@@ -3,6 +3,8 @@
 
 #include "ComponentField.h"
 
+#include "OperatorProducts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,24 +17,26 @@ namespace
 /// still changes there is below rounding.
 constexpr double SmallestGap = 1e-8;
 
-/// The matrix A - lambda_t M and the factor lambda_1 - lambda_t of M q, both over any positive number.
-struct AlignedMatrix
+/// K = A - lambda_t M = Energy A + Mass M and the factor lambda_1 - lambda_t of M q, all over any
+/// positive number.
+struct Factors
 {
-  SparseMatrix Matrix;
-  double GuidanceFactor;
+  double Energy;
+  double Mass;
+  double Guidance;
 };
 
-AlignedMatrix MakeMatrix(const Operators& matrices, double smallest, double gap)
+Factors MakeFactors(double smallest, double gap)
 {
   if (std::isinf(gap))
   {
-    return { matrices.Mass, 1.0 };
+    return { 0.0, 1.0, 1.0 };
   }
   if (gap > 1.0)
   {
-    return { (1.0 / gap) * matrices.Energy + (1.0 - smallest / gap) * matrices.Mass, 1.0 };
+    return { 1.0 / gap, 1.0 - smallest / gap, 1.0 };
   }
-  return { matrices.Energy + (gap - smallest) * matrices.Mass, gap };
+  return { 1.0, gap - smallest, gap };
 }
 
 /// lambda_1 - lambda_t, 0 to infinity.
@@ -43,7 +47,7 @@ double Gap(const ComponentProblem& problem, const Options& options)
     return std::min(options.Shift * problem.Unit * problem.Unit, std::numeric_limits<double>::max());
   }
   const double tau = options.AlignmentStrength;
-  const double sigma = std::max(problem.Smoothest.Value, problem.Scale);
+  const double sigma = std::max(problem.Smoothest.First.Value, problem.Scale);
   return tau < 1.0 ? sigma * tau / (1.0 - tau) : std::numeric_limits<double>::infinity();
 }
 
@@ -84,6 +88,52 @@ ComplexVector Normalized(ComplexVector guidance, const SparseMatrix& mass, const
   guidance.imag() /= largest;
   const Eigen::VectorXd area = ComplexVector(mass.diagonal()).real().cwiseProduct(mask);
   return guidance * std::sqrt(area.sum() / area.dot(guidance.cwiseAbs2()));
+}
+
+SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& options,
+  const Factors& factors, const ComplexVector& b)
+{
+  const MultigridSystem system{ problem.Matrices, factors.Energy, factors.Mass, problem.GoOn };
+  if (problem.Given.Vertices.empty())
+  {
+    return system.Solve(*problem.Smoothest.Hierarchy, problem.Smoothest.Lowest, b);
+  }
+  if (!problem.Free || problem.Free->Given != problem.Given.Vertices)
+  {
+    problem.Free =
+      std::make_unique<FreeSystem>(problem.Matrices, problem.Given.Vertices, problem.Scale);
+  }
+  return options.ConstraintSolver == ConstraintSolver::Energy
+    ? system.SolveConstrainedEnergy(*problem.Free, b, problem.Given)
+    : system.SolveConstrainedLeastSquares(*problem.Free, b, problem.Given);
+}
+
+SystemSolution SolveDirectly(const ComponentProblem& problem, const Options& options,
+  const Factors& factors, const ComplexVector& b)
+{
+  const SparseMatrix matrix =
+    factors.Energy * problem.Matrices.Energy + factors.Mass * problem.Matrices.Mass;
+  return problem.Given.Vertices.empty() ? SolveAligned(matrix, b)
+    : options.ConstraintSolver == ConstraintSolver::Energy
+    ? SolveConstrainedEnergy(matrix, b, problem.Given)
+    : SolveConstrainedLeastSquares(matrix, b, problem.Given);
+}
+
+/// By multigrid where the smoothest field was found by it.
+SystemSolution SolveSystem(const ComponentProblem& problem, const Options& options,
+  const Factors& factors, const ComplexVector& b, ComponentReport& report)
+{
+  if (problem.Smoothest.Hierarchy)
+  {
+    SystemSolution solution = SolveByMultigrid(problem, options, factors, b);
+    if (solution.Residual <= SystemTolerance || options.Solver == Solver::Multigrid ||
+      !problem.GoOn())
+    {
+      return solution;
+    }
+    report.SolverUsed = Solver::Direct;
+  }
+  return SolveDirectly(problem, options, factors, b);
 }
 }
 
@@ -139,7 +189,7 @@ ComplexVector SolveComponent(
   const ComponentProblem& problem, const Options& options, ComponentReport& report)
 {
   const Operators& matrices = problem.Matrices;
-  const double smallest = problem.Smoothest.Value;
+  const double smallest = problem.Smoothest.First.Value;
   const double unit = problem.Unit;
   const Eigen::VectorXd mask = Mask(problem);
   const ComplexVector guidance = Normalized(problem.Guidance, matrices.Mass, mask);
@@ -149,48 +199,35 @@ ComplexVector SolveComponent(
   const bool smoothest = gap <= SmallestGap * std::max(smallest, problem.Scale);
 
   SystemSolution solution;
+  report.SolverUsed = problem.Smoothest.SolverUsed;
   report.Lambda = PerSquare(smallest, unit);
   if (!constrained && (!guided || smoothest))
   {
-    solution.Vector = problem.Smoothest.Vector;
+    solution.Vector = problem.Smoothest.First.Vector;
     if (guided)
     {
       // The limit of the aligned fields: of all phases the one closest to the guidance.
-      const Complex overlap = solution.Vector.dot(matrices.Mass * guidance);
+      const Complex overlap = solution.Vector.dot(Product(matrices.Mass, guidance));
       solution.Vector *= std::abs(overlap) > 0.0 ? overlap / std::abs(overlap) : Complex(1.0);
     }
   }
-  else if (!guided)
-  {
-    report.Lambda = 0.0;
-    const ComplexVector zero = ComplexVector::Zero(matrices.Energy.rows());
-    solution = options.ConstraintSolver == ConstraintSolver::Energy
-      ? SolveConstrainedEnergy(matrices.Energy, zero, problem.Given)
-      : SolveConstrainedLeastSquares(matrices.Energy, zero, problem.Given);
-  }
   else
   {
-    report.Lambda =
-      std::isinf(gap) ? std::numeric_limits<double>::lowest() : PerSquare(smallest - gap, unit);
-    const AlignedMatrix aligned = MakeMatrix(matrices, smallest, gap);
-    if (!constrained)
+    report.Lambda = !guided ? 0.0
+      : std::isinf(gap)     ? std::numeric_limits<double>::lowest()
+                            : PerSquare(smallest - gap, unit);
+    const Factors factors = guided ? MakeFactors(smallest, gap) : Factors{ 1.0, 0.0, 0.0 };
+    ComplexVector b = ComplexVector::Zero(matrices.Energy.rows());
+    if (guided)
     {
-      solution = SolveAligned(
-        aligned.Matrix, ComplexVector(aligned.GuidanceFactor * (matrices.Mass * guidance)));
+      b = factors.Guidance * mask.cast<Complex>().cwiseProduct(Product(matrices.Mass, guidance));
     }
-    else
-    {
-      const ComplexVector b =
-        aligned.GuidanceFactor * mask.cast<Complex>().cwiseProduct(matrices.Mass * guidance);
-      solution = options.ConstraintSolver == ConstraintSolver::Energy
-        ? SolveConstrainedEnergy(aligned.Matrix, b, problem.Given)
-        : SolveConstrainedLeastSquares(aligned.Matrix, b, problem.Given);
-    }
+    solution = SolveSystem(problem, options, factors, b, report);
   }
   const ComplexVector& u = solution.Vector;
-  const double size = u.dot(matrices.Mass * u).real();
+  const double size = u.dot(Product(matrices.Mass, u)).real();
   report.SmoothnessEnergy =
-    size > 0.0 ? PerSquare(u.dot(matrices.Energy * u).real() / size, unit) : 0.0;
+    size > 0.0 ? PerSquare(u.dot(Product(matrices.Energy, u)).real() / size, unit) : 0.0;
   report.SystemResidual = solution.Residual;
   if (size > 0.0)
   {

@@ -4,13 +4,13 @@
 #ifndef DirectionFields_ComponentField_h
 #define DirectionFields_ComponentField_h
 
-#include "LinearSystem.h"
-#include "Operators.h"
-#include "Options.h"
+#include "MultigridEigenpair.h"
+#include "MultigridSystem.h"
 #include "Result.h"
-#include "SmallestEigenpair.h"
 #include "TangentFrames.h"
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace DirectionFields
@@ -29,7 +29,9 @@ std::vector<Complex> CurvatureSection(
 struct ComponentProblem
 {
   const Operators& Matrices;
-  const Eigenpair& Smoothest;
+  const SmallestPairs& Smoothest;
+  /// Of the constraints last solved for, or null; kept for the next time.
+  std::unique_ptr<FreeSystem>& Free;
   /// sigma of Options::AlignmentStrength, in 1 / Metric::Unit^2, but for lambda_1.
   double Scale;
   /// Metric::Unit.
@@ -37,14 +39,19 @@ struct ComponentProblem
   /// What the field is drawn to; empty for nothing.
   ComplexVector Guidance;
   GivenValues Given;
+  /// Called before each step of an iterative solver; false makes it return early.
+  std::function<bool()> GoOn;
 };
+
+/// A linear system counts as solved up to this relative residual.
+constexpr double SystemTolerance = 1e-8;
 
 /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained vertices
 /// and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where alpha is 1:
 /// u tends to q where lambda_t tends to minus infinity, and guidance and constraints are of one
 /// size. lambda_t = 0 where there are constraints only. Without either the smoothest field.
 /// The field is scaled to modulus 1 in the mean square over the component.
-/// Fills in Lambda, SmoothnessEnergy and SystemResidual of the report.
+/// Fills in Lambda, SmoothnessEnergy, SystemResidual and SolverUsed of the report.
 ComplexVector SolveComponent(
   const ComponentProblem& problem, const Options& options, ComponentReport& report);
 }

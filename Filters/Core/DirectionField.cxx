@@ -20,9 +20,6 @@ namespace DirectionFields
 {
 namespace
 {
-/// A linear system counts as solved below this relative residual.
-constexpr double SystemTolerance = 1e-8;
-
 /// Tangent vectors of the angles that n-th powers have.
 std::vector<Vector3> InSpace(
   const TangentFrames& frames, const std::vector<Complex>& section, int degree)
@@ -173,24 +170,31 @@ Result DirectionField::Compute(
   const bool systems = constraints.Any() || !drawn.empty();
   const double energyPart = systems ? 0.65 : 1.0;
   const auto goOn = [&](double fraction) { return !progress || progress(fraction); };
-  const EnergyStage* energy = stages.GetEnergy(
+  EnergyStage* energy = stages.GetEnergy(
     options, [&](double fraction) { return goOn(energyPart * fraction); });
   std::vector<Complex> field(mesh.GetNumberOfVertices());
   const OwnedParts owned(mesh, this->Input);
   for (std::size_t c = 0; energy != nullptr && c < mesh.GetComponents().size(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
-    if (systems &&
-      !goOn(energyPart +
-        (1.0 - energyPart) * component.FirstVertex / std::max(1, mesh.GetNumberOfVertices())))
+    bool stopped = false;
+    const auto goOnWithSystem = [&]
+    {
+      stopped = stopped ||
+        (systems &&
+          !goOn(energyPart +
+            (1.0 - energyPart) * component.FirstVertex / std::max(1, mesh.GetNumberOfVertices())));
+      return !stopped;
+    };
+    if (!goOnWithSystem())
     {
       energy = nullptr;
       break;
     }
     const Eigenpair& smoothest = energy->Smoothest[c].First;
     const double unit = stages.GetMetric().Unit[c];
-    ComponentProblem problem{ energy->Matrices[c], smoothest, stages.GetScale(c, options.Degree),
-      unit, {}, {} };
+    ComponentProblem problem{ energy->Matrices[c], energy->Smoothest[c], energy->Free[c],
+      stages.GetScale(c, options.Degree), unit, {}, {}, goOnWithSystem };
     if (!drawn.empty())
     {
       problem.Guidance = Eigen::Map<const ComplexVector>(
@@ -210,11 +214,15 @@ Result DirectionField::Compute(
 
     ComponentReport figures;
     const ComplexVector u = SolveComponent(problem, options, figures);
+    if (stopped)
+    {
+      energy = nullptr;
+      break;
+    }
     std::copy(u.begin(), u.end(), field.begin() + component.FirstVertex);
     figures.Eigenvalue = PerSquare(smoothest.Value, unit);
     figures.Residual = smoothest.Residual;
     figures.Iterations = smoothest.Iterations;
-    figures.SolverUsed = energy->Smoothest[c].SolverUsed;
     const OwnedParts::Counts& counts = owned.Components[c];
     figures.EulerCharacteristic = counts.Vertices - counts.Edges + counts.Triangles;
     figures.Vertices = counts.Vertices;

@@ -56,6 +56,22 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
   return y;
 }
 
+ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x)
+{
+  ComplexVector y(x.size());
+  const Complex* mass = operators.Mass.valuePtr();
+  ForEachRow(operators.Energy,
+    [&](Index row)
+    {
+      Complex sum = 0.0;
+      ForEachEntry(operators.Energy, row,
+        [&](Index column, const Complex& value, Index k)
+        { sum += (a * value + m * std::conj(mass[k])) * x[column]; });
+      y[row] = sum;
+    });
+  return y;
+}
+
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
 {
   const Eigen::VectorXd size = u.cwiseAbs();

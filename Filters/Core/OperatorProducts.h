@@ -11,6 +11,9 @@ namespace DirectionFields
 /// K x of a Hermitian matrix, on several threads.
 ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x);
 
+/// (a A + m M) x
+ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x);
+
 /// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
 

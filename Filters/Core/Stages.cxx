@@ -44,7 +44,7 @@ const Curvature& Stages::GetCurvature()
   return *this->Curved;
 }
 
-const EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& progress)
+EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& progress)
 {
   const EnergyOptions key(options);
   if (this->Energy && this->Energy->Key == key)
@@ -52,7 +52,7 @@ const EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunct
     return &*this->Energy;
   }
   this->Energy.reset();
-  EnergyStage stage{ key, {}, {} };
+  EnergyStage stage{ key, {}, {}, {} };
   const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
@@ -81,6 +81,7 @@ const EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunct
     }
     reference.FixPhase(pairs.First.Vector);
     stage.Smoothest.push_back(std::move(pairs));
+    stage.Free.emplace_back();
   }
   this->Energy = std::move(stage);
   return &*this->Energy;

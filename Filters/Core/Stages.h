@@ -11,9 +11,11 @@
 #include "Metric.h"
 #include "Operators.h"
 #include "MultigridEigenpair.h"
+#include "MultigridSystem.h"
 #include "TangentFrames.h"
 #include "TriangleMesh.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,6 +51,8 @@ struct EnergyStage
   EnergyOptions Key;
   std::vector<Operators> Matrices;
   std::vector<SmallestPairs> Smoothest;
+  /// Hierarchies of what the constraints of the last call left free; null where there was none.
+  std::vector<std::unique_ptr<FreeSystem>> Free;
 };
 
 /// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others
@@ -71,7 +75,7 @@ public:
   double GetScale(std::size_t component, int degree) const;
 
   /// Null where the progress function stopped it.
-  const EnergyStage* GetEnergy(const Options& options, const ProgressFunction& progress);
+  EnergyStage* GetEnergy(const Options& options, const ProgressFunction& progress);
   const std::vector<double>& GetDihedralAngles();
   const Curvature& GetCurvature();
 

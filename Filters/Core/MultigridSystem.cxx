@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MultigridSystem.h"
+
+#include "OperatorProducts.h"
+#include "VectorOperations.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr int Width = SectionBlock::Width;
+/// Steps go on until the residual that they keep is below this, relative to the right-hand side.
+constexpr double WantedResidual = 1e-9;
+/// They start again from the true residual while that is above this.
+constexpr double AcceptedResidual = 5e-9;
+constexpr int MostSteps = 300;
+constexpr int MostRestarts = 4;
+/// In 1 / unit^2; above it the mass matrix is all that counts.
+constexpr double LargestShift = 1e8;
+/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, that takes its place.
+constexpr double RoundingScale = 1e-6;
+
+std::vector<Index> Complement(const std::vector<Index>& given, Index count)
+{
+  std::vector<char> isGiven(count, 0);
+  for (const Index v : given)
+  {
+    isGiven[v] = 1;
+  }
+  std::vector<Index> others;
+  for (Index v = 0; v < count; ++v)
+  {
+    if (!isGiven[v])
+    {
+      others.push_back(v);
+    }
+  }
+  return others;
+}
+
+/// Rows and columns of the vertices in the list, which ascends.
+SparseMatrix Principal(const SparseMatrix& matrix, const std::vector<Index>& vertices)
+{
+  const auto n = static_cast<Index>(vertices.size());
+  std::vector<Index> number(matrix.cols(), None);
+  for (Index k = 0; k < n; ++k)
+  {
+    number[vertices[k]] = k;
+  }
+  SparseMatrix principal(n, n);
+  principal.reserve(matrix.nonZeros());
+  for (Index k = 0; k < n; ++k)
+  {
+    principal.startVec(k);
+    for (SparseMatrix::InnerIterator it(matrix, vertices[k]); it; ++it)
+    {
+      if (number[it.row()] != None)
+      {
+        principal.insertBack(number[it.row()], k) = it.value();
+      }
+    }
+  }
+  principal.finalize();
+  return principal;
+}
+
+ComplexVector Gathered(const ComplexVector& all, const std::vector<Index>& vertices)
+{
+  ComplexVector some(static_cast<Eigen::Index>(vertices.size()));
+  ForRows(some,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        some[k] = all[vertices[k]];
+      }
+    });
+  return some;
+}
+
+/// Zero elsewhere.
+ComplexVector Scattered(
+  const ComplexVector& some, const std::vector<Index>& vertices, Eigen::Index count)
+{
+  ComplexVector all = ComplexVector::Zero(count);
+  ForRows(some,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        all[vertices[k]] = some[k];
+      }
+    });
+  return all;
+}
+
+/// V-cycles in single precision for vectors in double precision, and what the lowest sections add.
+class Preconditioner
+{
+public:
+  Preconditioner(const Multigrid& hierarchy, double shift, const SectionBlock* lowest)
+    : Cycles(hierarchy, std::max(0.0, shift))
+    , Lowest(lowest && lowest->Rows() > 0 ? lowest : nullptr)
+  {
+    if (this->Lowest)
+    {
+      const std::vector<SmallMatrix> products =
+        Products(lowest->Rows(), { { &lowest->Vectors, &lowest->Energy },
+                                   { &lowest->Vectors, &lowest->Mass } });
+      this->Projected.compute(products[0] + shift * products[1]);
+      if (this->Projected.info() != Eigen::Success)
+      {
+        this->Lowest = nullptr;
+      }
+    }
+  }
+  bool IsUsable() const { return this->Cycles.IsUsable(); }
+
+  /// z = B r
+  void Apply(const ComplexVector& r, ComplexVector& z)
+  {
+    const double size = Norm(r);
+    this->Section.resize(2 * static_cast<std::size_t>(r.size()));
+    z.resize(r.size());
+    if (!(size > 0.0))
+    {
+      z.setZero();
+      return;
+    }
+    Eigen::VectorXcd coefficients = Eigen::VectorXcd::Zero(Width);
+    if (this->Lowest)
+    {
+      coefficients = this->Projected.solve(this->ProductsWithLowest(r));
+    }
+    ForRows(r,
+      [&](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          this->Section[2 * v] = static_cast<float>(r[v].real() / size);
+          this->Section[2 * v + 1] = static_cast<float>(r[v].imag() / size);
+        }
+      });
+    this->Cycles.Apply<1>(this->Section.data(), this->Section.data());
+    ForRows(r,
+      [&](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          z[v] = size * Complex(this->Section[2 * v], this->Section[2 * v + 1]);
+          for (int b = 0; this->Lowest && b < Width; ++b)
+          {
+            z[v] += coefficients[b] * this->Value(v, b);
+          }
+        }
+      });
+  }
+
+private:
+  Complex Value(Index v, int b) const
+  {
+    const float* x = this->Lowest->Vectors.data() + static_cast<std::size_t>(2 * Width) * v;
+    return { x[b], x[Width + b] };
+  }
+  Eigen::VectorXcd ProductsWithLowest(const ComplexVector& r) const
+  {
+    return ParallelSum<Eigen::VectorXcd>(static_cast<Index>(r.size()), VectorPiece,
+      Eigen::VectorXcd::Zero(Width),
+      [&](Index begin, Index end) -> Eigen::VectorXcd
+      {
+        std::array<Complex, Width> sums{};
+        for (Index v = begin; v < end; ++v)
+        {
+          for (int b = 0; b < Width; ++b)
+          {
+            sums[b] += std::conj(this->Value(v, b)) * r[v];
+          }
+        }
+        return Eigen::Map<const Eigen::VectorXcd>(sums.data(), Width);
+      });
+  }
+
+  Cycle Cycles;
+  const SectionBlock* Lowest;
+  Eigen::LLT<SmallMatrix> Projected;
+  CompactSections Section;
+};
+
+/// Conjugate gradients on K u = b from u = 0.
+SystemSolution ConjugateGradients(
+  const MultigridSystem& system, Preconditioner& preconditioner, const ComplexVector& b)
+{
+  SystemSolution solution;
+  solution.Vector = ComplexVector::Zero(b.size());
+  double size = Norm(b);
+  if (!(size > 0.0))
+  {
+    return solution;
+  }
+  solution.Residual = 1.0;
+  ComplexVector r = b;
+  ComplexVector z;
+  ComplexVector p;
+  int steps = 0;
+  for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
+  {
+    ComplexVector u = solution.Vector;
+    double previous = 0.0;
+    for (bool first = true; steps < MostSteps && system.GoOn(); ++steps, first = false)
+    {
+      preconditioner.Apply(r, z);
+      const double product = RealDot(r, z);
+      if (first)
+      {
+        p = z;
+      }
+      else
+      {
+        Combine(1.0, z, product / previous, p);
+      }
+      previous = product;
+      const ComplexVector q = system.Times(p);
+      const double step = product / RealDot(p, q);
+      if (!(step > 0.0) || !std::isfinite(step))
+      {
+        break;
+      }
+      Combine(step, p, 1.0, u);
+      Combine(-step, q, 1.0, r);
+      if (Norm(r) <= WantedResidual * size)
+      {
+        break;
+      }
+    }
+    r = b - system.Times(u);
+    size = std::max(Norm(b),
+      RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
+    const double relative = Norm(r) / size;
+    const bool stalls = !(relative < 0.5 * solution.Residual);
+    if (relative < solution.Residual)
+    {
+      solution.Residual = relative;
+      solution.Vector = std::move(u);
+    }
+    if (stalls || solution.Residual <= AcceptedResidual)
+    {
+      break;
+    }
+  }
+  return solution;
+}
+}
+
+FreeSystem::FreeSystem(const Operators& operators, const std::vector<Index>& given, double scale)
+  : Given(given)
+  , Free(Complement(given, static_cast<Index>(operators.Energy.cols())))
+  , Matrices([&]
+      {
+        Operators principal;
+        principal.Energy = Principal(operators.Energy, this->Free);
+        principal.Mass = Principal(operators.Mass, this->Free);
+        return principal;
+      }())
+  , Hierarchy(this->Matrices, scale)
+{
+}
+
+double MultigridSystem::Shift() const
+{
+  return this->MassFactor < LargestShift * this->EnergyFactor
+    ? this->MassFactor / this->EnergyFactor
+    : LargestShift;
+}
+
+ComplexVector MultigridSystem::Times(const ComplexVector& x) const
+{
+  return Product(this->Matrices, this->EnergyFactor, this->MassFactor, x);
+}
+
+SystemSolution MultigridSystem::Solve(const Multigrid& hierarchy, const SectionBlock& lowest,
+  const ComplexVector& rightHandSide) const
+{
+  Preconditioner preconditioner(hierarchy, this->Shift(), &lowest);
+  SystemSolution failed;
+  failed.Vector = ComplexVector::Zero(rightHandSide.size());
+  failed.Residual = 1.0;
+  return preconditioner.IsUsable()
+    ? ConjugateGradients(*this, preconditioner, rightHandSide)
+    : failed;
+}
+
+SystemSolution MultigridSystem::SolveConstrainedEnergy(const FreeSystem& freeSystem,
+  const ComplexVector& rightHandSide, const GivenValues& given) const
+{
+  const Eigen::Index count = rightHandSide.size();
+  SystemSolution solution;
+  ComplexVector u = Scattered(given.Values, given.Vertices, count);
+  if (freeSystem.Free.empty())
+  {
+    solution.Vector = std::move(u);
+    return solution;
+  }
+  const ComplexVector b = Gathered(rightHandSide - this->Times(u), freeSystem.Free);
+  Preconditioner preconditioner(freeSystem.Hierarchy, this->Shift(), nullptr);
+  solution.Residual = 1.0;
+  if (preconditioner.IsUsable())
+  {
+    const MultigridSystem inner{ freeSystem.Matrices, this->EnergyFactor, this->MassFactor, this->GoOn };
+    solution = ConjugateGradients(inner, preconditioner, b);
+    u += Scattered(solution.Vector, freeSystem.Free, count);
+  }
+  solution.Vector = std::move(u);
+  return solution;
+}
+
+/// Conjugate gradients on the normal equations of K_f B, B the V-cycle for K_ff (CGLS, Björck 1996):
+/// the squared condition is that of a well-conditioned matrix.
+SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& freeSystem,
+  const ComplexVector& rightHandSide, const GivenValues& given) const
+{
+  const Eigen::Index count = rightHandSide.size();
+  const std::vector<Index>& free = freeSystem.Free;
+  SystemSolution solution;
+  ComplexVector u = Scattered(given.Values, given.Vertices, count);
+  if (free.empty())
+  {
+    solution.Vector = std::move(u);
+    return solution;
+  }
+  const ComplexVector b = rightHandSide - this->Times(u);
+  const auto columns = [&](const ComplexVector& x) { return this->Times(Scattered(x, free, count)); };
+  const auto adjoint = [&](const ComplexVector& x) { return Gathered(this->Times(x), free); };
+  Preconditioner preconditioner(freeSystem.Hierarchy, this->Shift(), nullptr);
+  solution.Residual = 1.0;
+  const double size = Norm(adjoint(b));
+  if (!(size > 0.0))
+  {
+    solution.Residual = 0.0;
+    solution.Vector = std::move(u);
+    return solution;
+  }
+  ComplexVector x = ComplexVector::Zero(static_cast<Eigen::Index>(free.size()));
+  int steps = 0;
+  for (int restart = 0;
+       preconditioner.IsUsable() && restart < MostRestarts && steps < MostSteps; ++restart)
+  {
+    ComplexVector better = x;
+    ComplexVector r = b - columns(better);
+    ComplexVector gradient = adjoint(r);
+    ComplexVector s;
+    ComplexVector direction;
+    ComplexVector next;
+    double previous = 0.0;
+    for (bool first = true; steps < MostSteps && this->GoOn(); ++steps, first = false)
+    {
+      preconditioner.Apply(gradient, s);
+      const double product = RealDot(s, s);
+      preconditioner.Apply(s, next);
+      if (first)
+      {
+        direction = next;
+      }
+      else
+      {
+        Combine(1.0, next, product / previous, direction);
+      }
+      previous = product;
+      const ComplexVector q = columns(direction);
+      const double step = product / RealDot(q, q);
+      if (!std::isfinite(step))
+      {
+        break;
+      }
+      Combine(step, direction, 1.0, better);
+      Combine(-step, q, 1.0, r);
+      gradient = adjoint(r);
+      if (Norm(gradient) <= WantedResidual * size)
+      {
+        break;
+      }
+    }
+    const double relative = Norm(adjoint(b - columns(better))) / size;
+    const bool stalls = !(relative < 0.5 * solution.Residual);
+    if (relative < solution.Residual)
+    {
+      solution.Residual = relative;
+      x = std::move(better);
+    }
+    if (stalls || solution.Residual <= AcceptedResidual)
+    {
+      break;
+    }
+  }
+  u += Scattered(x, free, count);
+  solution.Vector = std::move(u);
+  return solution;
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_VectorOperations_h
+#define DirectionFields_VectorOperations_h
+
+#include "Threads.h"
+
+#include <cmath>
+
+/// Operations on long vectors, on several threads, with the same bytes for any number of them.
+namespace DirectionFields
+{
+constexpr Index VectorPiece = 4096;
+
+/// body(begin, end) for pieces of the rows.
+template <typename Body>
+void ForRows(const ComplexVector& vector, const Body& body)
+{
+  ParallelFor(static_cast<Index>(vector.size()), VectorPiece, body);
+}
+
+/// Re a^* b
+inline double RealDot(const ComplexVector& a, const ComplexVector& b)
+{
+  return ParallelSum<double>(static_cast<Index>(a.size()), VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    { return a.segment(begin, end - begin).dot(b.segment(begin, end - begin)).real(); });
+}
+
+inline double Norm(const ComplexVector& a)
+{
+  return std::sqrt(RealDot(a, a));
+}
+
+/// y = alpha x + beta y
+inline void Combine(double alpha, const ComplexVector& x, double beta, ComplexVector& y)
+{
+  ForRows(y,
+    [&](Index begin, Index end)
+    {
+      auto part = y.segment(begin, end - begin);
+      part = alpha * x.segment(begin, end - begin) + beta * part;
+    });
+}
+}
+
+#endif
