@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FuzzedField.h"
+
+#include "Soundness.h"
+#include "TestMeshes.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+using namespace DirectionFields;
+
+namespace
+{
+/// Bytes of an input; zeros where it ends.
+class Bytes
+{
+public:
+  Bytes(const std::uint8_t* data, std::size_t size)
+    : Data(data)
+    , Size(size)
+  {
+  }
+
+  bool AtEnd() const { return this->Next >= this->Size; }
+  void Skip(std::size_t position) { this->Next = position; }
+  unsigned At(std::size_t i) const { return i < this->Size ? this->Data[i] : 0; }
+  unsigned Take() { return this->At(this->Next++); }
+
+private:
+  const std::uint8_t* Data;
+  std::size_t Size;
+  std::size_t Next = 0;
+};
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Largest = std::numeric_limits<double>::max();
+
+/// Numbers that break computations.
+double Special(unsigned byte)
+{
+  constexpr double values[] = { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity,
+    Largest, -Largest, std::numeric_limits<double>::min(),
+    std::numeric_limits<double>::denorm_min(), 1e300, -1e200, 1e155, 1e100, 1e-100, 1e-155, 1e30,
+    1e9, -1e-9 };
+  return values[byte % 16];
+}
+
+constexpr unsigned FirstInvalid = 250;
+
+/// 0 is the default, the next go through the range, the last are out of it or nearly so.
+double Real(unsigned byte, double standard, double least, double most)
+{
+  if (byte >= FirstInvalid)
+  {
+    const double values[] = { least - 1e-9, most + 1e-9, Special(0), Infinity, -Infinity, Largest };
+    return values[byte - FirstInvalid];
+  }
+  return byte == 0 ? standard : least + (most - least) * (byte - 1) / (FirstInvalid - 2);
+}
+
+int Whole(unsigned byte, int standard, int least, int most)
+{
+  if (byte >= FirstInvalid)
+  {
+    const int values[] = { least - 1, most + 1, std::numeric_limits<int>::min(),
+      std::numeric_limits<int>::max(), least, most };
+    return values[byte - FirstInvalid];
+  }
+  return byte == 0 ? standard : least + static_cast<int>(byte - 1) % (most - least + 1);
+}
+
+template <typename Choice>
+Choice OneOf(unsigned byte, int number)
+{
+  return static_cast<Choice>(byte % number);
+}
+
+constexpr std::size_t OptionsSize = 32;
+
+/// New options take the next free places; the last one is for ghosts.
+Options ReadOptions(const Bytes& bytes, std::size_t begin)
+{
+  const auto at = [&bytes, begin](std::size_t i) { return bytes.At(begin + i); };
+  Options options;
+  options.Degree = Whole(at(0), options.Degree, 1, 16);
+  options.EnergyBias = Real(at(1), options.EnergyBias, -1.0, 1.0);
+  const double exponent = Real(at(2), -6.0, -12.0, -1.0);
+  options.Tolerance = std::isfinite(exponent) ? std::pow(10.0, exponent) : exponent;
+  options.MaximumIterations = Whole(at(3), options.MaximumIterations, 1, 10000);
+  // A thousand threads for each input would take long.
+  options.NumberOfThreads = at(4) < FirstInvalid ? static_cast<int>(at(4) % 4) : -1;
+  options.Alignment = OneOf<Alignment>(at(5), 3);
+  options.CurvatureDirection = OneOf<CurvatureDirection>(at(6), 2);
+  options.AlignmentStrength = Real(at(7), options.AlignmentStrength, 0.0, 1.0);
+  options.UseShift = at(8) % 2 != 0;
+  options.Shift = at(9) < 128 ? std::pow(10.0, at(9) / 4.0 - 12.0) : Special(at(9));
+  options.ConstrainBoundary = at(10) % 2 != 0;
+  options.ConstrainSharpEdges = at(11) % 2 != 0;
+  options.FeatureAngle = Real(at(12), options.FeatureAngle, 0.0, 180.0);
+  options.ConstrainCurvature = at(13) % 2 != 0;
+  options.CurvatureTolerance = Real(at(14), options.CurvatureTolerance, 0.0, 10.0);
+  options.ConsistencyAngle = Real(at(15), options.ConsistencyAngle, 0.0, 180.0);
+  options.DropConstraintsAtSingularities = at(16) % 2 != 0;
+  options.ConstrainGuidance = at(17) % 2 != 0;
+  options.ConstraintSolver = OneOf<ConstraintSolver>(at(18), 2);
+  options.Solver = OneOf<Solver>(at(19), 3);
+  options.MergePoints = at(20) % 2 != 0;
+  return options;
+}
+
+/// Mostly small numbers, so that points meet.
+double ReadNumber(Bytes& bytes)
+{
+  const unsigned byte = bytes.Take();
+  if (byte < 240)
+  {
+    return (static_cast<int>(byte) - 120) / 16.0;
+  }
+  return byte < 248 ? Special(bytes.Take()) : (bytes.Take() - 128.0) * std::pow(4.0, byte - 256.0);
+}
+
+Vector3 ReadVector(Bytes& bytes)
+{
+  const double x = ReadNumber(bytes);
+  const double y = ReadNumber(bytes);
+  return { x, y, ReadNumber(bytes) };
+}
+
+Surface ReadBase(unsigned byte)
+{
+  using namespace TestMeshes;
+  switch (byte % 12)
+  {
+    case 1:
+      return Tetrahedron();
+    case 2:
+      return Octahedron();
+    case 3:
+      return Icosahedron();
+    case 4:
+      return Cube();
+    case 5:
+      return Potato(1);
+    case 6:
+      return Torus(8, 6);
+    case 7:
+      return Disk(3);
+    case 8:
+      return Square(4);
+    case 9:
+      return Cylinder(7, 2, 1.0);
+    case 10:
+      return MoebiusStrip(8);
+    case 11:
+      return Joined(Tetrahedron(), Cube());
+    default:
+      return {};
+  }
+}
+
+/// An id of a point, or now and then one that does not exist.
+Index ReadPoint(Bytes& bytes, const Surface& surface)
+{
+  const auto points = static_cast<Index>(surface.Points.size());
+  const auto byte = static_cast<Index>(bytes.Take());
+  return byte == 255 ? bytes.Take() % 2 != 0 ? points : None : points == 0 ? 0 : byte % points;
+}
+
+Triangle& ReadTriangle(Bytes& bytes, Surface& surface)
+{
+  return surface.Triangles[bytes.Take() % surface.Triangles.size()];
+}
+
+bool Exists(Index point, const Surface& surface)
+{
+  return point >= 0 && point < static_cast<Index>(surface.Points.size());
+}
+
+void ReadEdit(Bytes& bytes, Surface& surface)
+{
+  const unsigned edit = bytes.Take() % 8;
+  if (edit == 0)
+  {
+    surface.Points.push_back(ReadVector(bytes));
+  }
+  else if (edit == 1)
+  {
+    const Index a = ReadPoint(bytes, surface);
+    const Index b = ReadPoint(bytes, surface);
+    surface.Triangles.push_back({ a, b, ReadPoint(bytes, surface) });
+  }
+  else if (edit == 2)
+  {
+    const Index point = ReadPoint(bytes, surface);
+    const Vector3 place = ReadVector(bytes);
+    if (Exists(point, surface))
+    {
+      surface.Points[point] = place;
+    }
+  }
+  else if (edit == 3)
+  {
+    // One place, two points.
+    const Index from = ReadPoint(bytes, surface);
+    const Index to = ReadPoint(bytes, surface);
+    if (Exists(from, surface) && Exists(to, surface))
+    {
+      surface.Points[from] = surface.Points[to];
+    }
+  }
+  else if (!surface.Triangles.empty())
+  {
+    Triangle& triangle = ReadTriangle(bytes, surface);
+    if (edit == 4)
+    {
+      triangle[bytes.Take() % 3] = ReadPoint(bytes, surface);
+    }
+    else if (edit == 5)
+    {
+      std::swap(triangle[0], triangle[1]);
+    }
+    else if (edit == 6)
+    {
+      const Triangle copy = triangle;
+      surface.Triangles.push_back(copy);
+    }
+    else
+    {
+      triangle = surface.Triangles.back();
+      surface.Triangles.pop_back();
+    }
+  }
+}
+
+Guidance ReadGuidance(Bytes& bytes, const Surface& surface, unsigned kind)
+{
+  Guidance guidance;
+  const std::size_t points = surface.Points.size() + (kind == 255 ? 1 : 0);
+  for (std::size_t i = 0; kind % 4 != 0 && i < points; ++i)
+  {
+    guidance.Vectors.push_back(ReadVector(bytes));
+    if (kind % 4 == 2)
+    {
+      guidance.Weights.push_back(ReadNumber(bytes));
+    }
+  }
+  return guidance;
+}
+
+/// The error that the surface deserves by its points and ids: the first one that is wrong.
+struct Expected
+{
+  bool InvalidId = false;
+  Index FirstNonFinite = None;
+};
+
+Expected ExpectedError(const Surface& surface)
+{
+  Expected expected;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const Index point : t)
+    {
+      expected.InvalidId = expected.InvalidId || !Exists(point, surface);
+    }
+    const bool collapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    for (const Index point : t)
+    {
+      if (!collapsed && Exists(point, surface) && !surface.Points[point].allFinite() &&
+        (expected.FirstNonFinite == None || point < expected.FirstNonFinite))
+      {
+        expected.FirstNonFinite = point;
+      }
+    }
+  }
+  return expected;
+}
+
+std::string ErrorFlaw(const Expected& expected, const MeshError& error, bool mergePoints)
+{
+  const bool invalid = error.GetKind() == MeshError::Kind::InvalidPointId;
+  const bool nonFinite = error.GetKind() == MeshError::Kind::NonFinitePoint;
+  // Merging makes triangles collapse, whose points are not used any more.
+  const bool rightPoint = mergePoints || error.GetId() == expected.FirstNonFinite;
+  if (invalid != expected.InvalidId ||
+    (!invalid && nonFinite != (expected.FirstNonFinite != None)) || (nonFinite && !rightPoint))
+  {
+    return std::string("the wrong error: ") + error.what();
+  }
+  return {};
+}
+
+bool AreValid(const Options& options, const Guidance& guidance, const Surface& surface)
+{
+  try
+  {
+    Check(options);
+    Check(guidance, options, surface.Points.size());
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+  return true;
+}
+
+bool AreSame(const Result& one, const Result& other)
+{
+  return one.Representation == other.Representation && one.Normal == other.Normal &&
+    one.SingularityIndex == other.SingularityIndex && one.Constraint == other.Constraint &&
+    one.Components.size() == other.Components.size() && one.Notes == other.Notes;
+}
+
+/// Computes a field that must be sound, unless options or surface are to be refused.
+std::string ComputeFlaw(DirectionField& field, const Surface& surface, const Options& options,
+  const Guidance& guidance, const ProgressFunction& progress, Result& result)
+{
+  const bool valid = AreValid(options, guidance, surface);
+  const Expected expected = ExpectedError(surface);
+  try
+  {
+    result = field.Compute(options, guidance, progress);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return valid ? std::string("refused: ") + error.what() : "";
+  }
+  catch (const MeshError& error)
+  {
+    return ErrorFlaw(expected, error, options.MergePoints);
+  }
+  if (!valid)
+  {
+    return "invalid options were taken";
+  }
+  const bool nonFinite = expected.FirstNonFinite != None && !options.MergePoints;
+  return !result.Aborted && (expected.InvalidId || nonFinite)
+    ? "the surface was not refused"
+    : TestMeshes::Flaw(surface, options, result);
+}
+
+/// Some triangles, other ones for each byte but 0.
+std::vector<char> Ghosts(unsigned byte, std::size_t triangles)
+{
+  std::vector<char> ghosts(byte == 0 ? 0 : triangles);
+  for (std::size_t t = 0; t < ghosts.size(); ++t)
+  {
+    ghosts[t] = t * (2 * byte + 1) / 16 % 3 == 0;
+  }
+  return ghosts;
+}
+}
+
+std::string FuzzedField(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  const Options options = ReadOptions(bytes, 0);
+  const Options earlier = ReadOptions(bytes, OptionsSize);
+  bytes.Skip(2 * OptionsSize);
+  const unsigned again = bytes.Take();
+  const unsigned progressCalls = bytes.Take();
+  const unsigned guidanceKind = bytes.Take();
+  Surface surface = ReadBase(bytes.Take());
+  const unsigned scale = bytes.Take();
+  const Vector3 shift = scale >= 128 ? ReadVector(bytes) : Vector3::Zero();
+  const unsigned edits = bytes.Take();
+  for (unsigned k = 0; k < edits && !bytes.AtEnd(); ++k)
+  {
+    ReadEdit(bytes, surface);
+  }
+  const int exponent = static_cast<int>(scale % 128);
+  const double factor = std::pow(10.0, exponent > 63 ? exponent - 128 : exponent);
+  for (Vector3& point : surface.Points)
+  {
+    point = factor * point + shift;
+  }
+  surface.Ghost = Ghosts(bytes.At(OptionsSize - 1), surface.Triangles.size());
+  const Guidance guidance = ReadGuidance(bytes, surface, guidanceKind);
+
+  DirectionField field(surface);
+  Result result;
+  if (again % 2 == 0)
+  {
+    return ComputeFlaw(field, surface, options, guidance, {}, result);
+  }
+  unsigned calls = 0;
+  const auto progress = [&calls, progressCalls](double)
+  { return progressCalls == 0 || ++calls < progressCalls; };
+  std::string flaw = ComputeFlaw(field, surface, earlier, guidance, progress, result);
+  if (!flaw.empty())
+  {
+    return "earlier: " + flaw;
+  }
+  Result anew;
+  DirectionField other(surface);
+  result = {};
+  flaw = ComputeFlaw(field, surface, options, guidance, {}, result);
+  const std::string flawAnew = ComputeFlaw(other, surface, options, guidance, {}, anew);
+  if (flaw.empty() && (!flawAnew.empty() || !AreSame(anew, result)))
+  {
+    flaw = "another field after other options";
+  }
+  return flaw;
+}
