@@ -57,7 +57,8 @@ double Area(const SparseMatrix& mass)
   return 2.0 * ComplexVector(mass.diagonal()).real().sum();
 }
 
-/// alpha: 0 at constrained vertices and their neighbours, else 1.
+/// alpha: 0 at constrained vertices and their neighbours, else 1. Neighbours are those of the
+/// matrices: the rows that constrained values enter.
 Eigen::VectorXd Mask(const ComponentProblem& problem)
 {
   const SparseMatrix& mass = problem.Matrices.Mass;

@@ -62,6 +62,11 @@ Connection::Connection(
         }
       }
     });
+  this->Connect(mesh);
+}
+
+void Connection::Connect(const TriangleMesh& mesh)
+{
   ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
     [&](Index begin, Index end)
     {

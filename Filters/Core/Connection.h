@@ -36,6 +36,9 @@ struct Connection
   /// holonomy Omega of a field of degree n.
   std::vector<double> Curvature;
 
+  /// Sets Rotation and Curvature from the angles.
+  void Connect(const TriangleMesh& mesh);
+
   /// Scaled angle of the corner at the tail of a half-edge.
   double CornerAngle(const TriangleMesh& mesh, Index h) const
   {

@@ -139,17 +139,6 @@ private:
   std::vector<double>& Length;
 };
 
-/// Heron's formula as arranged by Kahan.
-double TriangleArea(const std::array<double, 3>& l)
-{
-  const double low = std::min(l[0], l[1]);
-  const double high = std::max(l[0], l[1]);
-  const double a = std::max(high, l[2]);
-  const double c = std::min(low, l[2]);
-  const double b = std::max(low, std::min(high, l[2]));
-  return 0.25 * std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
-}
-
 struct EdgeSums
 {
   /// Coordinate difference.
@@ -206,6 +195,43 @@ Sum SumOver(Index first, Index end, const Body& body)
     }
   }
 }
+}
+
+double TriangleArea(const std::array<double, 3>& length)
+{
+  // Heron's formula as arranged by Kahan.
+  const double low = std::min(length[0], length[1]);
+  const double high = std::max(length[0], length[1]);
+  const double a = std::max(high, length[2]);
+  const double c = std::min(low, length[2]);
+  const double b = std::max(low, std::min(high, length[2]));
+  return 0.25 * std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
+}
+
+std::array<double, 3> TriangleAngles(const std::array<double, 3>& length, double area)
+{
+  const std::array<double, 3> opposite = { length[1], length[2], length[0] };
+  const int first = opposite[0] >= opposite[1] ? (opposite[0] >= opposite[2] ? 0 : 2)
+                                               : (opposite[1] >= opposite[2] ? 1 : 2);
+  const int second = (first + 1) % 3;
+  const int third = (first + 2) % 3;
+  const double longest = opposite[first];
+  const double twiceSum = 2.0 * (longest + (opposite[second] + opposite[third]));
+  // tan(angle / 2) = area / (s (s - opposite)), s half the sum of the lengths. The two smaller angles
+  // come without cancellation, and the largest one is what they leave.
+  const std::array<double, 2> tangents = {
+    8.0 * area /
+      (twiceSum * (opposite[third] + (longest - opposite[second]))),
+    8.0 * area /
+      (twiceSum * (opposite[second] + (longest - opposite[third]))),
+  };
+  std::array<double, 2> halves;
+  Arctangents(tangents.data(), 2, halves.data());
+  std::array<double, 3> angles;
+  angles[second] = 2.0 * halves[0];
+  angles[third] = 2.0 * halves[1];
+  angles[first] = Pi - (angles[second] + angles[third]);
+  return angles;
 }
 
 Metric::Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
@@ -297,32 +323,11 @@ Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& posi
 
 std::array<double, 3> Metric::CornerAngles(const TriangleMesh& mesh, Index triangle) const
 {
-  // opposite[c] is the length of the edge opposite to corner c.
-  std::array<double, 3> opposite;
+  std::array<double, 3> length;
   for (int c = 0; c < 3; ++c)
   {
-    opposite[(c + 2) % 3] = std::sqrt(this->SquaredLength[mesh.Edge(3 * triangle + c)]);
+    length[c] = std::sqrt(this->SquaredLength[mesh.Edge(3 * triangle + c)]);
   }
-  const int first = opposite[0] >= opposite[1] ? (opposite[0] >= opposite[2] ? 0 : 2)
-                                               : (opposite[1] >= opposite[2] ? 1 : 2);
-  const int second = (first + 1) % 3;
-  const int third = (first + 2) % 3;
-  const double longest = opposite[first];
-  const double twiceSum = 2.0 * (longest + (opposite[second] + opposite[third]));
-  // tan(angle / 2) = area / (s (s - opposite)), s half the sum of the lengths. The two smaller angles
-  // come without cancellation, and the largest one is what they leave.
-  const std::array<double, 2> tangents = {
-    8.0 * this->Area[triangle] /
-      (twiceSum * (opposite[third] + (longest - opposite[second]))),
-    8.0 * this->Area[triangle] /
-      (twiceSum * (opposite[second] + (longest - opposite[third]))),
-  };
-  std::array<double, 2> halves;
-  Arctangents(tangents.data(), 2, halves.data());
-  std::array<double, 3> angles;
-  angles[second] = 2.0 * halves[0];
-  angles[third] = 2.0 * halves[1];
-  angles[first] = Pi - (angles[second] + angles[third]);
-  return angles;
+  return TriangleAngles(length, this->Area[triangle]);
 }
 }

@@ -10,6 +10,11 @@
 
 namespace DirectionFields
 {
+/// Area of a triangle of these edge lengths; 0 where there is none.
+double TriangleArea(const std::array<double, 3>& length);
+/// Angles of a triangle's corners, radians. length[c] belongs to the edge from corner c to c + 1.
+std::array<double, 3> TriangleAngles(const std::array<double, 3>& length, double area);
+
 /// Intrinsic geometry of a mesh: edge lengths, and the corner angles and areas that follow from
 /// them. Everything else is computed from these.
 ///

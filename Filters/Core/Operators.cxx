@@ -43,7 +43,7 @@ public:
   {
     const TriangleMesh& mesh = this->Given.Mesh;
     mesh.GetFan(vertex, this->Fan);
-    if (!mesh.HasNonManifoldEdges())
+    if (!mesh.MayRepeatNeighbours())
     {
       return static_cast<Index>(this->Fan.size()) + mesh.IsBoundary(vertex) + 1;
     }
@@ -69,7 +69,8 @@ public:
       const Entry& entry = this->Column[place.Number];
       if (at >= 0 && rows[at] == place.Row)
       {
-        // Along a slit, where the surface was split, two edges join the same vertices.
+        // Two edges join the same vertices, as along a slit, where the surface was split, or one
+        // edge joins a vertex to itself.
         energy[at] += entry.Transport * entry.Energy;
         mass[at] += entry.Transport * entry.Mass;
       }
@@ -78,6 +79,12 @@ public:
         rows[++at] = place.Row;
         energy[at] = entry.Transport * entry.Energy;
         mass[at] = entry.Transport * entry.Mass;
+      }
+      if (place.Row == vertex - this->Given.Component.FirstVertex)
+      {
+        // What both ends of an edge to itself add up to is real but for rounding.
+        energy[at] = energy[at].real();
+        mass[at] = mass[at].real();
       }
     }
   }

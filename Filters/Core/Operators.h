@@ -32,7 +32,8 @@ struct Operators
   SparseMatrix Mass;
 };
 
-/// Assembles in time linear in the triangles.
+/// Assembles in time linear in the triangles. Edges that join the same vertices add up, as do
+/// edges that join a vertex to itself.
 /// @param degree     n
 /// @param energyBias s
 Operators AssembleOperators(const TriangleMesh& mesh, const Metric& metric,

@@ -66,6 +66,11 @@ struct Options
   /// smallest eigenpair. Range 1 to 10000.
   int MaximumIterations = 200;
   DirectionFields::Solver Solver = DirectionFields::Solver::Automatic;
+  /// Take the energy on the intrinsic Delaunay triangulation of the surface's vertices, the same
+  /// surface with better triangles: for the eigenvalue problem and the linear systems. Everything
+  /// else, the curvature, the constraints and the singularity indices, stays with the surface's own
+  /// triangles.
+  bool IntrinsicDelaunay = false;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. Changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

@@ -3,6 +3,7 @@
 
 #include "Stages.h"
 
+#include "IntrinsicTriangulation.h"
 #include "ReferenceSection.h"
 
 #include <cmath>
@@ -53,6 +54,12 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
   }
   this->Energy.reset();
   EnergyStage stage{ key, {}, {}, {} };
+  // Flipping takes less time than assembly: nothing of it is kept but the matrices.
+  std::optional<IntrinsicTriangulation> delaunay;
+  if (options.IntrinsicDelaunay)
+  {
+    delaunay.emplace(this->Mesh, this->Geometry, this->Transport);
+  }
   const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
@@ -65,8 +72,10 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
         progress((component.FirstVertex + within * component.Vertices()) /
           this->Mesh.GetNumberOfVertices());
     };
-    stage.Matrices.push_back(AssembleOperators(this->Mesh, this->Geometry, this->Transport,
-      component, options.Degree, options.EnergyBias));
+    stage.Matrices.push_back(AssembleOperators(delaunay ? delaunay->Mesh : this->Mesh,
+      delaunay ? delaunay->Geometry : this->Geometry,
+      delaunay ? delaunay->Transport : this->Transport, component, options.Degree,
+      options.EnergyBias));
     EigenpairSettings settings;
     settings.Tolerance = options.Tolerance;
     settings.MaximumIterations = options.MaximumIterations;

@@ -29,6 +29,7 @@ struct EnergyOptions
   double Tolerance;
   int MaximumIterations;
   DirectionFields::Solver Solver;
+  bool IntrinsicDelaunay;
 
   explicit EnergyOptions(const Options& options)
     : Degree(options.Degree)
@@ -36,12 +37,14 @@ struct EnergyOptions
     , Tolerance(options.Tolerance)
     , MaximumIterations(options.MaximumIterations)
     , Solver(options.Solver)
+    , IntrinsicDelaunay(options.IntrinsicDelaunay)
   {
   }
   bool operator==(const EnergyOptions& other) const
   {
     return this->Degree == other.Degree && this->EnergyBias == other.EnergyBias &&
-      this->Tolerance == other.Tolerance && this->MaximumIterations == other.MaximumIterations && this->Solver == other.Solver;
+      this->Tolerance == other.Tolerance && this->MaximumIterations == other.MaximumIterations &&
+      this->Solver == other.Solver && this->IntrinsicDelaunay == other.IntrinsicDelaunay;
   }
 };
 

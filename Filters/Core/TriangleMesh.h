@@ -59,7 +59,8 @@ public:
   Index Edge(Index h) const { return this->Edges[h]; }
   /// The edge was split because more than two triangles share it.
   bool IsNonManifold(Index h) const { return !this->Crowded.empty() && this->Crowded[h] != 0; }
-  bool HasNonManifoldEdges() const { return !this->Crowded.empty(); }
+  /// Several edges may join the same vertices: along slits, and after flips.
+  bool MayRepeatNeighbours() const { return !this->Crowded.empty() || this->Flipped; }
   /// The half-edge that gives an edge its direction.
   Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
   bool GivesDirection(Index h) const { return this->EdgeHalfEdge[this->Edges[h]] == h; }
@@ -83,6 +84,17 @@ public:
   std::vector<Vector3> Positions(const std::vector<Vector3>& points) const;
   /// Input triangle of a triangle.
   Index InputTriangle(Index triangle) const { return this->TriangleInput[triangle]; }
+
+  /// Puts the other diagonal of its two triangles, which must be two, in the place of an interior
+  /// edge. Triangles and edges need no longer be told apart by their vertices then: an edge may join
+  /// a vertex to itself, two edges the same vertices. InputTriangle loses its meaning for both
+  /// triangles.
+  ///
+  /// The edge keeps its number, and its half-edges h and g theirs: h then runs from the corner
+  /// opposite of g to that opposite of h. What belongs to the other half-edges moves with them:
+  /// Next(h) to Previous(g), Previous(g) to Next(g), Next(g) to Previous(h), Previous(h) to Next(h).
+  void FlipEdge(Index edge);
+
   /// DegenerateTriangles is left to the metric.
   const Repairs& GetRepairs() const { return this->Repaired; }
 
@@ -110,6 +122,7 @@ private:
   std::vector<Index> Edges;
   std::vector<Index> EdgeHalfEdge;
   std::vector<char> Crowded;
+  bool Flipped = false;
   std::vector<Index> VertexHalfEdge;
   std::vector<Index> VertexPoint;
   std::vector<Index> TriangleInput;

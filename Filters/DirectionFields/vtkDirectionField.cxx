@@ -159,6 +159,7 @@ vtkDirectionField::vtkDirectionField()
   this->Tolerance = defaults.Tolerance;
   this->MaximumIterations = defaults.MaximumIterations;
   this->MergePoints = defaults.MergePoints;
+  this->IntrinsicDelaunay = defaults.IntrinsicDelaunay;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
   this->AlignmentStrength = defaults.AlignmentStrength;
@@ -194,6 +195,7 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
+  os << indent << "IntrinsicDelaunay: " << this->IntrinsicDelaunay << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "CurvatureDirection: " << this->CurvatureDirection << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
@@ -224,6 +226,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.Tolerance = this->Tolerance;
   options.MaximumIterations = this->MaximumIterations;
   options.MergePoints = this->MergePoints;
+  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
   options.CurvatureDirection =
     static_cast<DirectionFields::CurvatureDirection>(this->CurvatureDirection);

@@ -199,6 +199,18 @@ public:
   vtkBooleanMacro(MergePoints, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the energy is taken on the intrinsic Delaunay triangulation of the surface's points:
+   * the same surface, as if its triangles had been chosen better. Slivers spoil the field less then,
+   * and Eigenvalue, SmoothnessEnergy and the like are those of this triangulation. All the rest
+   * (curvature, constraints, singularities) stays with the surface's own triangles. Default off.
+   */
+  vtkSetMacro(IntrinsicDelaunay, bool);
+  vtkGetMacro(IntrinsicDelaunay, bool);
+  vtkBooleanMacro(IntrinsicDelaunay, bool);
+  ///@}
+
   enum AlignmentType
   {
     ALIGN_NONE = 0,
@@ -400,6 +412,7 @@ private:
   double Tolerance;
   int MaximumIterations;
   bool MergePoints;
+  bool IntrinsicDelaunay;
   int Alignment;
   int CurvatureDirection;
   double AlignmentStrength;

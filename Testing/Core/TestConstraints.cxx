@@ -474,6 +474,7 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
     options.DropConstraintsAtSingularities = pick(2);
     options.ConstrainGuidance = pick(3) == 0;
     options.ConstraintSolver = pick(2) ? ConstraintSolver::LeastSquares : ConstraintSolver::Energy;
+    options.IntrinsicDelaunay = pick(2);
     Guidance guidance;
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
     {

@@ -1,11 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Connection.h"
-#include "Metric.h"
-#include "TangentFrames.h"
-#include "TestMeshes.h"
-#include "TriangleMesh.h"
+#include "TestGeometry.h"
 
 #include <gtest/gtest.h>
 
@@ -15,26 +11,11 @@
 
 using namespace DirectionFields;
 using namespace TestMeshes;
+using TestGeometry::Geometry;
+using TestGeometry::Wrapped;
 
 namespace
 {
-struct Geometry
-{
-  explicit Geometry(const Surface& surface)
-    : Mesh(surface)
-    , Points(this->Mesh.Positions(surface.Points))
-    , Lengths(this->Mesh, this->Points)
-    , Transport(this->Mesh, this->Lengths, this->Points)
-    , Frames(this->Mesh, this->Transport, this->Points)
-  {
-  }
-  TriangleMesh Mesh;
-  std::vector<Vector3> Points;
-  Metric Lengths;
-  Connection Transport;
-  TangentFrames Frames;
-};
-
 /// The half-edge of each of a mesh in another mesh of the same triangles.
 std::vector<Index> HalfEdgesIn(const TriangleMesh& other, const TriangleMesh& mesh)
 {
@@ -51,11 +32,6 @@ std::vector<Index> HalfEdgesIn(const TriangleMesh& other, const TriangleMesh& me
     halfEdges.push_back(found.at(key(mesh, h)));
   }
   return halfEdges;
-}
-
-double Wrapped(double angle)
-{
-  return std::remainder(angle, 2.0 * Pi);
 }
 }
 

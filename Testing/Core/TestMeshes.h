@@ -52,6 +52,18 @@ Surface FlatlySubdivided(const Surface& surface, int levels);
 /// The points moved by pseudo-random vectors of at most the length given.
 Surface Jittered(Surface surface, double length, unsigned seed);
 
+/// The same surface of needles and caps: many edges between triangles of one plane are flipped at
+/// random.
+Surface Scrambled(Surface surface, unsigned seed);
+/// The part of the surface beyond x = 0.5 turned about that line.
+Surface Folded(Surface surface, double angle);
+/// The square with its inner points moved within the plane and its edges flipped; only the line x =
+/// 0.5 still is one of edges, for an even number of cells.
+Surface BadSquare(int cells, unsigned seed);
+/// Points on the unit sphere with slivers between them: those of an icosphere, moved along it by
+/// much of an edge length, but joined as they were.
+Surface BadSphere(int levels, double length, unsigned seed);
+
 Surface Transformed(const Surface& surface, const Eigen::Matrix3d& linear, const Vector3& shift);
 /// A rotation about an oblique axis.
 Eigen::Matrix3d ObliqueRotation(double angle);

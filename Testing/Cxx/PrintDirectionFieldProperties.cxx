@@ -50,6 +50,7 @@ int main()
   PRINT(Tolerance, ",");
   PRINT(MaximumIterations, ",");
   PRINT_DEFAULT(MergePoints, ",");
+  PRINT_DEFAULT(IntrinsicDelaunay, ",");
   PRINT(Alignment, ",");
   PRINT(CurvatureDirection, ",");
   PRINT(AlignmentStrength, ",");

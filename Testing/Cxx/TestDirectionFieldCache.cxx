@@ -32,6 +32,7 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetTolerance(filter->GetTolerance());
   fresh->SetMaximumIterations(filter->GetMaximumIterations());
   fresh->SetMergePoints(filter->GetMergePoints());
+  fresh->SetIntrinsicDelaunay(filter->GetIntrinsicDelaunay());
   fresh->SetAlignment(filter->GetAlignment());
   fresh->SetCurvatureDirection(filter->GetCurvatureDirection());
   fresh->SetAlignmentStrength(filter->GetAlignmentStrength());
@@ -120,16 +121,24 @@ void TestSettings()
     },
     [](vtkDirectionField* filter) { filter->ConstrainBoundaryOff(); },
     [](vtkDirectionField* filter) { filter->SetTolerance(1e-9); },
+    [](vtkDirectionField* filter) { filter->IntrinsicDelaunayOn(); },
     [](vtkDirectionField* filter)
     {
       filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
       filter->SetDegree(4);
       filter->SetEnergyBias(0.0);
       filter->SetTolerance(1e-6);
+      filter->IntrinsicDelaunayOff();
     },
   };
-  // Open, so that there is a boundary.
+  // Stretched, so that some edges are not Delaunay, and open, so that there is a boundary.
   auto mesh = WithVectors(TestMeshes::Pebble(3));
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    mesh->GetPoints()->SetPoint(i, 2.0 * p[0], p[1], p[2]);
+  }
   vtkNew<vtkUnsignedCharArray> hidden;
   hidden->SetName("vtkGhostType");
   hidden->SetNumberOfTuples(mesh->GetNumberOfCells());

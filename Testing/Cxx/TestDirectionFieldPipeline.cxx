@@ -25,6 +25,7 @@ void TestParameters()
   CHECK(filter->GetTolerance() == 1e-6);
   CHECK(filter->GetMaximumIterations() == 200);
   CHECK(!filter->GetMergePoints());
+  CHECK(!filter->GetIntrinsicDelaunay());
   CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
   CHECK(filter->GetCurvatureDirection() == vtkDirectionField::MAXIMUM_CURVATURE);
   CHECK(filter->GetAlignmentStrength() == 0.5);
@@ -49,6 +50,7 @@ void TestParameters()
   filter->SetTolerance(1e-4);
   filter->SetMaximumIterations(321);
   filter->MergePointsOn();
+  filter->IntrinsicDelaunayOn();
   filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
   filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE);
   filter->SetAlignmentStrength(0.75);
@@ -68,7 +70,8 @@ void TestParameters()
   filter->Print(text);
   for (const char* line :
     { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
-      " MergePoints: 1\n", " Alignment: 2\n", " CurvatureDirection: 1\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n",
+      " MergePoints: 1\n", " IntrinsicDelaunay: 1\n", " Alignment: 2\n",
+      " CurvatureDirection: 1\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n",
       " Shift: 12.5\n", " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n",
       " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n",
       " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",

@@ -22,7 +22,7 @@ def total(array):
 
 
 # Shift is not, for it stands in for the strength where UseShift is on.
-ADVANCED = ("Tolerance", "MaximumIterations", "UseShift")
+ADVANCED = ("Tolerance", "MaximumIterations", "IntrinsicDelaunay", "UseShift")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
     "CurvatureDirection": ["Maximum", "Minimum"],
@@ -140,7 +140,8 @@ def test_panel():
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert list(groups) == ["Alignment", "Constraints"], groups
-    outside = {"Degree", "EnergyBias", "MergePoints", "Tolerance", "MaximumIterations", "Input"}
+    outside = {"Degree", "EnergyBias", "MergePoints", "Tolerance", "MaximumIterations",
+               "IntrinsicDelaunay", "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}

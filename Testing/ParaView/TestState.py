@@ -15,7 +15,8 @@ if os.path.exists(state):
 # None of them the default.
 values = {
     "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
-    "MergePoints": 1, "Alignment": "Principal Curvature", "CurvatureDirection": "Minimum", "AlignmentStrength": 0.75,
+    "MergePoints": 1, "IntrinsicDelaunay": 1,
+    "Alignment": "Principal Curvature", "CurvatureDirection": "Minimum", "AlignmentStrength": 0.75,
     "UseShift": 1, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
     "ConstrainBoundary": 1, "ConstrainSharpEdges": 1, "FeatureAngle": 20.0, "ConstrainCurvature": 1,
     "CurvatureTolerance": 0.5, "ConsistencyAngle": 25.0, "DropConstraintsAtSingularities": 1,
