@@ -22,6 +22,10 @@ plugin_packages=(
   libtheora-dev libavformat-dev libswscale-dev libutfcpp-dev libdouble-conversion-dev libpython3-dev
   dpkg-dev file)
 
+# What the tests need beyond.
+# shellcheck disable=SC2034
+benchmark_packages=(libbenchmark-dev)
+
 # Debian's own VTK 9.1: its libraries, and what its CMake files ask for beyond the above. Its
 # development package excludes python3-paraview and is unpacked beside instead of installed.
 # shellcheck disable=SC2034

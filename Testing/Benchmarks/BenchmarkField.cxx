@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The time of each stage of a field, of other settings on kept stages, and of the whole filter.
+//
+//   BenchmarkField [MESH...] [Google Benchmark's options]
+//
+// MESH is a number of triangles or a file (see BenchmarkMeshes.h); without any, 10^4 to 6.4 10^6.
+
+#include "BenchmarkMeshes.h"
+#include "IntrinsicTriangulation.h"
+#include "Operators.h"
+#include "TangentFrames.h"
+#include "Threads.h"
+
+#include "vtkDirectionField.h"
+#include "vtkDirectionFieldGlyphs.h"
+
+#include "vtkNew.h"
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace DirectionFields;
+
+namespace
+{
+/// Meshes are made when they are first needed; one at a time is kept.
+vtkPolyData* MeshOf(const std::string& name)
+{
+  static std::string last;
+  static vtkSmartPointer<vtkPolyData> mesh;
+  if (last != name || !mesh)
+  {
+    mesh = BenchmarkMeshes::Make(name);
+    last = name;
+  }
+  return mesh;
+}
+
+const Surface& SurfaceOf(const std::string& name)
+{
+  static std::string last;
+  static Surface surface;
+  if (last != name)
+  {
+    surface = BenchmarkMeshes::ToSurface(MeshOf(name));
+    last = name;
+  }
+  return surface;
+}
+
+void Count(benchmark::State& state, const std::string& mesh)
+{
+  const vtkIdType triangles = MeshOf(mesh)->GetNumberOfPolys();
+  state.counters["triangles"] = static_cast<double>(triangles);
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * triangles);
+}
+
+/// What the stages are computed from.
+struct Geometry
+{
+  explicit Geometry(const Surface& surface)
+    : Mesh(surface)
+    , Lengths(this->Mesh, surface.Points)
+    , Transport(this->Mesh, this->Lengths, surface.Points)
+  {
+  }
+  TriangleMesh Mesh;
+  Metric Lengths;
+  Connection Transport;
+};
+
+void Setup(benchmark::State& state, const std::string& mesh)
+{
+  const Surface& surface = SurfaceOf(mesh);
+  Threads threads;
+  const Threads::Scope scope(threads);
+  for (auto _ : state)
+  {
+    const Geometry g(surface);
+    const TangentFrames frames(g.Mesh, g.Lengths, g.Transport, surface.Points);
+    benchmark::DoNotOptimize(frames.X.data());
+  }
+  Count(state, mesh);
+}
+
+void Flips(benchmark::State& state, const std::string& mesh)
+{
+  Threads threads;
+  const Threads::Scope scope(threads);
+  const Geometry g(SurfaceOf(mesh));
+  for (auto _ : state)
+  {
+    const IntrinsicTriangulation flipped(g.Mesh, g.Lengths, g.Transport);
+    state.counters["flips"] = flipped.NumberOfFlips;
+  }
+  Count(state, mesh);
+}
+
+void Assembly(benchmark::State& state, const std::string& mesh)
+{
+  Threads threads;
+  const Threads::Scope scope(threads);
+  const Geometry g(SurfaceOf(mesh));
+  for (auto _ : state)
+  {
+    for (const TriangleMesh::Component& component : g.Mesh.GetComponents())
+    {
+      const Operators operators =
+        AssembleOperators(g.Mesh, g.Lengths, g.Transport, component, 4, 0.0);
+      benchmark::DoNotOptimize(operators.Energy.valuePtr());
+    }
+  }
+  Count(state, mesh);
+}
+
+/// Assembly and eigenvalue problem, and what follows them, on a kept setup.
+void Smoothest(benchmark::State& state, const std::string& mesh)
+{
+  DirectionField field(SurfaceOf(mesh));
+  Options options;
+  for (auto _ : state)
+  {
+    // Another tolerance, or what was computed before would be taken.
+    options.Tolerance *= 1.0 - 1e-9;
+    const Result result = field.Compute(options);
+    state.counters["iterations"] = result.Components.at(0).Iterations;
+  }
+  Count(state, mesh);
+}
+
+/// Another field on kept stages: what the options ask for, changed a little each time.
+void Changed(benchmark::State& state, const std::string& mesh, Options options)
+{
+  DirectionField field(SurfaceOf(mesh));
+  field.Compute(options);
+  for (auto _ : state)
+  {
+    options.AlignmentStrength = 0.3 + 0.5 * (options.AlignmentStrength - 0.2);
+    options.ConsistencyAngle = 20.0 + 0.9 * (options.ConsistencyAngle - 20.0);
+    field.Compute(options);
+  }
+  Count(state, mesh);
+}
+
+void AlignedChange(benchmark::State& state, const std::string& mesh)
+{
+  Options options;
+  options.Alignment = Alignment::PrincipalCurvature;
+  Changed(state, mesh, options);
+}
+
+void ConstrainedEnergyChange(benchmark::State& state, const std::string& mesh)
+{
+  Options options;
+  options.ConstrainCurvature = true;
+  options.ConstraintSolver = ConstraintSolver::Energy;
+  Changed(state, mesh, options);
+}
+
+void LeastSquaresChange(benchmark::State& state, const std::string& mesh)
+{
+  Options options;
+  options.ConstrainCurvature = true;
+  options.ConstraintSolver = ConstraintSolver::LeastSquares;
+  Changed(state, mesh, options);
+}
+
+/// From the arrays of the mesh to the aligned field.
+void Aligned(benchmark::State& state, const std::string& mesh)
+{
+  const Surface& surface = SurfaceOf(mesh);
+  Options options;
+  options.Alignment = Alignment::PrincipalCurvature;
+  for (auto _ : state)
+  {
+    DirectionField(surface).Compute(options);
+  }
+  Count(state, mesh);
+}
+
+/// The whole filter, conversion and output arrays included.
+void Filter(benchmark::State& state, const std::string& mesh)
+{
+  for (auto _ : state)
+  {
+    vtkNew<vtkDirectionField> filter;
+    filter->SetInputData(MeshOf(mesh));
+    filter->Update();
+  }
+  Count(state, mesh);
+}
+
+void FilterStrengthChange(benchmark::State& state, const std::string& mesh)
+{
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(MeshOf(mesh));
+  filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+  filter->Update();
+  double strength = 0.8;
+  for (auto _ : state)
+  {
+    filter->SetAlignmentStrength(strength = 0.3 + 0.5 * (strength - 0.2));
+    filter->Modified();
+    filter->Update();
+  }
+  Count(state, mesh);
+}
+
+/// Until the glyphs are there.
+void FilterAndGlyphs(benchmark::State& state, const std::string& mesh)
+{
+  for (auto _ : state)
+  {
+    vtkNew<vtkDirectionField> filter;
+    filter->SetInputData(MeshOf(mesh));
+    vtkNew<vtkDirectionFieldGlyphs> glyphs;
+    glyphs->SetInputConnection(filter->GetOutputPort());
+    glyphs->Update();
+  }
+  Count(state, mesh);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  benchmark::Initialize(&argc, argv);
+  std::vector<std::string> meshes(argv + 1, argv + argc);
+  if (meshes.empty())
+  {
+    meshes = { "10000", "100000", "400000", "1600000", "6400000" };
+  }
+  using Function = void (*)(benchmark::State&, const std::string&);
+  // In the order in which a field is computed.
+  const std::pair<const char*, Function> benchmarks[] = {
+    { "Setup", Setup },
+    { "Flips", Flips },
+    { "Assembly", Assembly },
+    { "Smoothest", Smoothest },
+    { "Aligned", Aligned },
+    { "AlignedChange", AlignedChange },
+    { "ConstrainedEnergyChange", ConstrainedEnergyChange },
+    { "LeastSquaresChange", LeastSquaresChange },
+    { "Filter", Filter },
+    { "FilterStrengthChange", FilterStrengthChange },
+    { "FilterAndGlyphs", FilterAndGlyphs },
+  };
+  for (const std::string& mesh : meshes)
+  {
+    for (const auto& [name, function] : benchmarks)
+    {
+      benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(), function, mesh)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+    }
+  }
+  try
+  {
+    benchmark::RunSpecifiedBenchmarks();
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef BenchmarkMeshes_h
+#define BenchmarkMeshes_h
+
+#include "DirectionField.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+/// What the benchmarks compute fields of.
+namespace BenchmarkMeshes
+{
+/// A mesh by its name: a number, the least number of triangles of a Potato; or the path of a .ply,
+/// .obj or .stl file, followed by @k for k midpoint subdivisions. Throws std::runtime_error for
+/// what is neither.
+vtkSmartPointer<vtkPolyData> Make(const std::string& name);
+
+/// A closed surface without symmetries, bumpy, of well-shaped triangles of about the same size: 20
+/// f^2 of them, f the least number that gives those asked for. The second eigenvalue of cross fields
+/// is 6 % above the first.
+vtkSmartPointer<vtkPolyData> Potato(int triangles);
+
+/// The triangles of a mesh that has nothing else, as the Core takes them.
+DirectionFields::Surface ToSurface(vtkPolyData* mesh);
+}
+
+#endif

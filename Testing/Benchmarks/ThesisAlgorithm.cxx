@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ThesisAlgorithm.h"
+
+#include "Connection.h"
+#include "Metric.h"
+#include "Operators.h"
+#include "Singularities.h"
+#include "SmallestEigenpair.h"
+#include "TriangleMesh.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <stdexcept>
+
+using namespace DirectionFields;
+
+namespace
+{
+/// Added to A, in multiples of the mass and of the order of the smallest eigenvalue: keeps the
+/// factorization from failing where that is 0.
+constexpr double Shift = 1e-8;
+
+ComplexVector RandomVector(Eigen::Index size)
+{
+  std::mt19937 random(1);
+  ComplexVector vector(size);
+  for (Complex& entry : vector)
+  {
+    const double real = random() / 4294967296.0 - 0.5;
+    entry = { real, random() / 4294967296.0 - 0.5 };
+  }
+  return vector;
+}
+
+ComplexVector InverseIterations(const Operators& matrices, double shift)
+{
+  using Factor = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>>;
+  const SparseMatrix shifted = matrices.Energy + shift * matrices.Mass;
+  const Factor factor(shifted);
+  if (factor.info() != Eigen::Success)
+  {
+    throw std::runtime_error("The matrix could not be factored.");
+  }
+  ComplexVector u = RandomVector(matrices.Energy.rows());
+  for (int k = 0; k < ThesisAlgorithm::Iterations; ++k)
+  {
+    u = factor.solve(matrices.Mass * u);
+    u /= std::sqrt(u.dot(matrices.Mass * u).real());
+  }
+  return u;
+}
+}
+
+ThesisAlgorithm::ThesisAlgorithm(const Surface& surface, int degree)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const auto elapsed = [&begin]
+  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const TriangleMesh mesh(surface);
+  const Metric metric(mesh, surface.Points);
+  const Connection connection(mesh, metric, surface.Points);
+  std::vector<Operators> matrices;
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    matrices.push_back(AssembleOperators(mesh, metric, connection, component, degree, 0.0));
+  }
+  this->SetupSeconds = elapsed();
+
+  std::vector<Complex> field(mesh.GetNumberOfVertices());
+  for (std::size_t c = 0; c < matrices.size(); ++c)
+  {
+    const Operators& both = matrices[c];
+    const double scale = 2.0 * Pi * degree / metric.ComponentArea[c];
+    const ComplexVector u = InverseIterations(both, Shift * scale);
+    const double lambda = u.dot(both.Energy * u).real();
+    this->Residual =
+      std::max(this->Residual, RelativeResidual(both.Energy, both.Mass, u, lambda));
+    if (c == 0)
+    {
+      this->Eigenvalue = PerSquare(lambda, metric.Unit[c]);
+    }
+    std::copy(u.begin(), u.end(), field.begin() + mesh.GetComponents()[c].FirstVertex);
+  }
+  for (const int index : SingularityIndices(mesh, connection, degree, field))
+  {
+    this->Singularities += index != 0;
+  }
+  this->Seconds = elapsed();
+}
