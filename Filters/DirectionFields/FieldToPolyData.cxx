@@ -267,7 +267,8 @@ void AddComponentArray(
   auto array = MakeArray<ArrayT>(name, 1, field.Components.size());
   for (size_t c = 0; c < field.Components.size(); ++c)
   {
-    array->SetValue(static_cast<vtkIdType>(c), field.Components[c].*member);
+    array->SetValue(static_cast<vtkIdType>(c),
+      static_cast<typename ArrayT::ValueType>(field.Components[c].*member));
   }
   data->AddArray(array);
 }
@@ -332,6 +333,7 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   AddComponentArray<vtkDoubleArray>("Eigenvalue", field, &ComponentReport::Eigenvalue, data);
   AddComponentArray<vtkDoubleArray>("Residual", field, &ComponentReport::Residual, data);
   AddComponentArray<vtkIntArray>("Iterations", field, &ComponentReport::Iterations, data);
+  AddComponentArray<vtkIntArray>("SolverUsed", field, &ComponentReport::SolverUsed, data);
   AddComponentArray<vtkIntArray>(
     "EulerCharacteristic", field, &ComponentReport::EulerCharacteristic, data);
   AddComponentArray<vtkIntArray>("IndexSum", field, &ComponentReport::IndexSum, data);

@@ -5,6 +5,7 @@
 
 #include "FieldToPolyData.h"
 #include "PolyDataToSurface.h"
+#include "Threads.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformationVector.h"
@@ -12,8 +13,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -30,6 +33,19 @@ namespace
 // The shares of the phases in the progress: reading the input, solving, writing the arrays.
 constexpr double ProgressRead = 0.05;
 constexpr double ProgressSolved = 0.9;
+
+/// What NumberOfThreads = 0 stands for.
+int DefaultThreads()
+{
+  if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0)
+  {
+    return vtkSMPTools::GetEstimatedNumberOfThreads();
+  }
+  // VTK's default backend has one thread only, which says nothing about what the user wants.
+  const char* most = std::getenv("VTK_SMP_MAX_THREADS");
+  const int number = most ? std::atoi(most) : 0;
+  return number > 0 ? std::min(number, DirectionFields::Threads::GetDefaultNumber()) : 0;
+}
 
 /// What was mended in the input, for the user; empty if nothing was.
 std::string Describe(const DirectionFields::Repairs& repaired)
@@ -158,6 +174,9 @@ vtkDirectionField::vtkDirectionField()
   this->EnergyBias = defaults.EnergyBias;
   this->Tolerance = defaults.Tolerance;
   this->MaximumIterations = defaults.MaximumIterations;
+  this->Solver = static_cast<int>(defaults.Solver);
+  this->NumberOfThreads = defaults.NumberOfThreads;
+  this->KeepStages = true;
   this->MergePoints = defaults.MergePoints;
   this->IntrinsicDelaunay = defaults.IntrinsicDelaunay;
   this->Alignment = static_cast<int>(defaults.Alignment);
@@ -187,6 +206,12 @@ vtkDirectionField::~vtkDirectionField()
 }
 
 //------------------------------------------------------------------------------
+void vtkDirectionField::ReleaseStages()
+{
+  this->Last = std::make_unique<Cache>();
+}
+
+//------------------------------------------------------------------------------
 void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -194,6 +219,9 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnergyBias: " << this->EnergyBias << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Solver: " << this->Solver << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "KeepStages: " << this->KeepStages << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "IntrinsicDelaunay: " << this->IntrinsicDelaunay << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
@@ -225,6 +253,8 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.EnergyBias = this->EnergyBias;
   options.Tolerance = this->Tolerance;
   options.MaximumIterations = this->MaximumIterations;
+  options.Solver = static_cast<DirectionFields::Solver>(this->Solver);
+  options.NumberOfThreads = this->NumberOfThreads > 0 ? this->NumberOfThreads : DefaultThreads();
   options.MergePoints = this->MergePoints;
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
@@ -325,6 +355,19 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
+
+  // Whatever happens below.
+  const struct AtEnd
+  {
+    vtkDirectionField* Self;
+    ~AtEnd()
+    {
+      if (!this->Self->KeepStages)
+      {
+        this->Self->ReleaseStages();
+      }
+    }
+  } atEnd{ this };
 
   std::string error;
   try

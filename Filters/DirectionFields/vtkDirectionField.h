@@ -58,7 +58,8 @@
  * - field data, one tuple per connected component, ordered by their first cells:
  *   - `Eigenvalue`: double. lambda, the smoothness energy of the smoothest field, in 1 / length^2.
  *   - `Residual`: double. |A u - lambda M u| / |A u| reached by the solver.
- *   - `Iterations`: int. Solves that it took; 0 for small components solved directly.
+ *   - `Iterations`: int. Solves or V-cycles that it took; 0 for components of few points.
+ *   - `SolverUsed`: int. 1 for multigrid, 2 for a factorization.
  *   - `EulerCharacteristic`: int. Vertices - edges + triangles. Of a surface in pieces with a layer
  *     of ghosts each, the values of the pieces add up to that of the surface.
  *   - `IndexSum`: int. Sum of the singularity indices, in units of 1/n.
@@ -186,6 +187,51 @@ public:
   vtkSetClampMacro(MaximumIterations, int, 1, 10000);
   vtkGetMacro(MaximumIterations, int);
   ///@}
+
+  enum SolverType
+  {
+    SOLVER_AUTOMATIC = 0,
+    SOLVER_MULTIGRID = 1,
+    SOLVER_DIRECT = 2
+  };
+
+  ///@{
+  /**
+   * How matrices are inverted: automatically (0, default), by multigrid (1), in time and memory
+   * proportional to the triangles, or by a sparse factorization (2). Automatic takes multigrid for
+   * large connected components, and the factorization for small ones and where multigrid does not
+   * converge; SolverUsed in the output's field data tells which. The results agree within the
+   * Tolerance. Clamped to 0 ... 2.
+   */
+  vtkSetClampMacro(Solver, int, SOLVER_AUTOMATIC, SOLVER_DIRECT);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to compute with. 0, the default: as many as VTK's SMP backend has, or, with the backend
+   * Sequential, as the process may run at once, but no more than the environment variables
+   * VTK_SMP_MAX_THREADS and OMP_NUM_THREADS say. Results have the same bytes for any number. Clamped to
+   * 0 ... 1024.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Keep mesh, matrices and eigenvectors between executions, so that those with changed properties
+   * redo only what depends on these. Off frees that memory after each execution. Default on.
+   */
+  vtkSetMacro(KeepStages, bool);
+  vtkGetMacro(KeepStages, bool);
+  vtkBooleanMacro(KeepStages, bool);
+  ///@}
+
+  /**
+   * Frees what is kept between executions, now.
+   */
+  void ReleaseStages();
 
   ///@{
   /**
@@ -411,6 +457,9 @@ private:
   double EnergyBias;
   double Tolerance;
   int MaximumIterations;
+  int Solver;
+  int NumberOfThreads;
+  bool KeepStages;
   bool MergePoints;
   bool IntrinsicDelaunay;
   int Alignment;
@@ -432,7 +481,7 @@ private:
 
   /// So that another strength or constraint does not start from nothing.
   class Cache;
-  const std::unique_ptr<Cache> Last;
+  std::unique_ptr<Cache> Last;
 };
 
 #endif

@@ -49,6 +49,9 @@ int main()
   PRINT(EnergyBias, ",");
   PRINT(Tolerance, ",");
   PRINT(MaximumIterations, ",");
+  PRINT(Solver, ",");
+  PRINT(NumberOfThreads, ",");
+  PRINT_DEFAULT(KeepStages, ",");
   PRINT_DEFAULT(MergePoints, ",");
   PRINT_DEFAULT(IntrinsicDelaunay, ",");
   PRINT(Alignment, ",");

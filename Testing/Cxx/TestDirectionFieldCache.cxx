@@ -31,6 +31,9 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetEnergyBias(filter->GetEnergyBias());
   fresh->SetTolerance(filter->GetTolerance());
   fresh->SetMaximumIterations(filter->GetMaximumIterations());
+  fresh->SetSolver(filter->GetSolver());
+  // Not the number of threads: bytes do not depend on it.
+  fresh->SetNumberOfThreads(1);
   fresh->SetMergePoints(filter->GetMergePoints());
   fresh->SetIntrinsicDelaunay(filter->GetIntrinsicDelaunay());
   fresh->SetAlignment(filter->GetAlignment());
@@ -121,6 +124,11 @@ void TestSettings()
     },
     [](vtkDirectionField* filter) { filter->ConstrainBoundaryOff(); },
     [](vtkDirectionField* filter) { filter->SetTolerance(1e-9); },
+    [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_MULTIGRID); },
+    [](vtkDirectionField* filter) { filter->SetNumberOfThreads(3); },
+    [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_DIRECT); },
+    [](vtkDirectionField* filter) { filter->KeepStagesOff(); },
+    [](vtkDirectionField* filter) { filter->ReleaseStages(); },
     [](vtkDirectionField* filter) { filter->IntrinsicDelaunayOn(); },
     [](vtkDirectionField* filter)
     {

@@ -24,6 +24,9 @@ void TestParameters()
   CHECK(filter->GetEnergyBias() == 0.0);
   CHECK(filter->GetTolerance() == 1e-6);
   CHECK(filter->GetMaximumIterations() == 200);
+  CHECK(filter->GetSolver() == vtkDirectionField::SOLVER_AUTOMATIC);
+  CHECK(filter->GetNumberOfThreads() == 0);
+  CHECK(filter->GetKeepStages());
   CHECK(!filter->GetMergePoints());
   CHECK(!filter->GetIntrinsicDelaunay());
   CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
@@ -49,6 +52,9 @@ void TestParameters()
   filter->SetEnergyBias(0.25);
   filter->SetTolerance(1e-4);
   filter->SetMaximumIterations(321);
+  filter->SetSolver(vtkDirectionField::SOLVER_DIRECT);
+  filter->SetNumberOfThreads(5);
+  filter->KeepStagesOff();
   filter->MergePointsOn();
   filter->IntrinsicDelaunayOn();
   filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
@@ -70,7 +76,7 @@ void TestParameters()
   filter->Print(text);
   for (const char* line :
     { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
-      " MergePoints: 1\n", " IntrinsicDelaunay: 1\n", " Alignment: 2\n",
+      " Solver: 2\n", " NumberOfThreads: 5\n", " KeepStages: 0\n", " MergePoints: 1\n", " IntrinsicDelaunay: 1\n", " Alignment: 2\n",
       " CurvatureDirection: 1\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n",
       " Shift: 12.5\n", " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n",
       " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n",
@@ -96,6 +102,14 @@ void TestParameters()
   CHECK(filter->GetMaximumIterations() == 1);
   filter->SetMaximumIterations(100000);
   CHECK(filter->GetMaximumIterations() == 10000);
+  filter->SetSolver(3);
+  CHECK(filter->GetSolver() == 2);
+  filter->SetSolver(-1);
+  CHECK(filter->GetSolver() == 0);
+  filter->SetNumberOfThreads(-1);
+  CHECK(filter->GetNumberOfThreads() == 0);
+  filter->SetNumberOfThreads(100000);
+  CHECK(filter->GetNumberOfThreads() == 1024);
   filter->SetAlignment(3);
   CHECK(filter->GetAlignment() == 2);
   filter->SetAlignment(-1);

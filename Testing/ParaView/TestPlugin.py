@@ -22,11 +22,13 @@ def total(array):
 
 
 # Shift is not, for it stands in for the strength where UseShift is on.
-ADVANCED = ("Tolerance", "MaximumIterations", "IntrinsicDelaunay", "UseShift")
+ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
+            "IntrinsicDelaunay", "UseShift")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
     "CurvatureDirection": ["Maximum", "Minimum"],
     "ConstraintSolver": ["Least Squares", "Energy"],
+    "Solver": ["Automatic", "Multigrid", "Direct"],
 }
 # VTK_DOUBLE_MAX.
 UNLIMITED = 1e299
@@ -141,7 +143,7 @@ def test_panel():
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert list(groups) == ["Alignment", "Constraints"], groups
     outside = {"Degree", "EnergyBias", "MergePoints", "Tolerance", "MaximumIterations",
-               "IntrinsicDelaunay", "Input"}
+               "Solver", "NumberOfThreads", "KeepStages", "IntrinsicDelaunay", "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}

@@ -15,6 +15,7 @@ if os.path.exists(state):
 # None of them the default.
 values = {
     "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
+    "Solver": "Direct", "NumberOfThreads": 3, "KeepStages": 0,
     "MergePoints": 1, "IntrinsicDelaunay": 1,
     "Alignment": "Principal Curvature", "CurvatureDirection": "Minimum", "AlignmentStrength": 0.75,
     "UseShift": 1, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
