@@ -62,8 +62,9 @@ ThesisAlgorithm::ThesisAlgorithm(const Surface& surface, int degree)
   const auto elapsed = [&begin]
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   const TriangleMesh mesh(surface);
-  const Metric metric(mesh, surface.Points);
-  const Connection connection(mesh, metric, surface.Points);
+  const std::vector<Vector3> positions = mesh.Positions(surface.Points);
+  const Metric metric(mesh, positions);
+  const Connection connection(mesh, metric, positions);
   std::vector<Operators> matrices;
   for (const TriangleMesh::Component& component : mesh.GetComponents())
   {
