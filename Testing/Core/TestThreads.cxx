@@ -3,6 +3,9 @@
 
 #include "Threads.h"
 
+#include "DirectionField.h"
+#include "TestMeshes.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -129,5 +132,24 @@ TEST(Threads, AnExceptionOfAPieceReachesTheCaller)
                    }),
       std::runtime_error);
     EXPECT_EQ(ParallelSum<Index>(100, 1, 0, [](Index, Index) { return 1; }), 100);
+  }
+}
+
+TEST(Threads, TwoFieldsInTwoThreadsAreThoseOfOne)
+{
+  const Surface surface = TestMeshes::Potato(3);
+  Options options;
+  options.ConstrainCurvature = true;
+  options.Alignment = Alignment::PrincipalCurvature;
+  const Result alone = DirectionField(surface).Compute(options);
+  Result results[2];
+  const auto work = [&](int k) { results[k] = DirectionField(surface).Compute(options); };
+  std::thread other(work, 1);
+  work(0);
+  other.join();
+  for (const Result& result : results)
+  {
+    EXPECT_EQ(result.Representation, alone.Representation);
+    EXPECT_EQ(result.SingularityIndex, alone.SingularityIndex);
   }
 }
