@@ -55,7 +55,8 @@ Connection::Connection(
         double angle = 0.0;
         for (std::size_t k = 0; k < fan.size(); ++k)
         {
-          const std::size_t at = reference + k < fan.size() ? reference + k : reference + k - fan.size();
+          const std::size_t behind = reference + k;
+          const std::size_t at = behind < fan.size() ? behind : behind - fan.size();
           const double corner = scale * cornerAngle[fan[at]];
           this->EdgeAngle[fan[at]] = angle;
           angle += corner;

@@ -20,17 +20,19 @@ namespace DirectionFields
 {
 namespace
 {
+constexpr Index PieceSize = 1 << 13;
+
 /// Tangent vectors of the angles that n-th powers have.
 std::vector<Vector3> InSpace(
   const TangentFrames& frames, const std::vector<Complex>& section, int degree)
 {
   std::vector<Vector3> vectors(section.size(), Vector3::Zero());
-  for (std::size_t v = 0; v < section.size(); ++v)
+  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
   {
     if (std::abs(section[v]) > 0.0)
     {
       const double angle = std::arg(section[v]) / degree;
-      vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y(static_cast<Index>(v));
+      vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y(v);
     }
   }
   return vectors;
@@ -65,37 +67,66 @@ void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::v
 {
   result.SingularityIndex.assign(surface.Triangles.size(), 0);
   result.Component.assign(surface.Triangles.size(), None);
-  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
-  {
-    const TriangleMesh::Component& component = mesh.GetComponents()[c];
-    for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+  mesh.ForEachComponent(
+    [&](Index c)
     {
-      const Index input = mesh.InputTriangle(t);
-      result.SingularityIndex[input] = indices[t];
-      result.Component[input] = static_cast<Index>(c);
-      const bool counts = surface.Ghost.empty() || surface.Ghost[input] == 0;
-      result.Components[c].IndexSum += counts ? indices[t] : 0;
-    }
-  }
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      result.Components[c].IndexSum = ParallelSum(component.Triangles(), PieceSize, 0,
+        [&](Index begin, Index end)
+        {
+          int sum = 0;
+          for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
+          {
+            const Index input = mesh.InputTriangle(t);
+            result.SingularityIndex[input] = indices[t];
+            result.Component[input] = c;
+            const bool counts = surface.Ghost.empty() || surface.Ghost[input] == 0;
+            sum += counts ? indices[t] : 0;
+          }
+          return sum;
+        });
+    });
 }
 }
 
-Vector3 Result::Direction(Index point, int k) const
+double Result::FirstAngle(Index point) const
 {
   const Vector3& n = this->Normal[point];
   const Vector3& x = this->XAxis[point];
-  const Vector3 y = n.cross(x);
   const double period = 2.0 * Pi / this->Degree;
   const double phase = std::arg(this->Representation[point]) / this->Degree;
   // Where the first axis of space is nearly normal, the second.
   const int axis = std::abs(n[0]) < 1.0 - 1e-6 ? 0 : 1;
-  const double nearest = std::round((std::atan2(y[axis], x[axis]) - phase) / period);
-  const double angle = phase + (nearest + k) * period;
-  return std::cos(angle) * x + std::sin(angle) * y;
+  const double nearest = std::round((std::atan2(n.cross(x)[axis], x[axis]) - phase) / period);
+  return phase + nearest * period;
+}
+
+Vector3 Result::Direction(Index point, int k) const
+{
+  const Vector3& x = this->XAxis[point];
+  const double angle = this->FirstAngle(point) + k * (2.0 * Pi / this->Degree);
+  return std::cos(angle) * x + std::sin(angle) * this->Normal[point].cross(x);
+}
+
+void Result::Directions(Index point, Vector3* directions) const
+{
+  const Vector3& x = this->XAxis[point];
+  const Vector3 y = this->Normal[point].cross(x);
+  const Complex turn = std::polar(1.0, 2.0 * Pi / this->Degree);
+  Complex z = std::polar(1.0, this->FirstAngle(point));
+  for (int k = 0; k < this->Degree; ++k, z *= turn)
+  {
+    directions[k] = z.real() * x + z.imag() * y;
+  }
 }
 
 DirectionField::DirectionField(const Surface& surface)
-  : Input(surface)
+  : DirectionField(std::make_shared<const Surface>(surface))
+{
+}
+
+DirectionField::DirectionField(std::shared_ptr<const Surface> surface)
+  : Input(std::move(surface))
 {
 }
 
@@ -111,16 +142,16 @@ void DirectionField::MakeStages(const Options& options)
   }
   this->Kept.reset();
   this->Merges = options.MergePoints;
-  this->FirstPoint = this->Merges ? FirstAtSamePlace(this->Input) : std::vector<Index>{};
-  this->Kept = std::make_unique<Stages>(
-    this->Merges ? Merged(this->Input, this->FirstPoint) : this->Input);
+  this->FirstPoint = this->Merges ? FirstAtSamePlace(*this->Input) : std::vector<Index>{};
+  this->Kept = this->Merges ? std::make_unique<Stages>(Merged(*this->Input, this->FirstPoint))
+                            : std::make_unique<Stages>(*this->Input);
 }
 
 Result DirectionField::Compute(
   const Options& options, const Guidance& guidance, const ProgressFunction& progress)
 {
   Check(options);
-  Check(guidance, options, this->Input.Points.size());
+  Check(guidance, options, this->Input->Points.size());
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
   this->MakeStages(options);
@@ -173,7 +204,7 @@ Result DirectionField::Compute(
   EnergyStage* energy = stages.GetEnergy(
     options, [&](double fraction) { return goOn(energyPart * fraction); });
   std::vector<Complex> field(mesh.GetNumberOfVertices());
-  const OwnedParts owned(mesh, this->Input);
+  const OwnedParts owned(mesh, *this->Input);
   for (std::size_t c = 0; energy != nullptr && c < mesh.GetComponents().size(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
@@ -244,12 +275,10 @@ Result DirectionField::Compute(
     return aborted;
   }
 
-  AddTriangles(mesh, this->Input,
+  AddTriangles(mesh, *this->Input,
     SingularityIndices(mesh, stages.GetConnection(), options.Degree, field), result);
-  const OutputPoints points(mesh, this->Input, this->FirstPoint);
+  OutputPoints points(mesh, *this->Input, this->FirstPoint);
   const Vector3 zero = Vector3::Zero();
-  result.OriginalPoint = points.Original;
-  result.SplitTriangles = points.SplitTriangles;
   result.Representation = points.Spread(field, Complex(0.0));
   result.Normal = points.Spread(stages.GetFrames().Normal, zero);
   result.XAxis = points.Spread(stages.GetFrames().X, zero);
@@ -263,6 +292,8 @@ Result DirectionField::Compute(
   {
     result.Curvature = ReportCurvature(stages, points);
   }
+  result.OriginalPoint = std::move(points.Original);
+  result.SplitTriangles = std::move(points.SplitTriangles);
   return result;
 }
 }

@@ -37,6 +37,8 @@ class DirectionField
 {
 public:
   explicit DirectionField(const Surface& surface);
+  /// Shares the surface, which must not change any more, in place of keeping a copy.
+  explicit DirectionField(std::shared_ptr<const Surface> surface);
   ~DirectionField();
   DirectionField(DirectionField&&) noexcept;
   DirectionField& operator=(DirectionField&&) noexcept;
@@ -51,7 +53,7 @@ private:
   /// Those of the surface, unless they are there already.
   void MakeStages(const Options& options);
 
-  Surface Input;
+  std::shared_ptr<const Surface> Input;
   /// What Kept was made with: Options::MergePoints, and which points are one; empty if none are.
   bool Merges = false;
   std::vector<Index> FirstPoint;

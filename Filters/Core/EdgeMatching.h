@@ -31,7 +31,7 @@ struct EdgeMatching
     }
   };
 
-  /// @param corners  three of each triangle, all different; the triangles sorted by their least ones
+  /// @param corners  three of each triangle, all different; the triangles sorted by the least ones
   /// @param vertices number of vertices
   EdgeMatching(const std::vector<Index>& corners, Index vertices);
 

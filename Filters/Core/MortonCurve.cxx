@@ -21,6 +21,14 @@ std::uint64_t Spread(std::uint64_t bits)
   bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
   return (bits | bits << 2) & 0x1249249249249249u;
 }
+
+std::vector<Index> Items(const std::vector<Keyed<std::uint64_t>>& order)
+{
+  std::vector<Index> items(order.size());
+  std::transform(order.begin(), order.end(), items.begin(),
+    [](const Keyed<std::uint64_t>& keyed) { return keyed.Item; });
+  return items;
+}
 }
 
 // Halved: the difference of the largest coordinates would overflow.
@@ -70,9 +78,37 @@ std::vector<Index> MortonCurve::Sorted(
       }
     });
   RadixSort(order, Bits);
-  std::vector<Index> sorted(members.size());
-  std::transform(order.begin(), order.end(), sorted.begin(),
-    [](const Keyed<std::uint64_t>& point) { return point.Item; });
-  return sorted;
+  return Items(order);
+}
+
+std::vector<Index> MortonCurve::SortedInGroups(const std::vector<Vector3>& points,
+  const std::vector<Index>& members, const std::vector<Index>& group, Index groups)
+{
+  const auto count = static_cast<Index>(members.size());
+  std::vector<BoundingBox> boxes(groups);
+  std::vector<Keyed<std::uint64_t>> order(count);
+  for (Index k = 0; k < count; ++k)
+  {
+    boxes[group[k]].Add(points[members[k]]);
+    order[k] = { static_cast<std::uint64_t>(members[k]), k };
+  }
+  RadixSort(order, BitsBelow(static_cast<Index>(points.size())));
+  const std::vector<MortonCurve> curves(boxes.begin(), boxes.end());
+  ParallelFor(count, PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        const Index member = order[k].Item;
+        order[k].Value = curves[group[member]].Place(points[members[member]]);
+      }
+    });
+  RadixSort(order, Bits);
+  for (Keyed<std::uint64_t>& member : order)
+  {
+    member.Value = static_cast<std::uint64_t>(group[member.Item]);
+  }
+  RadixSort(order, BitsBelow(groups));
+  return Items(order);
 }
 }

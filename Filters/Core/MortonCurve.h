@@ -46,6 +46,13 @@ public:
   static std::vector<Index> Sorted(
     const std::vector<Vector3>& points, const std::vector<Index>& members);
 
+  /// Positions of points in the order of their groups, within a group in that of a curve of its own,
+  /// and at the same place of it in that of their ids.
+  /// @param members  ids of finite points
+  /// @param group    of each of them, 0 to groups - 1
+  static std::vector<Index> SortedInGroups(const std::vector<Vector3>& points,
+    const std::vector<Index>& members, const std::vector<Index>& group, Index groups);
+
 private:
   Vector3 HalfLow;
   double HalfSize;

@@ -217,13 +217,16 @@ Operators AssembleOperators(const TriangleMesh& mesh, const Metric& metric,
   }
   Operators operators;
   SparseMatrix* const matrices[2] = { &operators.Energy, &operators.Mass };
-  // What is allocated is also filled with zeros, which takes its time.
-  ParallelFor(2, 1,
-    [&](Index k, Index)
+  // What is allocated is also filled with zeros, which takes its time where it is much.
+  ParallelFor(2, n > PieceSize ? 1 : 2,
+    [&](Index first, Index end)
     {
-      matrices[k]->resize(n, n);
-      matrices[k]->resizeNonZeros(begin.back());
-      std::copy(begin.begin(), begin.end(), matrices[k]->outerIndexPtr());
+      for (Index k = first; k < end; ++k)
+      {
+        matrices[k]->resize(n, n);
+        matrices[k]->resizeNonZeros(begin.back());
+        std::copy(begin.begin(), begin.end(), matrices[k]->outerIndexPtr());
+      }
     });
   ParallelFor(n, PieceSize,
     [&](Index first, Index end)

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_OutputPoints_h
 #define DirectionFields_OutputPoints_h
 
+#include "Threads.h"
 #include "TriangleMesh.h"
 
 #include <vector>
@@ -26,13 +27,17 @@ public:
   std::vector<T> Spread(const std::vector<T>& values, const T& zero) const
   {
     std::vector<T> spread(this->Vertex.size(), zero);
-    for (std::size_t i = 0; i < spread.size(); ++i)
-    {
-      if (this->Vertex[i] != None)
+    ParallelFor(static_cast<Index>(spread.size()), 1 << 13,
+      [&](Index begin, Index end)
       {
-        spread[i] = values[this->Vertex[i]];
-      }
-    }
+        for (Index i = begin; i < end; ++i)
+        {
+          if (this->Vertex[i] != None)
+          {
+            spread[i] = values[this->Vertex[i]];
+          }
+        }
+      });
     return spread;
   }
 

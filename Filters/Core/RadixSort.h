@@ -19,8 +19,8 @@ struct Keyed
   Index Item;
 };
 
-/// Sorts by the keys; items of equal keys keep their order. Time is linear; the loops are shared out
-/// among the threads.
+/// Sorts by the keys; items of equal keys keep their order. Time is linear; the loops are shared
+/// out among the threads.
 /// @param bits of the largest key; all higher ones are zero
 void RadixSort(std::vector<Keyed<std::uint32_t>>& items, int bits);
 void RadixSort(std::vector<Keyed<std::uint64_t>>& items, int bits);

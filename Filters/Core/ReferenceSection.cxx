@@ -96,8 +96,8 @@ ComplexVector ReferenceSection::Start() const
       for (Index v = begin; v < end; ++v)
       {
         const Vector3 p = this->Position(v);
-        // Irregular coefficients, so that no symmetry of the surface makes the section orthogonal to
-        // the eigenvector.
+        // Irregular coefficients, so that no symmetry of the surface makes the section orthogonal
+        // to the eigenvector.
         const Vector3 field(
           0.83 + 0.31 * p[1] - 0.24 * p[2] + 0.17 * std::sin(1.3 * p[0] + 2.1 * p[1]),
           0.47 - 0.38 * p[0] + 0.29 * p[2] + 0.19 * std::sin(1.7 * p[1] + 0.9 * p[2] + 0.4),

@@ -119,6 +119,12 @@ struct Result
   /// Direction 0 is the one closest to the x axis of space (the y axis where the normal is x), so
   /// that neighbours mostly agree on it. Zero at points that no triangle uses.
   Vector3 Direction(Index point, int k) const;
+  /// All directions at a point, Degree of them, in less time.
+  void Directions(Index point, Vector3* directions) const;
+
+private:
+  /// The angle of direction 0 from XAxis.
+  double FirstAngle(Index point) const;
 };
 }
 

@@ -54,7 +54,8 @@ public:
   double EnergyDiagonal(int c) const
   {
     const int next = (c + 1) % 3;
-    const double spread = this->SquaredLength[c] + this->DotAt(c) + this->SquaredLength[(c + 2) % 3];
+    const double spread =
+      this->SquaredLength[c] + this->DotAt(c) + this->SquaredLength[(c + 2) % 3];
     return (this->SquaredLength[next] + this->Omega * this->Omega * spread / 90.0) /
       (4.0 * this->Area) -
       this->EnergyBias * this->Omega / 6.0;

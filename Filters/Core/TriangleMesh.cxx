@@ -51,18 +51,6 @@ TriangleMesh::TriangleMesh(const Surface& surface)
   this->TriangleComponent = {};
 }
 
-void TriangleMesh::GetFan(Index vertex, std::vector<Index>& fan) const
-{
-  fan.clear();
-  const Index first = this->VertexHalfEdge[vertex];
-  Index h = first;
-  do
-  {
-    fan.push_back(h);
-    h = this->NextOutgoing(h);
-  } while (h != None && h != first);
-}
-
 void TriangleMesh::ForEachComponent(const std::function<void(Index)>& body) const
 {
   const auto isLarge = [this](Index c) { return this->Components[c].Triangles() > 4 * PieceSize; };
@@ -363,40 +351,22 @@ void TriangleMesh::SplitPoints()
 void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
 {
   const Index vertices = this->GetNumberOfVertices();
-  const auto component = [this](Index v)
-  { return this->TriangleComponent[this->VertexHalfEdge[v] / 3]; };
-  std::vector<BoundingBox> boxes(this->Components.size());
-  std::vector<Index> begin(this->Components.size() + 1, 0);
-  std::vector<Keyed<std::uint64_t>> order(vertices);
+  const auto components = static_cast<Index>(this->Components.size());
+  std::vector<Index> component(vertices);
+  std::vector<Index> begin(components + 1, 0);
   for (Index v = 0; v < vertices; ++v)
   {
-    boxes[component(v)].Add(points[this->VertexPoint[v]]);
-    ++begin[component(v) + 1];
-    order[v] = { static_cast<std::uint64_t>(this->VertexPoint[v]), v };
+    component[v] = this->TriangleComponent[this->VertexHalfEdge[v] / 3];
+    ++begin[component[v] + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for (std::size_t c = 0; c < this->Components.size(); ++c)
+  for (Index c = 0; c < components; ++c)
   {
     this->Components[c].FirstVertex = begin[c];
     this->Components[c].EndVertex = begin[c + 1];
   }
-  RadixSort(order, BitsBelow(static_cast<Index>(points.size())));
-  const std::vector<MortonCurve> curves(boxes.begin(), boxes.end());
-  ParallelFor(vertices, PieceSize,
-    [&](Index first, Index last)
-    {
-      for (Index k = first; k < last; ++k)
-      {
-        const Index v = order[k].Item;
-        order[k].Value = curves[component(v)].Place(points[this->VertexPoint[v]]);
-      }
-    });
-  RadixSort(order, MortonCurve::Bits);
-  for (Keyed<std::uint64_t>& vertex : order)
-  {
-    vertex.Value = static_cast<std::uint64_t>(component(vertex.Item));
-  }
-  RadixSort(order, BitsBelow(static_cast<Index>(this->Components.size())));
+  const std::vector<Index> order =
+    MortonCurve::SortedInGroups(points, this->VertexPoint, component, components);
 
   std::vector<Index> number(vertices);
   const std::vector<Index> pointOf = std::move(this->VertexPoint);
@@ -408,9 +378,9 @@ void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
     {
       for (Index v = first; v < last; ++v)
       {
-        number[order[v].Item] = v;
-        this->VertexPoint[v] = pointOf[order[v].Item];
-        this->VertexHalfEdge[v] = halfEdgeOf[order[v].Item];
+        number[order[v]] = v;
+        this->VertexPoint[v] = pointOf[order[v]];
+        this->VertexHalfEdge[v] = halfEdgeOf[order[v]];
       }
     });
   ParallelFor(this->GetNumberOfHalfEdges(), PieceSize,

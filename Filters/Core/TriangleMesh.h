@@ -71,11 +71,21 @@ public:
   Index NextOutgoing(Index h) const { return this->Twins[Previous(h)]; }
 
   /// The outgoing half-edges of a vertex counter-clockwise, from Outgoing on.
-  void GetFan(Index vertex, std::vector<Index>& fan) const;
+  void GetFan(Index vertex, std::vector<Index>& fan) const
+  {
+    fan.clear();
+    const Index first = this->VertexHalfEdge[vertex];
+    Index h = first;
+    do
+    {
+      fan.push_back(h);
+      h = this->NextOutgoing(h);
+    } while (h != None && h != first);
+  }
 
   const std::vector<Component>& GetComponents() const { return this->Components; }
-  /// Calls body(c) once for each component. Small components are shared out among the threads; large
-  /// ones come one after the other, for their own loops to be shared out.
+  /// Calls body(c) once for each component. Small components are shared out among the threads;
+  /// large ones come one after the other, for their own loops to be shared out.
   void ForEachComponent(const std::function<void(Index)>& body) const;
   /// Input point of a vertex; vertices of split points share it.
   Index Point(Index vertex) const { return this->VertexPoint[vertex]; }

@@ -3,6 +3,8 @@
 
 #include "FieldToPolyData.h"
 
+#include "Threads.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -31,6 +33,8 @@ namespace
 {
 /// The largest degree, hence the most directions that an earlier run can have left.
 constexpr int MostDirections = 16;
+/// Points that a thread takes at a time.
+constexpr Index PieceSize = 1 << 13;
 
 std::string DirectionName(int k)
 {
@@ -62,6 +66,16 @@ To Narrowed(From value)
   }
 }
 
+/// Writes tuple i of an array of three components.
+template <typename Value>
+void WriteVector(const Vector3& vector, Value* values, Index i)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    values[3 * static_cast<vtkIdType>(i) + c] = static_cast<Value>(vector[c]);
+  }
+}
+
 /// An array over the points; where there is none, one that an earlier run left in the input goes.
 template <typename ArrayT>
 void AddVectors(const char* name, const std::vector<Vector3>& vectors, vtkPointData* data)
@@ -70,10 +84,15 @@ void AddVectors(const char* name, const std::vector<Vector3>& vectors, vtkPointD
   if (!vectors.empty())
   {
     auto array = MakeArray<ArrayT>(name, 3, vectors.size());
-    for (size_t i = 0; i < vectors.size(); ++i)
-    {
-      array->SetTuple(static_cast<vtkIdType>(i), vectors[i].data());
-    }
+    auto* const values = array->GetPointer(0);
+    ParallelFor(static_cast<Index>(vectors.size()), PieceSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          WriteVector(vectors[i], values, i);
+        }
+      });
     data->AddArray(array);
   }
 }
@@ -213,11 +232,6 @@ void AddPointArrays(const Result& field, vtkPointData* data)
   using Value = typename ArrayT::ValueType;
   const size_t points = field.Representation.size();
   auto magnitude = MakeArray<ArrayT>("RepresentationMagnitude", 1, points);
-  for (size_t i = 0; i < points; ++i)
-  {
-    magnitude->SetValue(
-      static_cast<vtkIdType>(i), static_cast<Value>(std::abs(field.Representation[i])));
-  }
   data->AddArray(magnitude);
   AddVectors<ArrayT>("ConstraintDirection", field.ConstraintDirection, data);
   AddVectors<ArrayT>("PrincipalDirection0", field.Curvature.PrincipalDirection0, data);
@@ -225,20 +239,28 @@ void AddPointArrays(const Result& field, vtkPointData* data)
   AddScalars<ArrayT>("MeanCurvature", field.Curvature.Mean, data);
   AddScalars<ArrayT>("GaussianCurvature", field.Curvature.Gaussian, data);
 
+  Value* const moduli = magnitude->GetPointer(0);
+  std::vector<Value*> tuples;
   for (int k = 0; k < field.Degree; ++k)
   {
-    auto directions = MakeArray<ArrayT>(DirectionName(k).c_str(), 3, points);
-    for (size_t i = 0; i < points; ++i)
-    {
-      const Vector3 direction = field.Direction(static_cast<Index>(i), k);
-      for (int c = 0; c < 3; ++c)
-      {
-        directions->SetTypedComponent(
-          static_cast<vtkIdType>(i), c, static_cast<Value>(direction[c]));
-      }
-    }
-    data->AddArray(directions);
+    auto array = MakeArray<ArrayT>(DirectionName(k).c_str(), 3, points);
+    tuples.push_back(array->GetPointer(0));
+    data->AddArray(array);
   }
+  ParallelFor(static_cast<Index>(points), PieceSize,
+    [&](Index begin, Index end)
+    {
+      std::vector<Vector3> directions(tuples.size());
+      for (Index i = begin; i < end; ++i)
+      {
+        moduli[i] = static_cast<Value>(std::abs(field.Representation[i]));
+        field.Directions(i, directions.data());
+        for (size_t k = 0; k < directions.size(); ++k)
+        {
+          WriteVector(directions[k], tuples[k], i);
+        }
+      }
+    });
   // What an earlier run of higher degree left in the input is no part of this field.
   for (int k = field.Degree; k < MostDirections; ++k)
   {
@@ -252,10 +274,10 @@ void AddCellArrays(const TriangulatedPolyData& input, const Result& field, vtkPo
   auto index = MakeArray<vtkIntArray>(
     "SingularityIndex", 1, static_cast<size_t>(output->GetNumberOfCells()));
   index->FillValue(0);
+  int* const indices = index->GetPointer(0);
   for (size_t t = 0; t < field.SingularityIndex.size(); ++t)
   {
-    const vtkIdType cell = input.CellOfTriangle[t];
-    index->SetValue(cell, index->GetValue(cell) + field.SingularityIndex[t]);
+    indices[input.CellOfTriangle[t]] += field.SingularityIndex[t];
   }
   output->GetCellData()->AddArray(index);
 }

@@ -3,6 +3,9 @@
 
 #include "PolyDataToSurface.h"
 
+#include "Threads.h"
+
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -25,8 +28,17 @@ namespace DirectionFields
 namespace
 {
 constexpr vtkIdType MostPoints = std::numeric_limits<Index>::max();
+/// Points or triangles that a thread takes at a time.
+constexpr Index PieceSize = 1 << 14;
 /// Three half-edges each.
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
+
+[[noreturn]] void RefuseId(vtkIdType cell, vtkIdType id, vtkIdType points)
+{
+  throw std::out_of_range("Cell " + std::to_string(cell) + " uses point " + std::to_string(id) +
+    ", but the input has " + std::to_string(points) +
+    " points, numbered from 0. Correct the connectivity of the mesh.");
+}
 
 /// Appends the triangles of one cell after the other.
 class Triangulator
@@ -96,9 +108,7 @@ private:
     {
       if (id < 0 || id >= this->NumberOfPoints)
       {
-        throw std::out_of_range("Cell " + std::to_string(cell) + " uses point " +
-          std::to_string(id) + ", but the input has " + std::to_string(this->NumberOfPoints) +
-          " points, numbered from 0. Correct the connectivity of the mesh.");
+        RefuseId(cell, id, this->NumberOfPoints);
       }
     }
     this->Result.Mesh.Triangles.push_back(
@@ -165,6 +175,71 @@ private:
   vtkNew<vtkPoints> EarPoints;
 };
 
+/// Copies points of one type; false if they are of another.
+template <typename Value>
+bool CopyPoints(vtkDataArray* points, std::vector<Vector3>& copies)
+{
+  auto* const array = vtkAOSDataArrayTemplate<Value>::FastDownCast(points);
+  if (!array)
+  {
+    return false;
+  }
+  const Value* const values = array->GetPointer(0);
+  ParallelFor(static_cast<Index>(copies.size()), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const Value* const point = values + 3 * static_cast<vtkIdType>(i);
+        copies[i] = Vector3(point[0], point[1], point[2]);
+      }
+    });
+  return true;
+}
+
+/// Copies cells that are all triangles, stored with ids of one type; false if the type is another.
+/// @param firstCell number of the first one
+template <typename Id>
+bool CopyTriangles(
+  vtkCellArray* cells, vtkIdType firstCell, vtkIdType points, TriangulatedPolyData& result)
+{
+  auto* const array = vtkAOSDataArrayTemplate<Id>::FastDownCast(cells->GetConnectivityArray());
+  if (!array)
+  {
+    return false;
+  }
+  const auto triangles = static_cast<Index>(cells->GetNumberOfCells());
+  const Id* const ids = array->GetPointer(0);
+  result.Mesh.Triangles.resize(triangles);
+  result.CellOfTriangle.resize(triangles);
+  // Of each piece the first id that there is no point of.
+  std::vector<vtkIdType> invalid(NumberOfPieces(triangles, PieceSize), -1);
+  ParallelFor(triangles, PieceSize,
+    [&](Index begin, Index end)
+    {
+      vtkIdType& found = invalid[begin / PieceSize];
+      for (Index t = begin; t < end; ++t)
+      {
+        result.CellOfTriangle[t] = firstCell + t;
+        for (int c = 0; c < 3; ++c)
+        {
+          const vtkIdType at = 3 * static_cast<vtkIdType>(t) + c;
+          const vtkIdType id = ids[at];
+          found = found < 0 && (id < 0 || id >= points) ? at : found;
+          result.Mesh.Triangles[t][c] = static_cast<Index>(id);
+        }
+      }
+    });
+  for (const vtkIdType at : invalid)
+  {
+    if (at >= 0)
+    {
+      RefuseId(firstCell + at / 3, ids[at], points);
+    }
+  }
+  return true;
+}
+
 void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
 {
   if (count > most)
@@ -192,19 +267,31 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
   RequireNumberable("triangles", numberOfTriangles, MostTriangles);
 
   result.Mesh.Points.resize(static_cast<size_t>(numberOfPoints));
-  for (vtkIdType i = 0; i < numberOfPoints; ++i)
-  {
-    points->GetPoint(i, result.Mesh.Points[i].data());
-  }
   if (numberOfPoints == 0)
   {
     return result;
   }
+  if (!CopyPoints<float>(points->GetData(), result.Mesh.Points) &&
+    !CopyPoints<double>(points->GetData(), result.Mesh.Points))
+  {
+    for (vtkIdType i = 0; i < numberOfPoints; ++i)
+    {
+      points->GetPoint(i, result.Mesh.Points[i].data());
+    }
+  }
+  auto ghosts = vtkUnsignedCharArray::SafeDownCast(
+    polyData->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  vtkIdType cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  if (!ghosts && strips->GetNumberOfCells() == 0 && polys->IsHomogeneous() == 3 &&
+    (CopyTriangles<vtkTypeInt64>(polys, cell, numberOfPoints, result) ||
+      CopyTriangles<vtkTypeInt32>(polys, cell, numberOfPoints, result)))
+  {
+    return result;
+  }
+
   result.Mesh.Triangles.reserve(static_cast<size_t>(std::max<vtkIdType>(numberOfTriangles, 0)));
   result.CellOfTriangle.reserve(result.Mesh.Triangles.capacity());
 
-  auto ghosts = vtkUnsignedCharArray::SafeDownCast(
-    polyData->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   const auto isMarked = [ghosts](vtkIdType cell, unsigned char as)
   { return ghosts && cell < ghosts->GetNumberOfValues() && (ghosts->GetValue(cell) & as) != 0; };
   const auto isHidden = [&isMarked](vtkIdType cell)
@@ -212,7 +299,6 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
 
   Triangulator triangulator(points, result);
   vtkNew<vtkIdList> ids;
-  vtkIdType cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
   for (vtkIdType i = 0; i < polys->GetNumberOfCells(); ++i, ++cell)
   {
     if (!isHidden(cell))

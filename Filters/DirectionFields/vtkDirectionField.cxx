@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -138,18 +139,23 @@ public:
   /// they change with each array, and do not change where points are moved in place.
   void SetInput(vtkPolyData* input)
   {
-    DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(input);
-    if (!this->Stages || !SameBytes(surface.Mesh.Points, this->Surface.Mesh.Points) ||
-      !SameBytes(surface.Mesh.Triangles, this->Surface.Mesh.Triangles) ||
-      !SameBytes(surface.Mesh.Ghost, this->Surface.Mesh.Ghost))
+    auto surface = std::make_shared<DirectionFields::TriangulatedPolyData>(
+      DirectionFields::PolyDataToSurface(input));
+    if (this->Stages && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
+      SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
+      SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
     {
-      this->Stages.reset();
-      this->Stages.emplace(surface.Mesh);
+      this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
+      return;
     }
+    // What belongs to the old surface goes before the stages of the new one need memory.
+    this->Stages.reset();
     this->Surface = std::move(surface);
+    this->Stages.emplace(
+      std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
   }
 
-  const DirectionFields::TriangulatedPolyData& GetSurface() const { return this->Surface; }
+  const DirectionFields::TriangulatedPolyData& GetSurface() const { return *this->Surface; }
   DirectionFields::DirectionField& GetStages() { return *this->Stages; }
 
 private:
@@ -161,7 +167,8 @@ private:
       (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
   }
 
-  DirectionFields::TriangulatedPolyData Surface;
+  /// The stages share the mesh in it.
+  std::shared_ptr<DirectionFields::TriangulatedPolyData> Surface;
   std::optional<DirectionFields::DirectionField> Stages;
 };
 
@@ -372,6 +379,8 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   std::string error;
   try
   {
+    DirectionFields::Threads threads;
+    const DirectionFields::Threads::Scope scope(threads);
     this->Last->SetInput(input);
     const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
     this->UpdateProgress(ProgressRead);

@@ -278,6 +278,32 @@ TEST(DirectionField, EachComponentIsSolvedByItself)
   EXPECT_EQ(joined.Components[2].EulerCharacteristic, 1);
 }
 
+TEST(DirectionField, AllDirectionsAtOnceAreTheSame)
+{
+  for (const int degree : { 1, 2, 4, 7, 16 })
+  {
+    const Result field = Compute(Potato(1), degree);
+    std::vector<Vector3> all(degree);
+    for (Index i = 0; i < static_cast<Index>(field.Normal.size()); ++i)
+    {
+      field.Directions(i, all.data());
+      for (int k = 0; k < degree; ++k)
+      {
+        EXPECT_LT((all[k] - field.Direction(i, k)).norm(), 1e-14);
+      }
+    }
+  }
+}
+
+TEST(DirectionField, ASharedSurfaceGivesTheSameField)
+{
+  const auto surface = std::make_shared<const Surface>(Potato(2));
+  const Result copied = DirectionField(*surface).Compute({});
+  const Result shared = DirectionField(surface).Compute({});
+  EXPECT_EQ(copied.Representation, shared.Representation);
+  EXPECT_EQ(surface.use_count(), 1);
+}
+
 TEST(DirectionField, RepeatedRunsAgreeToTheByte)
 {
   const Surface surface = Potato(4);

@@ -3,6 +3,12 @@
 
 #include "TestGeometry.h"
 
+#include "Curvature.h"
+#include "Operators.h"
+#include "ReferenceSection.h"
+#include "Singularities.h"
+#include "Threads.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -151,7 +157,8 @@ TEST(Connection, FlatPatchStaysFlatUpToItsBoundary)
     const Index i = g.Mesh.Tail(g.Mesh.HalfEdge(e));
     const Index j = g.Mesh.Head(g.Mesh.HalfEdge(e));
     const double rho = g.Transport.Rotation[e];
-    EXPECT_LT((g.Frames.X[i] - std::cos(rho) * g.Frames.X[j] - std::sin(rho) * g.Frames.Y(j)).norm(),
+    const Vector3 arrived = std::cos(rho) * g.Frames.X[j] + std::sin(rho) * g.Frames.Y(j);
+    EXPECT_LT((g.Frames.X[i] - arrived).norm(),
       1e-12);
   }
 }
@@ -203,4 +210,87 @@ TEST(TangentFrames, DependOnlyOnTheShapeUpToTheReferenceAngle)
     EXPECT_LT((rotation * inSpace - inTurned).norm(), 1e-12);
   }
   EXPECT_GT(otherReference, 0);
+}
+
+TEST(Geometry, SameBytesForAnyNumberOfThreads)
+{
+  // Large and small components, split points among them.
+  Surface surface = Joined(Joined(Potato(5), Jittered(Square(70), 0.003, 8)), Cube());
+  surface.Triangles.push_back({ 0, surface.Triangles[0][1], 10500 });
+  const auto numbers = [&surface](int number)
+  {
+    Threads threads(number);
+    const Threads::Scope scope(threads);
+    const Geometry g(surface);
+    std::vector<double> all;
+    const auto add = [&all](const auto& values)
+    { all.insert(all.end(), values.begin(), values.end()); };
+    add(g.Lengths.SquaredLength);
+    add(g.Lengths.Area);
+    add(g.Lengths.Unit);
+    add(g.Lengths.ComponentArea);
+    add(g.Transport.EdgeAngle);
+    add(g.Transport.AngleSum);
+    add(g.Transport.Rotation);
+    add(g.Transport.Curvature);
+    std::vector<Complex> field;
+    for (Index v = 0; v < g.Mesh.GetNumberOfVertices(); ++v)
+    {
+      add(g.Frames.Normal[v]);
+      add(g.Frames.X[v]);
+      field.push_back(std::polar(1.0, 0.01 * v));
+    }
+    add(SingularityIndices(g.Mesh, g.Transport, 4, field));
+    const Curvature curvature(g.Mesh, g.Lengths, g.Transport, g.Frames, g.Points,
+      DihedralAngles(g.Mesh, g.Points));
+    add(curvature.Mean);
+    add(curvature.Gaussian);
+    for (const TriangleMesh::Component& component : g.Mesh.GetComponents())
+    {
+      Operators operators = AssembleOperators(g.Mesh, g.Lengths, g.Transport, component, 4, 0.3);
+      for (const SparseMatrix& matrix : { operators.Energy, operators.Mass })
+      {
+        for (Index k = 0; k < matrix.nonZeros(); ++k)
+        {
+          all.push_back(matrix.innerIndexPtr()[k]);
+          all.push_back(matrix.valuePtr()[k].real());
+          all.push_back(matrix.valuePtr()[k].imag());
+        }
+      }
+      const ReferenceSection reference(g.Frames, g.Points, component, 4);
+      ComplexVector u = reference.Start();
+      reference.FixPhase(u);
+      for (const Complex& value : u)
+      {
+        all.push_back(value.real());
+        all.push_back(value.imag());
+      }
+    }
+    return all;
+  };
+  const std::vector<double> serial = numbers(1);
+  EXPECT_EQ(numbers(2), serial);
+  EXPECT_EQ(numbers(3), serial);
+}
+
+TEST(Connection, ScaledCornerAnglesFillTheConesOfTheVertices)
+{
+  for (const Surface& surface : { Cube(), Potato(2), Disk(4), Hemisphere(2) })
+  {
+    const Geometry g(surface);
+    std::vector<double> sum(g.Mesh.GetNumberOfVertices(), 0.0);
+    std::vector<double> unscaled(g.Mesh.GetNumberOfVertices(), 0.0);
+    for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      sum[g.Mesh.Tail(h)] += g.Transport.CornerAngle(g.Mesh, h);
+      unscaled[g.Mesh.Tail(h)] += g.Lengths.CornerAngle(g.Mesh, h);
+    }
+    for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const Index v = g.Mesh.Tail(h);
+      EXPECT_NEAR(sum[v], g.Transport.AngleSum[v], 1e-13);
+      EXPECT_NEAR(g.Transport.CornerAngle(g.Mesh, h) / sum[v],
+        g.Lengths.CornerAngle(g.Mesh, h) / unscaled[v], 1e-13);
+    }
+  }
 }

@@ -84,6 +84,17 @@ TEST(Operators, FlatSurfaceHasCotangentWeightsAndTheLinearMassMatrix)
   }
 }
 
+TEST(Operators, MatricesAreHermitianToTheBit)
+{
+  Surface sheet = Jittered(Potato(3), 0.03, 2);
+  sheet.Triangles.push_back({ 0, sheet.Triangles[0][1], 600 });
+  const System system(sheet, 3, 0.4);
+  for (const SparseMatrix& matrix : { system.Matrices.Energy, system.Matrices.Mass })
+  {
+    EXPECT_EQ((matrix - SparseMatrix(matrix.adjoint())).norm(), 0.0);
+  }
+}
+
 TEST(Operators, EdgesThatJoinTheSameVerticesAddUp)
 {
   // A fin inside a sheet leaves a slit: its two sides are edges between the same two vertices.

@@ -302,7 +302,8 @@ TEST(TriangleMesh, VerticesHaveTheSameOrderWhateverThatOfTheInput)
 {
   std::vector<Index> newPoint;
   std::vector<Index> newTriangle;
-  Surface surface = Joined(Potato(3), Transformed(Hemisphere(3), ObliqueRotation(1.0), { 9, 0, 0 }));
+  Surface surface =
+    Joined(Potato(3), Transformed(Hemisphere(3), ObliqueRotation(1.0), { 9, 0, 0 }));
   // Wound by a majority of two to one.
   for (std::size_t t = 0; t < surface.Triangles.size(); t += 3)
   {
