@@ -3,6 +3,7 @@
 
 #include "Constraints.h"
 
+#include "DoubleCover.h"
 #include "Singularities.h"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ Constraints::Constraints(
       "tangent plane.");
   }
   this->AddBoundary(input, options);
+  this->MirrorBoundary(input, options);
   const bool anyBoundary =
     std::any_of(input.Mesh.GetComponents().begin(), input.Mesh.GetComponents().end(),
       [](const TriangleMesh::Component& component) { return !component.Closed; });
@@ -66,6 +68,7 @@ Constraints::Constraints(
       "ConstrainCurvature changes nothing: no free vertex has a curvature above "
       "CurvatureTolerance with a consistent direction.");
   }
+  this->MirrorInterior(input, options);
   this->Count = static_cast<Index>(this->Kind.size() -
     std::count(this->Kind.begin(), this->Kind.end(), ConstraintKind::None));
 }
@@ -127,6 +130,50 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
   }
 }
 
+/// The boundary of a cover comes in pairs of loops, each with the directions of its own orientation:
+/// one loop of each pair decides for both.
+void Constraints::MirrorBoundary(const Input& input, const Options& options)
+{
+  const TriangleMesh& mesh = input.Mesh;
+  std::vector<char> decided(mesh.GetRepairs().NonOrientableComponents > 0 ? this->Kind.size() : 0, 0);
+  for (std::size_t c = 0; c < mesh.GetComponents().size() && !decided.empty(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    const DoubleCover cover(mesh, input.Transport, component, options.Degree);
+    for (Index start = component.FirstVertex; component.IsCover && start < component.EndVertex;
+         ++start)
+    {
+      for (Index v = start; mesh.IsBoundary(v) && !decided[v]; v = mesh.Head(mesh.Outgoing(v)))
+      {
+        const Index mirror = mesh.MirrorVertex(v);
+        decided[v] = decided[mirror] = 1;
+        this->Kind[mirror] = this->Kind[v];
+        this->Value[mirror] = cover.Mirrored(v, this->Value[v]);
+      }
+    }
+  }
+}
+
+/// What else is constrained in a cover is so on both sides, but for rounding.
+void Constraints::MirrorInterior(const Input& input, const Options& options)
+{
+  const TriangleMesh& mesh = input.Mesh;
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    const DoubleCover cover(mesh, input.Transport, component, options.Degree);
+    for (Index v = component.FirstVertex; component.IsCover && v < component.EndVertex; ++v)
+    {
+      const Index mirror = mesh.MirrorVertex(v);
+      if (mesh.IsFrontVertex(v) &&
+        (this->Kind[v] != ConstraintKind::Boundary && this->Kind[v] != ConstraintKind::NonManifold))
+      {
+        this->Kind[mirror] = this->Kind[v];
+        this->Value[mirror] = cover.Mirrored(v, this->Value[v]);
+      }
+    }
+  }
+}
+
 void Constraints::AddSharpEdges(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Mesh;
@@ -171,6 +218,11 @@ void Constraints::AddCurvature(const Input& input, const Options& options)
   {
     const TriangleMesh::Component& component = input.Mesh.GetComponents()[c];
     const double radius = std::sqrt(input.ComponentArea[c] / (4.0 * Pi));
+    if (component.IsCover && options.Degree == 2)
+    {
+      // The larger curvature of one side is the smaller one of the other.
+      continue;
+    }
     for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
     {
       const double mean = std::abs(input.Curved->Mean[v]) * radius;

@@ -50,6 +50,8 @@ private:
   void Set(Index vertex, ConstraintKind kind, const Complex& value);
   void AddGiven(const Input& input);
   void AddBoundary(const Input& input, const Options& options);
+  void MirrorBoundary(const Input& input, const Options& options);
+  void MirrorInterior(const Input& input, const Options& options);
   void AddSharpEdges(const Input& input, const Options& options);
   void AddCurvature(const Input& input, const Options& options);
   void DropInconsistent(const Input& input, const Options& options);

@@ -5,6 +5,7 @@
 
 #include "ComponentField.h"
 #include "Constraints.h"
+#include "DoubleCover.h"
 #include "MergePoints.h"
 #include "OutputPoints.h"
 #include "OwnedParts.h"
@@ -36,6 +37,18 @@ std::vector<Vector3> InSpace(
     }
   }
   return vectors;
+}
+
+/// Sets a section to zero on components that cannot be oriented.
+void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section)
+{
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    if (component.IsCover)
+    {
+      std::fill(section.begin() + component.FirstVertex, section.begin() + component.EndVertex, 0.0);
+    }
+  }
 }
 
 CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
@@ -77,6 +90,10 @@ void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::v
           int sum = 0;
           for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
           {
+            if (!mesh.IsFront(t))
+            {
+              continue;
+            }
             const Index input = mesh.InputTriangle(t);
             result.SingularityIndex[input] = indices[t];
             result.Component[input] = c;
@@ -179,6 +196,12 @@ Result DirectionField::Compute(
     : std::vector<Complex>{};
   const bool usesCurvature =
     options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature;
+  if (usesCurvature && options.Degree == 2 && mesh.GetRepairs().NonOrientableComponents > 0)
+  {
+    result.Notes.emplace_back("A line field cannot follow the curvature of a surface that cannot be "
+                              "oriented: the larger and the smaller curvature change places on a "
+                              "walk around it. Take Degree 4.");
+  }
   const Constraints constraints(
     { mesh, stages.GetConnection(), stages.GetFrames(), stages.GetPositions(),
       options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
@@ -190,6 +213,10 @@ Result DirectionField::Compute(
     drawn = options.Alignment == Alignment::PointVectors
       ? given
       : CurvatureSection(stages.GetCurvature().Hopf, options.Degree, options.CurvatureDirection);
+    if (options.Alignment == Alignment::PrincipalCurvature && options.Degree == 2)
+    {
+      ClearCovers(mesh, drawn);
+    }
     if (std::all_of(drawn.begin(), drawn.end(), [](const Complex& q) { return q == 0.0; }))
     {
       result.Notes.emplace_back("Alignment changes nothing: the guidance is zero everywhere.");
@@ -244,11 +271,15 @@ Result DirectionField::Compute(
       Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
 
     ComponentReport figures;
-    const ComplexVector u = SolveComponent(problem, options, figures);
+    ComplexVector u = SolveComponent(problem, options, figures);
     if (stopped)
     {
       energy = nullptr;
       break;
+    }
+    if (component.IsCover)
+    {
+      DoubleCover(mesh, stages.GetConnection(), component, options.Degree).Symmetrize(u);
     }
     std::copy(u.begin(), u.end(), field.begin() + component.FirstVertex);
     figures.Eigenvalue = PerSquare(smoothest.Value, unit);
@@ -260,7 +291,11 @@ Result DirectionField::Compute(
     figures.Triangles = counts.Triangles;
     figures.Constraints = static_cast<Index>(std::count_if(problem.Given.Vertices.begin(),
       problem.Given.Vertices.end(),
-      [&](Index v) { return owned.Vertex.empty() || owned.Vertex[component.FirstVertex + v]; }));
+      [&](Index v)
+      {
+        const Index vertex = component.FirstVertex + v;
+        return mesh.IsFrontVertex(vertex) && (owned.Vertex.empty() || owned.Vertex[vertex]);
+      }));
     figures.Closed = component.Closed && counts.Ghosts == 0;
     figures.Converged =
       smoothest.Residual <= options.Tolerance && figures.SystemResidual <= SystemTolerance;

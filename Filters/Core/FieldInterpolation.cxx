@@ -12,6 +12,9 @@ namespace
 {
 /// Where the n-th powers cancel to this part of what they are, only rounding is left.
 constexpr double LeastPart = 1e-9;
+/// Normals at two corners of a triangle with a cosine below this mean different sides of the surface;
+/// above it they may stand at a sharp feature.
+constexpr double LeastOpposite = -0.5;
 
 /// A vector orthogonal to the unit vector `from` after the least rotation that takes `from` to the
 /// unit vector `to`.
@@ -107,6 +110,26 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
     {
       normal[c] = this->Normal(corners[c], direction[c], result.Normal);
       blended += place.Weights[c] * normal[c];
+    }
+  }
+  // Around a surface that cannot be oriented there are triangles whose corners mean different sides;
+  // the directions are the same from both.
+  int clearest = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (valid[c] &&
+      (!valid[clearest] ||
+        std::abs(normal[c].dot(result.Normal)) > std::abs(normal[clearest].dot(result.Normal))))
+    {
+      clearest = c;
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    if (valid[c] && normal[c].dot(normal[clearest]) < LeastOpposite)
+    {
+      normal[c] = -normal[c];
+      blended += 2.0 * place.Weights[c] * normal[c];
     }
   }
   if (blended.dot(result.Normal) < 0.0)

@@ -21,10 +21,7 @@ public:
     /// A triangle refers to a point that does not exist.
     InvalidPointId,
     /// A coordinate of a used point is NaN or infinite. Id: the first such point.
-    NonFinitePoint,
-    /// The triangles of a component cannot be wound consistently (Möbius strip, Klein bottle).
-    /// Id: a point of an edge where the contradiction shows.
-    NonOrientable
+    NonFinitePoint
   };
 
   MeshError(Kind kind, Index id, const std::string& what)

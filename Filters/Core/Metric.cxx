@@ -309,7 +309,8 @@ Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& posi
     degenerate = Mollification(mesh, length).Apply(component);
     triangles = measureAreas();
   }
-  this->ComponentArea[c] = triangles.Area;
+  const int sides = component.IsCover ? 2 : 1;
+  this->ComponentArea[c] = triangles.Area / sides;
   ParallelFor(component.Edges(), PieceSize,
     [&](Index begin, Index end)
     {
@@ -318,7 +319,7 @@ Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& posi
         length[e] *= length[e];
       }
     });
-  return degenerate;
+  return degenerate / sides;
 }
 
 std::array<double, 3> Metric::CornerAngles(const TriangleMesh& mesh, Index triangle) const

@@ -34,7 +34,7 @@ struct Metric
   std::vector<double> Area;
   /// Mean edge length of each component in the input's unit.
   std::vector<double> Unit;
-  /// Area of each component, in Unit^2.
+  /// Area of each component, in Unit^2; of one side of a cover.
   std::vector<double> ComponentArea;
   /// Triangles whose edges had to be lengthened.
   Index DegenerateTriangles = 0;

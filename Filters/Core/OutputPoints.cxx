@@ -18,6 +18,10 @@ OutputPoints::OutputPoints(
   std::vector<Index> output(surface.Points.size(), None);
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
+    if (!mesh.IsFrontVertex(v))
+    {
+      continue;
+    }
     if (merged.empty() && this->Vertex[mesh.Point(v)] == None)
     {
       this->Vertex[mesh.Point(v)] = v;
@@ -67,7 +71,10 @@ OutputPoints::OutputPoints(
     std::vector<Index> vertexOfPlace(surface.Points.size(), None);
     for (Index v = mesh.GetNumberOfVertices() - 1; v >= 0; --v)
     {
-      vertexOfPlace[mesh.Point(v)] = v;
+      if (mesh.IsFrontVertex(v))
+      {
+        vertexOfPlace[mesh.Point(v)] = v;
+      }
     }
     for (std::size_t i = 0; i < merged.size(); ++i)
     {

@@ -12,7 +12,7 @@
 namespace DirectionFields
 {
 /// The points that results are given at: those of the input, then one for each vertex whose points
-/// have another vertex already.
+/// have another vertex already. Of a cover there are only the front vertices.
 class OutputPoints
 {
 public:

@@ -26,10 +26,23 @@ OwnedParts::OwnedParts(const TriangleMesh& mesh, const Surface& surface)
   {
     this->Components.push_back({ component.Vertices(), component.Edges(), component.Triangles(), 0 });
   }
-  if (surface.Ghost.empty())
+  if (!surface.Ghost.empty())
   {
-    return;
+    this->LeaveOutGhosts(mesh, surface);
   }
+  for (std::size_t c = 0; c < this->Components.size(); ++c)
+  {
+    if (mesh.GetComponents()[c].IsCover)
+    {
+      // Both sides have the same.
+      Counts& counts = this->Components[c];
+      counts = { counts.Vertices / 2, counts.Edges / 2, counts.Triangles / 2, counts.Ghosts / 2 };
+    }
+  }
+}
+
+void OwnedParts::LeaveOutGhosts(const TriangleMesh& mesh, const Surface& surface)
+{
   const auto isGhost = [&](Index t) { return surface.Ghost[mesh.InputTriangle(t)] != 0; };
   const auto isBefore = [&](Index s, Index t)
   {

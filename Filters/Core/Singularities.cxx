@@ -26,9 +26,12 @@ std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& 
         phase[v] = std::arg(field[v]);
       }
     });
-  // Computed in the direction of the edge for both its triangles.
-  const auto along = [&](Index h)
+  // Computed in the direction of the edge for both its triangles, and where the edge is seen from two
+  // sides, on one of them: rounding must not break a tie between pi and -pi in two ways.
+  const auto along = [&](Index side)
   {
+    const Index mirror = mesh.Mirror(side);
+    const Index h = mirror != None && mesh.Edge(mirror) < mesh.Edge(side) ? mirror : side;
     const Index e = mesh.Edge(h);
     const bool forwards = mesh.HalfEdge(e) == h;
     const Index from = forwards ? mesh.Tail(h) : mesh.Head(h);

@@ -3,6 +3,7 @@
 
 #include "Stages.h"
 
+#include "DoubleCover.h"
 #include "IntrinsicTriangulation.h"
 #include "ReferenceSection.h"
 
@@ -89,6 +90,11 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
       return nullptr;
     }
     reference.FixPhase(pairs.First.Vector);
+    if (component.IsCover)
+    {
+      DoubleCover(this->Mesh, this->Transport, component, options.Degree)
+        .MakeSymmetric(pairs.First.Vector, stage.Matrices.back().Mass);
+    }
     stage.Smoothest.push_back(std::move(pairs));
     stage.Free.emplace_back();
   }

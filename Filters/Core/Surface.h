@@ -35,6 +35,9 @@ struct Repairs
   Index DegenerateTriangles = 0;
   /// Edges of more than two triangles; the surface is split into sheets there.
   Index NonManifoldEdges = 0;
+  /// Components that cannot be wound consistently (Möbius strip, Klein bottle); the field is computed
+  /// on both of their sides at once.
+  Index NonOrientableComponents = 0;
   /// Points where several fans of triangles meet; each fan gets a point of its own.
   Index NonManifoldPoints = 0;
 };

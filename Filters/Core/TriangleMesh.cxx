@@ -4,8 +4,8 @@
 #include "TriangleMesh.h"
 
 #include "ConnectedTriangles.h"
+#include "CoveredTriangles.h"
 #include "EdgeMatching.h"
-#include "MeshError.h"
 #include "MortonCurve.h"
 #include "RadixSort.h"
 #include "SortedTriangles.h"
@@ -23,18 +23,13 @@ namespace
 {
 /// Triangles, vertices or half-edges that a thread takes at a time.
 constexpr Index PieceSize = 1 << 13;
-
-std::string Id(Index id)
-{
-  return std::to_string(id);
-}
 }
 
 TriangleMesh::TriangleMesh(const Surface& surface)
 {
   this->Collect(surface);
   this->LinkVertices();
-  if (this->Components.size() == 1 && this->Repaired.NonManifoldPoints == 0)
+  if (this->Components.size() == 1 && this->Repaired.NonManifoldPoints == 0 && this->Images.empty())
   {
     Component& all = this->Components.front();
     all.FirstTriangle = all.FirstVertex = 0;
@@ -48,6 +43,14 @@ TriangleMesh::TriangleMesh(const Surface& surface)
     this->SortTriangles();
   }
   this->NumberEdges();
+  for (Component& component : this->Components)
+  {
+    component.IsCover = this->Mirror(3 * component.FirstTriangle) != None;
+  }
+  if (!this->Images.empty())
+  {
+    this->ChooseFrontVertices();
+  }
   this->TriangleComponent = {};
 }
 
@@ -120,12 +123,13 @@ void TriangleMesh::Collect(const Surface& surface)
   }
 }
 
-/// Finds the components and turns the minority of their triangles.
+/// Finds the components, turns the minority of their triangles and covers what cannot be oriented.
 void TriangleMesh::Orient()
 {
   const Index triangles = this->GetNumberOfTriangles();
   this->TriangleComponent.assign(triangles, None);
   std::vector<char> isTurned(triangles, 0);
+  std::vector<char> isCovered(triangles, 0);
   std::vector<Index> members;
   Index components = 0;
   for (Index seed = 0; seed < triangles; ++seed)
@@ -137,6 +141,7 @@ void TriangleMesh::Orient()
     members.assign(1, seed);
     this->TriangleComponent[seed] = components;
     Index turned = 0;
+    bool orientable = true;
     for (std::size_t k = 0; k < members.size(); ++k)
     {
       const Index t = members[k];
@@ -159,12 +164,7 @@ void TriangleMesh::Orient()
         }
         else if (isTurned[neighbour] != turn)
         {
-          const Index point = this->VertexPoint[this->Tail(h)];
-          throw MeshError(MeshError::Kind::NonOrientable, point,
-            "The surface is not orientable (like a Möbius strip): its triangles cannot be wound "
-            "consistently, as shows at the edge between the points " +
-              Id(point) + " and " + Id(this->VertexPoint[this->Head(h)]) +
-              ". Cut it open along a seam by duplicating the points there.");
+          orientable = false;
         }
       }
     }
@@ -179,11 +179,38 @@ void TriangleMesh::Orient()
       }
       turned = size - turned;
     }
-    this->Repaired.ReversedTriangles += turned;
+    if (orientable)
+    {
+      this->Repaired.ReversedTriangles += turned;
+    }
+    else
+    {
+      ++this->Repaired.NonOrientableComponents;
+      for (const Index t : members)
+      {
+        isCovered[t] = 1;
+      }
+    }
     ++components;
   }
   this->Components.resize(components);
   this->Turn(isTurned);
+  if (this->Repaired.NonOrientableComponents > 0)
+  {
+    CoveredTriangles covered(isCovered, this->Corners, this->Twins);
+    this->Images = std::move(covered.Images);
+    this->IsBack = std::move(covered.IsBack);
+    for (Index t = triangles; t < this->GetNumberOfTriangles(); ++t)
+    {
+      const Index front = this->Images[t];
+      this->TriangleInput.push_back(Index(this->TriangleInput[front]));
+      this->TriangleComponent.push_back(Index(this->TriangleComponent[front]));
+      for (Index h = 3 * t; h < 3 * t + 3 && !this->Crowded.empty(); ++h)
+      {
+        this->Crowded.push_back(char(this->Crowded[this->Mirror(h)]));
+      }
+    }
+  }
 }
 
 /// The one that comes first in the input.
@@ -325,8 +352,10 @@ void TriangleMesh::SplitPoints()
     {
       done[k] = 1;
     }
-    this->Repaired.NonManifoldPoints += fans[point] == 1;
-    fans[point] = static_cast<char>(std::min(2, fans[point] + 1));
+    // Both sides of a cover have each fan.
+    const int weight = this->Mirror(h) != None ? 1 : 2;
+    this->Repaired.NonManifoldPoints += fans[point] <= 2 && fans[point] + weight > 2;
+    fans[point] = static_cast<char>(std::min(3, fans[point] + weight));
   }
   RadixSort(order, BitsBelow(static_cast<Index>(pointOf.size())));
   const auto vertices = static_cast<Index>(order.size());
@@ -452,6 +481,19 @@ void TriangleMesh::SortTriangles()
         }
       }
     });
+  if (!this->Images.empty())
+  {
+    const std::vector<Index> images = std::move(this->Images);
+    const std::vector<char> isBack = std::move(this->IsBack);
+    this->Images.resize(images.size());
+    this->IsBack.resize(isBack.size());
+    for (Index t = 0; t < triangles; ++t)
+    {
+      const Index image = images[order[t].Item];
+      this->Images[t] = image == None ? None : number[image];
+      this->IsBack[t] = isBack[order[t].Item];
+    }
+  }
   ParallelFor(this->GetNumberOfVertices(), PieceSize,
     [&](Index first, Index end)
     {
@@ -509,6 +551,22 @@ void TriangleMesh::NumberEdges()
     component.EndEdge = edges;
     component.FirstEdge = edges = this->Edges[3 * component.FirstTriangle];
     component.Closed = 2 * component.Edges() == 3 * component.Triangles();
+  }
+}
+
+void TriangleMesh::ChooseFrontVertices()
+{
+  std::vector<Index> onFront(this->GetNumberOfVertices(), 0);
+  for (Index h = 0; h < this->GetNumberOfHalfEdges(); ++h)
+  {
+    onFront[this->Corners[h]] += this->IsFront(h / 3);
+  }
+  this->IsBackVertex.assign(this->GetNumberOfVertices(), 0);
+  for (Index v = 0; v < this->GetNumberOfVertices(); ++v)
+  {
+    const Index mirror = this->MirrorVertex(v);
+    this->IsBackVertex[v] = mirror != None &&
+      (onFront[v] != onFront[mirror] ? onFront[v] < onFront[mirror] : v > mirror);
   }
 }
 }

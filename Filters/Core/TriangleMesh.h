@@ -24,6 +24,11 @@ namespace DirectionFields
 /// A vertex is a fan of triangles at a used point. A surface that is no manifold is split into
 /// sheets: an edge of more than two triangles becomes boundary for all of them, and where several
 /// fans meet in a point each is a vertex of its own.
+///
+/// A component that cannot be oriented (Möbius strip, Klein bottle) is represented by its orientable
+/// double cover: each of its triangles, vertices and edges is there twice, once for each side of the
+/// surface, and Mirror leads from the one to the other. Everything on it that knows intrinsic
+/// geometry only is mapped to its complex conjugate by that.
 class TriangleMesh
 {
 public:
@@ -34,14 +39,16 @@ public:
     Index FirstEdge, EndEdge;
     Index FirstVertex, EndVertex;
     bool Closed;
+    /// The double cover of what cannot be oriented. All ranges and counts are those of the cover.
+    bool IsCover;
 
     Index Vertices() const { return this->EndVertex - this->FirstVertex; }
     Index Edges() const { return this->EndEdge - this->FirstEdge; }
     Index Triangles() const { return this->EndTriangle - this->FirstTriangle; }
   };
 
-  /// Winds every component like the majority of its triangles. Throws MeshError for invalid ids,
-  /// non-finite coordinates and components that are not orientable.
+  /// Winds every component like the majority of its triangles. Throws MeshError for invalid ids and
+  /// non-finite coordinates.
   explicit TriangleMesh(const Surface& surface);
 
   static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -81,6 +88,27 @@ public:
       fan.push_back(h);
       h = this->NextOutgoing(h);
     } while (h != None && h != first);
+  }
+
+  /// The same edge seen from the other side of a cover, where it runs the other way; None elsewhere.
+  Index Mirror(Index h) const
+  {
+    const Index image = this->Images.empty() ? None : this->Images[h / 3];
+    return image == None ? None : 3 * image + 2 - h % 3;
+  }
+  /// The same point on the other side of a cover; None elsewhere.
+  Index MirrorVertex(Index vertex) const
+  {
+    const Index mirror = this->Mirror(this->VertexHalfEdge[vertex]);
+    return mirror == None ? None : this->Head(mirror);
+  }
+  /// The side that results are taken from: everything but the other side of covers. It is connected
+  /// by a spanning tree of triangles, so that as few edges as may be lead away from it.
+  bool IsFront(Index triangle) const { return this->IsBack.empty() || !this->IsBack[triangle]; }
+  /// The vertex that stands for a point: in a cover the one with more triangles of the front.
+  bool IsFrontVertex(Index vertex) const
+  {
+    return this->IsBackVertex.empty() || !this->IsBackVertex[vertex];
   }
 
   const std::vector<Component>& GetComponents() const { return this->Components; }
@@ -126,6 +154,7 @@ private:
   void SortVertices(const std::vector<Vector3>& points);
   void SortTriangles();
   void NumberEdges();
+  void ChooseFrontVertices();
 
   std::vector<Index> Corners;
   std::vector<Index> Twins;
@@ -136,6 +165,11 @@ private:
   std::vector<Index> VertexHalfEdge;
   std::vector<Index> VertexPoint;
   std::vector<Index> TriangleInput;
+  /// Of each triangle its copy on the other side of a cover, or None, and whether it is on the back;
+  /// all are empty without covers.
+  std::vector<Index> Images;
+  std::vector<char> IsBack;
+  std::vector<char> IsBackVertex;
   std::vector<Component> Components;
   Repairs Repaired;
 

@@ -68,6 +68,10 @@ std::string Describe(const DirectionFields::Repairs& repaired)
     "triangles with a repeated corner", "ignored");
   count(repaired.DegenerateTriangles, "triangle without area", "triangles without area",
     "given a little area");
+  count(repaired.NonOrientableComponents,
+    "connected component that cannot be oriented, like a Möbius strip,",
+    "connected components that cannot be oriented, like a Möbius strip,",
+    "covered on both sides, with a seam in the normals");
   count(repaired.NonManifoldEdges, "edge of more than two triangles",
     "edges of more than two triangles", "split");
   count(repaired.NonManifoldPoints, "point where several sheets meet",

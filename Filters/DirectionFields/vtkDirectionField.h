@@ -96,8 +96,16 @@
  * - `Normals`: 3-component float, active normals. Unit outward normal of the triangle.
  *
  * @warning
- * Coordinates that are not finite and surfaces that cannot be oriented (a Möbius strip) are an
- * error that names the first offending point, and both outputs are empty.
+ * Coordinates that are not finite are an error that names the first offending point, and both
+ * outputs are empty.
+ *
+ * @warning
+ * A component that cannot be oriented (a Möbius strip, a Klein bottle) has its field computed on both
+ * sides at once, with a warning. The directions are smooth everywhere, and on a closed component the
+ * indices sum up to n times the Euler characteristic. Only what depends on a side has a seam, as few
+ * edges as may be: the normal about which the directions follow each other, and the sign of the mean
+ * curvature. Larger and smaller curvature change places there, hence they guide fields of degree 4 but
+ * none of degree 2, with a warning.
  *
  * @warning
  * A surface that is no manifold is split into sheets, with a warning: at an edge of more than two

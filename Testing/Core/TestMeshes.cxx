@@ -237,31 +237,6 @@ Surface Torus(int around, int across, double majorRadius, double minorRadius)
   return s;
 }
 
-Surface MoebiusStrip(int segments)
-{
-  Surface s;
-  for (int i = 0; i < segments; ++i)
-  {
-    const double angle = 2.0 * Pi * i / segments;
-    const Vector3 radial(std::cos(angle), std::sin(angle), 0.0);
-    const Vector3 across =
-      std::cos(0.5 * angle) * radial + std::sin(0.5 * angle) * Vector3::UnitZ();
-    s.Points.push_back(radial - 0.3 * across);
-    s.Points.push_back(radial + 0.3 * across);
-  }
-  for (int i = 0; i < segments; ++i)
-  {
-    const bool last = i + 1 == segments;
-    const Index a = 2 * i;
-    const Index b = 2 * i + 1;
-    const Index c = last ? 0 : b + 2;
-    const Index d = last ? 1 : a + 2;
-    s.Triangles.push_back({ a, d, b });
-    s.Triangles.push_back({ b, d, c });
-  }
-  return s;
-}
-
 Surface Potato(int levels)
 {
   Surface s = Icosphere(levels);

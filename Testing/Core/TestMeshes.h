@@ -33,8 +33,14 @@ Surface Cylinder(int around, int along, double height);
 Surface Torus(int around, int across, double majorRadius = 1.0, double minorRadius = 0.4);
 /// Closed surface of genus 2: two tori joined where they overlap, on a cubic lattice of the cell size.
 Surface DoubleTorus();
-/// Strip of quads closed with a half turn.
-Surface MoebiusStrip(int segments);
+/// Strip of quads closed with a half turn, of radius 1 and width 0.6.
+Surface MoebiusStrip(int segments, int across = 1);
+/// The orientable double cover of that, twice around at the same places.
+Surface TwiceAroundMoebiusStrip(int segments, int across);
+/// A figure eight turned half around while it runs around a circle; it meets itself in space only.
+Surface KleinBottle(int around, int across);
+/// The icosphere with opposite points made one: closed, of Euler characteristic 1.
+Surface ProjectivePlane(int levels);
 /// A closed surface without symmetries, like a potato, of 10 4^levels + 2 vertices.
 Surface Potato(int levels);
 /// Unit disk in the plane z = 0 that a turn by 90 degrees maps to itself, of 4 cells^2 squares bent

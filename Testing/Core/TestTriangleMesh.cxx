@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -235,9 +236,66 @@ TEST(TriangleMesh, SplitsPointsWhereFansMeet)
   EXPECT_EQ(two.GetRepairs().NonManifoldPoints, 1);
 }
 
-TEST(TriangleMesh, RefusesNonOrientableSurfaces)
+TEST(TriangleMesh, CoversNonOrientableSurfaces)
 {
-  EXPECT_EQ(ErrorOf(MoebiusStrip(12)).first, MeshError::Kind::NonOrientable);
+  struct
+  {
+    Surface Input;
+    int Characteristic;
+    bool Closed;
+  } surfaces[] = { { MoebiusStrip(12), 0, false }, { MoebiusStrip(15, 4), 0, false },
+    { KleinBottle(14, 9), 0, true }, { ProjectivePlane(0), 1, true },
+    { ProjectivePlane(2), 1, true } };
+  for (const auto& [surface, characteristic, closed] : surfaces)
+  {
+    const TriangleMesh mesh(surface);
+    ExpectConsistent(mesh);
+    ASSERT_EQ(mesh.GetComponents().size(), 1u);
+    const TriangleMesh::Component& component = mesh.GetComponents()[0];
+    EXPECT_TRUE(component.IsCover);
+    EXPECT_EQ(component.Closed, closed);
+    EXPECT_EQ(component.Triangles(), 2 * static_cast<Index>(surface.Triangles.size()));
+    EXPECT_EQ(component.Vertices(), 2 * static_cast<Index>(surface.Points.size()));
+    EXPECT_EQ(
+      component.Vertices() - component.Edges() + component.Triangles(), 2 * characteristic);
+    EXPECT_EQ(mesh.GetRepairs().NonOrientableComponents, 1);
+    EXPECT_EQ(mesh.GetRepairs().ReversedTriangles, 0);
+    EXPECT_EQ(mesh.GetRepairs().NonManifoldPoints, 0);
+    for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+    {
+      const Index mirror = mesh.Mirror(h);
+      ASSERT_EQ(mesh.Mirror(mirror), h);
+      ASSERT_EQ(mesh.InputTriangle(mirror / 3), mesh.InputTriangle(h / 3));
+      ASSERT_NE(mesh.IsFront(h / 3), mesh.IsFront(mirror / 3));
+      ASSERT_EQ(mesh.Point(mesh.Tail(mirror)), mesh.Point(mesh.Head(h)));
+      ASSERT_EQ(mesh.MirrorVertex(mesh.Tail(h)), mesh.Head(mirror));
+      ASSERT_EQ(mesh.Twin(h) == None, mesh.Twin(mirror) == None);
+      if (mesh.Twin(h) != None)
+      {
+        ASSERT_EQ(mesh.Mirror(mesh.Twin(h)), mesh.Twin(mirror));
+      }
+    }
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      ASSERT_EQ(mesh.MirrorVertex(mesh.MirrorVertex(v)), v);
+      ASSERT_NE(mesh.IsFrontVertex(v), mesh.IsFrontVertex(mesh.MirrorVertex(v)));
+    }
+  }
+  // Nothing is there twice beside it, and a point that both have is split.
+  Surface mixed = Joined(Tetrahedron(), Joined(MoebiusStrip(8), Disk(2)));
+  for (Triangle& t : mixed.Triangles)
+  {
+    std::replace(t.begin(), t.end(), Index(0), Index(4));
+  }
+  const TriangleMesh mesh(mixed);
+  ExpectConsistent(mesh);
+  ASSERT_EQ(mesh.GetComponents().size(), 3u);
+  EXPECT_FALSE(mesh.GetComponents()[0].IsCover);
+  EXPECT_TRUE(mesh.GetComponents()[1].IsCover);
+  EXPECT_FALSE(mesh.GetComponents()[2].IsCover);
+  EXPECT_EQ(mesh.GetComponents()[1].Triangles(), 32);
+  EXPECT_EQ(mesh.GetComponents()[2].Vertices(), 19);
+  EXPECT_EQ(mesh.GetRepairs().NonManifoldPoints, 1);
 }
 
 TEST(TriangleMesh, WithoutAMajorityTheFirstTriangleDecides)

@@ -46,7 +46,6 @@ void TestErrors()
   }
 
   const std::vector<TestMeshes::Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  TestError(TestMeshes::Moebius(20), { "orient" });
   TestError(TestMeshes::Make(points, { { 0, 1, 99 } }), { "point 99" });
   TestError(TestMeshes::Make(points, { { 0, 1, 2, -1 } }), { "point -1" });
   TestError(TestMeshes::Make(points, { { 0, 1, 5000000000 } }), { "point" });
@@ -133,6 +132,10 @@ void TestWarnings()
 
   TestWarning(Changed({}, { { a[0], a[1], a[0] }, { a[1], a[2], a[0] } }),
     { "1 duplicate triangle", "1 triangle with a repeated corner" });
+
+  auto strip = TestWarning(TestMeshes::Moebius(20), { "1 connected component that cannot be oriented" });
+  CHECK(FieldValue(strip, "EulerCharacteristic") == 0);
+  CHECK(strip->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
 
   // Point 3 lies on the edge from 0 to 1, so that the triangle between has no area.
   TestWarning(
