@@ -171,7 +171,23 @@ Result DirectionField::Compute(
   Check(guidance, options, this->Input->Points.size());
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
+  const auto goOn = [&](double fraction) { return !progress || progress(fraction); };
+  const auto aborted = [&options]
+  {
+    Result nothing;
+    nothing.Degree = options.Degree;
+    nothing.Aborted = true;
+    return nothing;
+  };
+  if (!goOn(0.0))
+  {
+    return aborted();
+  }
   this->MakeStages(options);
+  if (!goOn(0.0))
+  {
+    return aborted();
+  }
   Stages& stages = *this->Kept;
   const TriangleMesh& mesh = stages.GetMesh();
   Result result;
@@ -224,10 +240,13 @@ Result DirectionField::Compute(
     }
   }
 
+  if (!goOn(0.0))
+  {
+    return aborted();
+  }
   // The linear systems take about as long as half of the eigenvalue problem does.
   const bool systems = constraints.Any() || !drawn.empty();
   const double energyPart = systems ? 0.65 : 1.0;
-  const auto goOn = [&](double fraction) { return !progress || progress(fraction); };
   EnergyStage* energy = stages.GetEnergy(
     options, [&](double fraction) { return goOn(energyPart * fraction); });
   std::vector<Complex> field(mesh.GetNumberOfVertices());
@@ -303,11 +322,7 @@ Result DirectionField::Compute(
   }
   if (energy == nullptr)
   {
-    Result aborted;
-    aborted.Degree = options.Degree;
-    aborted.Repaired = result.Repaired;
-    aborted.Aborted = true;
-    return aborted;
+    return aborted();
   }
 
   AddTriangles(mesh, *this->Input,

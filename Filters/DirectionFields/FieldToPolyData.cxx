@@ -227,7 +227,7 @@ bool IsOfTheField(const char* name, int degree)
 }
 
 template <typename ArrayT>
-void AddPointArrays(const Result& field, vtkPointData* data)
+bool AddPointArrays(const Result& field, vtkPointData* data, const ProgressFunction& progress)
 {
   using Value = typename ArrayT::ValueType;
   const size_t points = field.Representation.size();
@@ -246,6 +246,10 @@ void AddPointArrays(const Result& field, vtkPointData* data)
     auto array = MakeArray<ArrayT>(DirectionName(k).c_str(), 3, points);
     tuples.push_back(array->GetPointer(0));
     data->AddArray(array);
+  }
+  if (progress && !progress(0.5))
+  {
+    return false;
   }
   ParallelFor(static_cast<Index>(points), PieceSize,
     [&](Index begin, Index end)
@@ -267,6 +271,7 @@ void AddPointArrays(const Result& field, vtkPointData* data)
     data->RemoveArray(DirectionName(k).c_str());
   }
   data->SetActiveVectors(DirectionName(0).c_str());
+  return true;
 }
 
 void AddCellArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
@@ -316,7 +321,8 @@ Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
 }
 }
 
-void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output)
+bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+  const ProgressFunction& progress)
 {
   output->GetPointData()->RemoveArray("OriginalPointIds");
   std::vector<vtkIdType> unused;
@@ -326,13 +332,12 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
     unused = SplitCells(input, field, output);
   }
   AddScalars<vtkIntArray>("ConstraintKind", field.Constraint, output->GetPointData());
-  if (output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE)
+  const bool areDouble =
+    output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE;
+  if (!(areDouble ? AddPointArrays<vtkDoubleArray>(field, output->GetPointData(), progress)
+                  : AddPointArrays<vtkFloatArray>(field, output->GetPointData(), progress)))
   {
-    AddPointArrays<vtkDoubleArray>(field, output->GetPointData());
-  }
-  else
-  {
-    AddPointArrays<vtkFloatArray>(field, output->GetPointData());
+    return false;
   }
   // Where a cell was torn apart, some of its points are no longer used: they show no direction.
   for (const vtkIdType point : unused)
@@ -364,6 +369,7 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
     "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, data);
   AddComponentArray<vtkDoubleArray>(
     "SystemResidual", field, &ComponentReport::SystemResidual, data);
+  return true;
 }
 
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,

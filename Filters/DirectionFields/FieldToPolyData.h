@@ -12,9 +12,10 @@ class vtkPolyData;
 namespace DirectionFields
 {
 /// Adds the field's point, cell and field data to a copy of the polydata it was computed from.
-/// The directions and the magnitude are double if the points are, else float.
-void AddFieldArrays(
-  const TriangulatedPolyData& input, const Result& field, vtkPolyData* output);
+/// The directions and the magnitude are double if the points are, else float. False where the
+/// progress function stopped it; the output is incomplete then.
+bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+  const ProgressFunction& progress = {});
 
 /// Makes a vertex at the centroid of every triangle whose index is not 0, but for ghosts. points: of the input.
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,

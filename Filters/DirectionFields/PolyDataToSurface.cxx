@@ -32,6 +32,8 @@ constexpr vtkIdType MostPoints = std::numeric_limits<Index>::max();
 constexpr Index PieceSize = 1 << 14;
 /// Three half-edges each.
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
+/// Cells between two reports of the progress, some milliseconds even where ears must be cut.
+constexpr vtkIdType CellsPerReport = 16384;
 
 [[noreturn]] void RefuseId(vtkIdType cell, vtkIdType id, vtkIdType points)
 {
@@ -251,7 +253,7 @@ void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
 }
 }
 
-TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
+TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const ProgressFunction& progress)
 {
   TriangulatedPolyData result;
   vtkPoints* points = polyData->GetPoints();
@@ -297,9 +299,18 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
   const auto isHidden = [&isMarked](vtkIdType cell)
   { return isMarked(cell, vtkDataSetAttributes::HIDDENCELL); };
 
+  const vtkIdType numberOfCells = polys->GetNumberOfCells() + strips->GetNumberOfCells();
+  vtkIdType done = 0;
+  const auto goOn = [&]
+  {
+    result.Aborted = done++ % CellsPerReport == 0 && progress &&
+      !progress(static_cast<double>(done) / static_cast<double>(numberOfCells));
+    return !result.Aborted;
+  };
+
   Triangulator triangulator(points, result);
   vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < polys->GetNumberOfCells(); ++i, ++cell)
+  for (vtkIdType i = 0; i < polys->GetNumberOfCells() && goOn(); ++i, ++cell)
   {
     if (!isHidden(cell))
     {
@@ -307,7 +318,7 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData)
       triangulator.AddPolygon(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
     }
   }
-  for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i, ++cell)
+  for (vtkIdType i = 0; !result.Aborted && i < strips->GetNumberOfCells() && goOn(); ++i, ++cell)
   {
     if (!isHidden(cell))
     {

@@ -22,6 +22,8 @@ struct TriangulatedPolyData
   /// For each triangle its cell, in the numbering of the vtkPolyData: vertices, lines, polygons,
   /// strips.
   std::vector<vtkIdType> CellOfTriangle;
+  /// Stopped by the progress function; the triangles are incomplete.
+  bool Aborted = false;
 };
 
 /// Triangles are taken as they are. Polygons are cut by their ears; one that cannot be cut so
@@ -30,7 +32,8 @@ struct TriangulatedPolyData
 /// duplicates give ghosts.
 ///
 /// Throws std::length_error for more points or triangles than Index can number.
-TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData);
+TriangulatedPolyData PolyDataToSurface(
+  vtkPolyData* polyData, const ProgressFunction& progress = {});
 }
 
 #endif

@@ -141,22 +141,29 @@ public:
   /// The stages are kept where the points and the triangles are the same as before, whatever
   /// became of the input's data. They are compared by value: modification times do not tell, for
   /// they change with each array, and do not change where points are moved in place.
-  void SetInput(vtkPolyData* input)
+  ///
+  /// False where the progress function stopped it; then everything is as before.
+  bool SetInput(vtkPolyData* input, const DirectionFields::ProgressFunction& progress)
   {
     auto surface = std::make_shared<DirectionFields::TriangulatedPolyData>(
-      DirectionFields::PolyDataToSurface(input));
+      DirectionFields::PolyDataToSurface(input, progress));
+    if (surface->Aborted)
+    {
+      return false;
+    }
     if (this->Stages && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
       SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
       SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
     {
       this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
-      return;
+      return true;
     }
     // What belongs to the old surface goes before the stages of the new one need memory.
     this->Stages.reset();
     this->Surface = std::move(surface);
     this->Stages.emplace(
       std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
+    return true;
   }
 
   const DirectionFields::TriangulatedPolyData& GetSurface() const { return *this->Surface; }
@@ -380,14 +387,30 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     }
   } atEnd{ this };
 
+  const auto progressOf = [this](double begin, double end) -> DirectionFields::ProgressFunction
+  {
+    return [this, begin, end](double done)
+    {
+      this->UpdateProgress(begin + done * (end - begin));
+      return !this->IsAborted();
+    };
+  };
+  const auto giveNothing = [=]
+  {
+    output->Initialize();
+    singularities->Initialize();
+  };
   std::string error;
   try
   {
-    DirectionFields::Threads threads;
+    DirectionFields::Threads threads(this->MakeOptions().NumberOfThreads);
     const DirectionFields::Threads::Scope scope(threads);
-    this->Last->SetInput(input);
+    if (!this->Last->SetInput(input, progressOf(0.0, ProgressRead)))
+    {
+      giveNothing();
+      return 1;
+    }
     const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
-    this->UpdateProgress(ProgressRead);
 
     DirectionFields::Result field;
     if (surface.Mesh.Triangles.empty())
@@ -402,24 +425,22 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
       {
         guidance = MakeGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
       }
-      field = this->Last->GetStages().Compute(this->MakeOptions(), guidance,
-        [this](double done)
-        {
-          this->UpdateProgress(ProgressRead + done * (ProgressSolved - ProgressRead));
-          return !this->IsAborted();
-        });
+      field = this->Last->GetStages().Compute(
+        this->MakeOptions(), guidance, progressOf(ProgressRead, ProgressSolved));
     }
-    this->UpdateProgress(ProgressSolved);
     if (field.Aborted || this->IsAborted())
     {
-      output->Initialize();
-      singularities->Initialize();
+      giveNothing();
       return 1;
     }
 
     this->Warn(field);
     output->ShallowCopy(input);
-    DirectionFields::AddFieldArrays(surface, field, output);
+    if (!DirectionFields::AddFieldArrays(surface, field, output, progressOf(ProgressSolved, 1.0)))
+    {
+      giveNothing();
+      return 1;
+    }
     DirectionFields::MakeSingularities(
       surface, field, input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
       singularities);
@@ -435,7 +456,6 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     error = exception.what();
   }
   vtkErrorMacro(<< error);
-  output->Initialize();
-  singularities->Initialize();
+  giveNothing();
   return 0;
 }

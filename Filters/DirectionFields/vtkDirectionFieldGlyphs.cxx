@@ -101,8 +101,17 @@ int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
       throw std::invalid_argument("The input has no point array \"Direction0\" of 3 components. "
                                   "Apply Direction Field first and take its first output.");
     }
-    const auto surface = DirectionFields::PolyDataToSurface(input);
-    this->UpdateProgress(ProgressRead);
+    const auto surface = DirectionFields::PolyDataToSurface(input,
+      [this](double done)
+      {
+        this->UpdateProgress(done * ProgressRead);
+        return !this->IsAborted();
+      });
+    if (surface.Aborted)
+    {
+      output->Initialize();
+      return 1;
+    }
     const auto glyphs = DirectionFields::MakeGlyphs(surface.Mesh, field,
       DirectionFields::GhostTriangles(input, surface), DirectionFields::GhostPoints(input),
       this->MakeOptions(),

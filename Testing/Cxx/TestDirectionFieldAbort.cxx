@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whichever report of the progress is answered by an abort, it is the last, the outputs are empty, and
+// the next run is complete.
+
+#include "TestChecks.h"
+
+#include "vtkDirectionField.h"
+#include "vtkDirectionFieldGlyphs.h"
+
+#include "vtkCallbackCommand.h"
+
+using namespace TestChecks;
+
+namespace
+{
+struct Watch
+{
+  /// Number of the report to answer, or -1 for none.
+  int When = -1;
+  std::vector<double> Reports;
+
+  static void Report(vtkObject* caller, unsigned long, void* client, void* progress)
+  {
+    auto self = static_cast<Watch*>(client);
+    if (static_cast<int>(self->Reports.size()) == self->When)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+    self->Reports.push_back(*static_cast<double*>(progress));
+  }
+};
+
+/// Nothing was reported after the answer, but for the end, by the pipeline.
+bool IsLast(const Watch& watch)
+{
+  const auto after = static_cast<int>(watch.Reports.size()) - watch.When - 1;
+  return after == 0 || (after == 1 && watch.Reports.back() == 1.0);
+}
+
+/// make() gives a filter with all its settings and its input.
+template <typename Make>
+void TestEveryReport(const Make& make, size_t least)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Watch::Report);
+  Watch all;
+  auto complete = make();
+  command->SetClientData(&all);
+  complete->AddObserver(vtkCommand::ProgressEvent, command);
+  complete->Update();
+  const auto count = static_cast<int>(all.Reports.size());
+  CHECK(all.Reports.size() >= least);
+  REQUIRE(complete->GetOutput()->GetNumberOfPoints() > 0);
+
+  // The filter is the same all the time, as is one in an application.
+  auto filter = make();
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  // The first report, of 0, is the pipeline's, before the filter gets to work.
+  for (int when = 1; when < count && all.Reports[static_cast<size_t>(when)] < 1.0; ++when)
+  {
+    Watch watch;
+    watch.When = when;
+    command->SetClientData(&watch);
+    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
+    filter->Modified();
+    filter->Update();
+    filter->RemoveObserver(tag);
+    filter->SetAbortExecute(0);
+    // Runs after the first have kept what an abort left complete, and report less.
+    if (static_cast<int>(watch.Reports.size()) <= when)
+    {
+      break;
+    }
+    CHECK(IsLast(watch));
+    for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+    {
+      auto output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+      CHECK(output->GetNumberOfPoints() == 0);
+      CHECK(output->GetNumberOfCells() == 0);
+      CHECK(output->GetPointData()->GetNumberOfArrays() == 0);
+      CHECK(output->GetFieldData()->GetNumberOfArrays() == 0);
+    }
+    // A new filter has everything to do.
+    auto fresh = make();
+    Watch again;
+    again.When = when;
+    command->SetClientData(&again);
+    fresh->AddObserver(vtkCommand::ProgressEvent, command);
+    fresh->Update();
+    CHECK(IsLast(again));
+    CHECK(fresh->GetOutput()->GetNumberOfPoints() == 0);
+  }
+  filter->Modified();
+  filter->Update();
+  CHECK(messages->IsEmpty());
+  CHECK(IsSame(filter->GetOutput()->GetCellData(), complete->GetOutput()->GetCellData()));
+  CHECK(IsSame(
+    filter->GetOutput()->GetPoints()->GetData(), complete->GetOutput()->GetPoints()->GetData()));
+}
+}
+
+int TestDirectionFieldAbort(int, char*[])
+{
+  const auto field = []
+  {
+    auto filter = vtkSmartPointer<vtkDirectionField>::New();
+    filter->SetInputData(TestMeshes::Pebble(3));
+    return filter;
+  };
+  TestEveryReport(field, 15);
+  TestEveryReport(
+    [&field]
+    {
+      auto filter = field();
+      filter->SetInputData(
+        TestMeshes::BesideEachOther(TestMeshes::Pebble(3), TestMeshes::QuadTorus(20, 10), 4.0));
+      filter->SetDegree(2);
+      filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+      filter->ConstrainCurvatureOn();
+      filter->SetConstraintSolver(vtkDirectionField::ENERGY);
+      return filter;
+    },
+    20);
+  auto source = field();
+  source->Update();
+  TestEveryReport(
+    [&source]
+    {
+      auto filter = vtkSmartPointer<vtkDirectionFieldGlyphs>::New();
+      filter->SetInputData(source->GetOutput());
+      return filter;
+    },
+    10);
+  return Result();
+}
