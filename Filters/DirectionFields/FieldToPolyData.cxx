@@ -17,14 +17,17 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace DirectionFields
@@ -370,6 +373,39 @@ bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   AddComponentArray<vtkDoubleArray>(
     "SystemResidual", field, &ComponentReport::SystemResidual, data);
   return true;
+}
+
+void AddReport(
+  const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data)
+{
+  const std::pair<const char*, Index> counts[] = {
+    { "CollapsedTriangles", repaired.CollapsedTriangles },
+    { "DuplicateTriangles", repaired.DuplicateTriangles },
+    { "ReversedTriangles", repaired.ReversedTriangles },
+    { "DegenerateTriangles", repaired.DegenerateTriangles },
+    { "NonManifoldEdges", repaired.NonManifoldEdges },
+    { "NonManifoldPoints", repaired.NonManifoldPoints },
+    { "NonOrientableComponents", repaired.NonOrientableComponents },
+  };
+  auto repairs = MakeArray<vtkIntArray>("Repairs", static_cast<int>(std::size(counts)), 1);
+  for (size_t k = 0; k < std::size(counts); ++k)
+  {
+    repairs->SetComponentName(static_cast<vtkIdType>(k), counts[k].first);
+    repairs->SetTypedComponent(0, static_cast<int>(k), counts[k].second);
+  }
+  data->AddArray(repairs);
+
+  data->RemoveArray("Warnings");
+  if (!warnings.empty())
+  {
+    vtkNew<vtkStringArray> texts;
+    texts->SetName("Warnings");
+    for (const std::string& warning : warnings)
+    {
+      texts->InsertNextValue(warning);
+    }
+    data->AddArray(texts);
+  }
 }
 
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,

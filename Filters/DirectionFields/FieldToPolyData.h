@@ -7,6 +7,10 @@
 #include "DirectionField.h"
 #include "PolyDataToSurface.h"
 
+#include <string>
+#include <vector>
+
+class vtkFieldData;
 class vtkPolyData;
 
 namespace DirectionFields
@@ -16,6 +20,10 @@ namespace DirectionFields
 /// progress function stopped it; the output is incomplete then.
 bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const ProgressFunction& progress = {});
+
+/// Adds the counts of what was mended, and the warnings if there are any.
+void AddReport(
+  const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);
 
 /// Makes a vertex at the centroid of every triangle whose index is not 0, but for ghosts. points: of the input.
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,

@@ -306,12 +306,13 @@ bool vtkDirectionField::IsAborted()
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionField::Warn(const DirectionFields::Result& field)
+std::vector<std::string> vtkDirectionField::Warnings(const DirectionFields::Result& field) const
 {
+  std::vector<std::string> warnings;
   const std::string repairs = Describe(field.Repaired);
   if (!repairs.empty())
   {
-    vtkWarningMacro("The surface was mended for the computation: " << repairs << ".");
+    warnings.push_back("The surface was mended for the computation: " + repairs + ".");
   }
 
   std::string notes;
@@ -321,7 +322,7 @@ void vtkDirectionField::Warn(const DirectionFields::Result& field)
   }
   if (!notes.empty())
   {
-    vtkWarningMacro(<< notes);
+    warnings.push_back(notes);
   }
 
   double worst = 0.0;
@@ -345,21 +346,24 @@ void vtkDirectionField::Warn(const DirectionFields::Result& field)
   }
   if (unsolved > 0)
   {
-    vtkWarningMacro("The aligned or constrained system of "
-      << unsolved << " of " << field.Components.size()
-      << " connected components was solved to a relative residual of " << worstSystem
-      << " only. Remesh the surface more evenly.");
+    std::ostringstream text;
+    text << "The aligned or constrained system of " << unsolved << " of "
+         << field.Components.size() << " connected components was solved to a relative residual of "
+         << worstSystem << " only. Remesh the surface more evenly.";
+    warnings.push_back(text.str());
   }
   if (unfinished > 0)
   {
-    vtkWarningMacro("The field of " << unfinished << " of " << field.Components.size()
-                                    << " connected components has not converged: the residual is "
-                                    << worst << ", not " << this->Tolerance
-                                    << (exhausted > 0
-                                           ? ". Raise MaximumIterations."
-                                           : ". More iterations would not help: the triangles are "
-                                             "of too different sizes or shapes, remesh them."));
+    std::ostringstream text;
+    text << "The field of " << unfinished << " of " << field.Components.size()
+         << " connected components has not converged: the residual is " << worst << ", not "
+         << this->Tolerance
+         << (exhausted > 0 ? ". Raise MaximumIterations."
+                           : ". More iterations would not help: the triangles are of too different "
+                             "sizes or shapes, remesh them.");
+    warnings.push_back(text.str());
   }
+  return warnings;
 }
 
 //------------------------------------------------------------------------------
@@ -434,13 +438,18 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
       return 1;
     }
 
-    this->Warn(field);
+    const std::vector<std::string> warnings = this->Warnings(field);
+    for (const std::string& warning : warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
     output->ShallowCopy(input);
     if (!DirectionFields::AddFieldArrays(surface, field, output, progressOf(ProgressSolved, 1.0)))
     {
       giveNothing();
       return 1;
     }
+    DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
     DirectionFields::MakeSingularities(
       surface, field, input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
       singularities);

@@ -70,8 +70,12 @@
  *     the smoothest field, more for any other.
  *   - `SystemResidual`: double. Relative residual of the linear system that gave an aligned or
  *     constrained field; for least squares that of the normal equations. 0 for the smoothest.
+ * - field data `Repairs`: int, one tuple. How much had to be mended, by named components:
+ *   CollapsedTriangles, DuplicateTriangles, ReversedTriangles, DegenerateTriangles,
+ *   NonManifoldEdges, NonManifoldPoints, NonOrientableComponents. 0 for a clean surface.
  *
- * Where they are computed, also
+ * Where there are any, also
+ * - field data `Warnings`: string. The warnings of this run, one a tuple.
  * - point data `ConstraintKind`: int. 0 not constrained, 1 boundary, 2 sharp edge, 3 curvature,
  *   4 edge of more than two triangles, 5 given by GuidanceVectors.
  * - point data `ConstraintDirection`: 3 components, type as above. The unit tangent vector that the
@@ -145,6 +149,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
 
 namespace DirectionFields
 {
@@ -459,7 +465,7 @@ private:
 
   /// One warning each if the surface had to be mended, if an option changed nothing, and if a
   /// solver did not converge.
-  void Warn(const DirectionFields::Result& field);
+  std::vector<std::string> Warnings(const DirectionFields::Result& field) const;
 
   int Degree;
   double EnergyBias;

@@ -8,6 +8,8 @@
 
 #include "vtkDirectionField.h"
 
+#include "vtkStringArray.h"
+
 using namespace TestChecks;
 
 namespace
@@ -61,6 +63,11 @@ vtkSmartPointer<vtkPolyData> TestWarning(
   filter->Update();
   CHECK(messages->IsOneWarning(words));
   vtkPolyData* field = filter->GetOutput();
+  // The field data says the same.
+  auto texts =
+    vtkStringArray::SafeDownCast(field->GetFieldData()->GetAbstractArray("Warnings"));
+  CHECK(texts && texts->GetNumberOfTuples() == 1);
+  CHECK(texts && messages->Warnings[0].find(texts->GetValue(0)) != std::string::npos);
   CHECK(field->GetNumberOfPoints() == mesh->GetNumberOfPoints());
   CHECK(field->GetNumberOfCells() == mesh->GetNumberOfCells());
   for (int k = 0; Direction(field, k); ++k)
@@ -71,6 +78,34 @@ vtkSmartPointer<vtkPolyData> TestWarning(
     }
   }
   return field;
+}
+
+/// A named count of what was mended.
+int RepairCount(vtkPolyData* field, const char* name)
+{
+  vtkDataArray* repairs = field->GetFieldData()->GetArray("Repairs");
+  for (int k = 0; repairs && k < repairs->GetNumberOfComponents(); ++k)
+  {
+    if (repairs->GetComponentName(k) && std::string(name) == repairs->GetComponentName(k))
+    {
+      return static_cast<int>(repairs->GetComponent(0, k));
+    }
+  }
+  return -1;
+}
+
+/// Three triangles on an edge.
+vtkSmartPointer<vtkPolyData> TestWarningOfSplit()
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(TestMeshes::Make(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
+    { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }));
+  filter->Update();
+  CHECK(messages->IsOneWarning({ "1 edge of more than two triangles", "2 points where" }));
+  return filter->GetOutput();
 }
 
 /// The pebble with some of its triangles replaced and others added.
@@ -119,6 +154,7 @@ void TestWarnings()
     Changed({ { 3, { a[0], a[2], a[1] } }, { 40, { b[0], b[2], b[1] } } }, {}),
     { "2 triangles wound against the majority" });
   CHECK(LargestAngle(flipped, clean->GetOutput(), 4) < 1e-3);
+  CHECK(RepairCount(flipped, "ReversedTriangles") == 2);
   CHECK(SumOfIndices(flipped->GetCellData()) == 8);
 
   auto duplicate = TestWarning(Changed({}, { { a[1], a[2], a[0] } }), { "1 duplicate triangle" });
@@ -130,18 +166,37 @@ void TestWarnings()
   CHECK(LargestAngle(collapsed, clean->GetOutput(), 4) < 1e-3);
   TestWarning(Changed({}, { { a[0], a[1], a[1], a[0] } }), { "1 triangle with a repeated corner" });
 
-  TestWarning(Changed({}, { { a[0], a[1], a[0] }, { a[1], a[2], a[0] } }),
+  auto both = TestWarning(Changed({}, { { a[0], a[1], a[0] }, { a[1], a[2], a[0] } }),
     { "1 duplicate triangle", "1 triangle with a repeated corner" });
+  CHECK(RepairCount(both, "DuplicateTriangles") == 1);
+  CHECK(RepairCount(both, "CollapsedTriangles") == 1);
+  CHECK(RepairCount(both, "ReversedTriangles") == 0);
 
   auto strip = TestWarning(TestMeshes::Moebius(20), { "1 connected component that cannot be oriented" });
   CHECK(FieldValue(strip, "EulerCharacteristic") == 0);
+  CHECK(RepairCount(strip, "NonOrientableComponents") == 1);
   CHECK(strip->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
 
   // Point 3 lies on the edge from 0 to 1, so that the triangle between has no area.
-  TestWarning(
+  auto flat = TestWarning(
     TestMeshes::Make({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 1, -1, 0 } },
       { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 4, 3 }, { 3, 4, 1 } }),
     { "1 triangle without area" });
+  CHECK(RepairCount(flat, "DegenerateTriangles") == 1);
+
+  auto book = TestWarningOfSplit();
+  CHECK(RepairCount(book, "NonManifoldEdges") == 1);
+  CHECK(RepairCount(book, "NonManifoldPoints") == 2);
+
+  // Without trouble there is nothing, also behind a filter that had some.
+  vtkNew<vtkDirectionField> behind;
+  auto mended = vtkSmartPointer<vtkPolyData>::New();
+  mended->DeepCopy(clean->GetOutput());
+  mended->GetFieldData()->ShallowCopy(flipped->GetFieldData());
+  behind->SetInputData(mended);
+  behind->Update();
+  CHECK(behind->GetOutput()->GetFieldData()->GetAbstractArray("Warnings") == nullptr);
+  CHECK(RepairCount(behind->GetOutput(), "ReversedTriangles") == 0);
 }
 
 /// Triangles that share places but no points: a warning names the remedy, and it is one.
