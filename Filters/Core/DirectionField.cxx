@@ -23,6 +23,22 @@ namespace
 {
 constexpr Index PieceSize = 1 << 13;
 
+/// Turns a section by one global phase towards another one; a symmetric section over a cover by half a
+/// turn or not at all. Nothing is done where the two have nothing in common.
+void TurnTowards(const ComplexVector& reference, bool isCover, ComplexVector& u)
+{
+  Complex sum = u.dot(reference);
+  if (std::abs(sum) <= 1e-3 * u.cwiseAbs().dot(reference.cwiseAbs()))
+  {
+    return;
+  }
+  if (isCover)
+  {
+    sum = sum.real() < 0.0 ? -1.0 : 1.0;
+  }
+  u *= sum / std::abs(sum);
+}
+
 /// Tangent vectors of the angles that n-th powers have.
 std::vector<Vector3> InSpace(
   const TangentFrames& frames, const std::vector<Complex>& section, int degree)
@@ -151,6 +167,12 @@ DirectionField::~DirectionField() = default;
 DirectionField::DirectionField(DirectionField&&) noexcept = default;
 DirectionField& DirectionField::operator=(DirectionField&&) noexcept = default;
 
+void DirectionField::SetPhaseReference(std::vector<Vector3> directions, int degree)
+{
+  this->PhaseReference.Vectors = std::move(directions);
+  this->PhaseReferenceDegree = degree;
+}
+
 void DirectionField::MakeStages(const Options& options)
 {
   if (this->Kept && this->Merges == options.MergePoints)
@@ -249,6 +271,11 @@ Result DirectionField::Compute(
   const double energyPart = systems ? 0.65 : 1.0;
   EnergyStage* energy = stages.GetEnergy(
     options, [&](double fraction) { return goOn(energyPart * fraction); });
+  const bool isReferred = this->PhaseReferenceDegree == options.Degree &&
+    this->PhaseReference.Vectors.size() == this->Input.Points.size();
+  const std::vector<Complex> reference = isReferred
+    ? GuidanceSection(mesh, stages.GetFrames(), this->PhaseReference, options.Degree)
+    : std::vector<Complex>{};
   std::vector<Complex> field(mesh.GetNumberOfVertices());
   const OwnedParts owned(mesh, *this->Input);
   for (std::size_t c = 0; energy != nullptr && c < mesh.GetComponents().size(); ++c)
@@ -295,6 +322,12 @@ Result DirectionField::Compute(
     {
       energy = nullptr;
       break;
+    }
+    if (isReferred && values.empty() && problem.Guidance.isZero(0.0))
+    {
+      TurnTowards(Eigen::Map<const ComplexVector>(
+                    reference.data() + component.FirstVertex, component.Vertices()),
+        component.IsCover, u);
     }
     if (component.IsCover)
     {

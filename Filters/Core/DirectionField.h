@@ -49,6 +49,14 @@ public:
   Result Compute(
     const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {});
 
+  /// From the next call of Compute on, the one rotation of each component that the smoothest field
+  /// leaves open is such that it is closest to these directions on average, as those of the surface a
+  /// moment ago; without any, closest to the x axis.
+  /// @param directions one a point of the surface, its length the weight: any of the directions of a
+  ///                   field, in space. Ignored where they are not one a point.
+  /// @param degree     of that field; fields of other degrees ignore it
+  void SetPhaseReference(std::vector<Vector3> directions, int degree);
+
 private:
   /// Those of the surface, unless they are there already.
   void MakeStages(const Options& options);
@@ -58,6 +66,8 @@ private:
   bool Merges = false;
   std::vector<Index> FirstPoint;
   std::unique_ptr<Stages> Kept;
+  Guidance PhaseReference;
+  int PhaseReferenceDegree = 0;
 };
 }
 

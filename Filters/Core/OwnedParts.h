@@ -10,11 +10,11 @@
 
 namespace DirectionFields
 {
-/// What of a mesh counts in sums. Of a cover that is one side. Where triangles are there as ghosts of other pieces
-/// (Surface::Ghost), such a triangle counts in the piece that it belongs to, and a vertex or an edge
-/// in the piece of that one of its triangles whose corners are lexicographically first. So all that
-/// is known of a surface in pieces is counted once, wherever each piece has for ghosts all the
-/// triangles that touch its own.
+/// What of a mesh counts in sums. Of a cover that is one side. Where triangles are there as ghosts of
+/// other pieces (Surface::Ghost), such a triangle counts in the piece that it belongs to, and a vertex
+/// or an edge in the piece of that one of its triangles whose corners are lexicographically first. So
+/// all that is known of a surface in pieces is counted once, wherever each piece has for ghosts all
+/// the triangles that touch its own.
 struct OwnedParts
 {
   /// @param surface of the mesh

@@ -8,12 +8,14 @@
 #include "Threads.h"
 
 #include "vtkDataArray.h"
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -142,8 +144,12 @@ public:
   /// became of the input's data. They are compared by value: modification times do not tell, for
   /// they change with each array, and do not change where points are moved in place.
   ///
+  /// Where only the points have changed and the time, the field of the time before is the reference
+  /// of the new one's phase, so that it does not jump.
+  ///
   /// False where the progress function stopped it; then everything is as before.
-  bool SetInput(vtkPolyData* input, const DirectionFields::ProgressFunction& progress)
+  bool SetInput(vtkPolyData* input, const std::optional<double>& time,
+    const DirectionFields::ProgressFunction& progress)
   {
     auto surface = std::make_shared<DirectionFields::TriangulatedPolyData>(
       DirectionFields::PolyDataToSurface(input, progress));
@@ -158,12 +164,37 @@ public:
       this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
       return true;
     }
+    // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
+    const bool follows = this->Stages && time && this->Time && *time != *this->Time &&
+      surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
+      surface->CellOfTriangle == this->Surface->CellOfTriangle;
     // What belongs to the old surface goes before the stages of the new one need memory.
     this->Stages.reset();
     this->Surface = std::move(surface);
     this->Stages.emplace(
       std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
+    if (follows)
+    {
+      this->Stages->SetPhaseReference(std::move(this->Directions), this->Degree);
+    }
+    this->Time = time;
+    this->Directions.clear();
     return true;
+  }
+
+  /// The field that was computed of the input.
+  void SetField(const DirectionFields::Result& field)
+  {
+    if (this->Time)
+    {
+      this->Degree = field.Degree;
+      this->Directions.resize(this->Surface->Mesh.Points.size());
+      for (size_t i = 0; i < this->Directions.size(); ++i)
+      {
+        this->Directions[i] =
+          std::abs(field.Representation[i]) * field.Direction(static_cast<int>(i), 0);
+      }
+    }
   }
 
   const DirectionFields::TriangulatedPolyData& GetSurface() const { return *this->Surface; }
@@ -181,6 +212,10 @@ private:
   /// The stages share the mesh in it.
   std::shared_ptr<DirectionFields::TriangulatedPolyData> Surface;
   std::optional<DirectionFields::DirectionField> Stages;
+  /// Of the last input, if it is one of a series, and the first directions of its field.
+  std::optional<double> Time;
+  std::vector<DirectionFields::Vector3> Directions;
+  int Degree = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -409,7 +444,17 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   {
     DirectionFields::Threads threads(this->MakeOptions().NumberOfThreads);
     const DirectionFields::Threads::Scope scope(threads);
-    if (!this->Last->SetInput(input, progressOf(0.0, ProgressRead)))
+    vtkInformation* request = outputVector->GetInformationObject(0);
+    std::optional<double> time;
+    if (request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+    {
+      time = request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    }
+    else if (input->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+    {
+      time = input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+    }
+    if (!this->Last->SetInput(input, time, progressOf(0.0, ProgressRead)))
     {
       giveNothing();
       return 1;
@@ -438,6 +483,7 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
       return 1;
     }
 
+    this->Last->SetField(field);
     const std::vector<std::string> warnings = this->Warnings(field);
     for (const std::string& warning : warnings)
     {

@@ -36,8 +36,8 @@
  * cut into triangles internally, and the results come back on the input's own points and cells.
  * Vertices and lines are passed through. Cells that vtkGhostType marks as hidden are passed through
  * but take no part. Cells that it marks as duplicates of another piece's carry the field on, but do
- * not count: neither in the sums of the field data nor on port 1. Each piece is solved for itself. An input without polygons and strips has the zero field; an empty input gives
- * an empty output.
+ * not count: neither in the sums of the field data nor on port 1. Each piece is solved for itself.
+ * An input without polygons and strips has the zero field; an empty input gives an empty output.
  *
  * @section Output Output port 0: the field
  * The input with its data, and in addition (arrays of the same names are replaced):
@@ -129,7 +129,10 @@
  *
  * @warning
  * Without alignment and constraints the field is determined up to one rotation per connected
- * component, and on symmetric shapes (a sphere, say) one of several optimal fields is chosen; the
+ * component, which makes it closest to the x axis on average. In a time series whose points move and
+ * whose cells stay it is closest to the field of the step that this filter computed before, so that
+ * it does not jump, in whichever order the steps are visited; on other visits of a step it may differ by
+ * that rotation. On symmetric shapes (a sphere, say) one of several optimal fields is chosen; the
  * same input always gives the same field.
  *
  * @warning

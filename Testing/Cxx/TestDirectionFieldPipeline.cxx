@@ -9,8 +9,10 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 
+#include <algorithm>
 #include <sstream>
 
 using namespace TestChecks;
@@ -296,6 +298,65 @@ void TestChain()
   CHECK(IsSame(first->GetOutput()->GetPointData(), second->GetOutput()->GetPointData()));
 }
 
+/// The middle one of the angles from Direction0 of one field to the nearest direction of another.
+double MiddleAngle(vtkPolyData* one, vtkPolyData* other, int degree)
+{
+  std::vector<double> angles;
+  for (vtkIdType i = 0; i < one->GetNumberOfPoints(); ++i)
+  {
+    double d[3], e[3];
+    Direction(one, 0)->GetTuple(i, d);
+    angles.push_back(TestMeshes::Pi);
+    for (int k = 0; k < degree; ++k)
+    {
+      Direction(other, k)->GetTuple(i, e);
+      angles.back() = std::min(angles.back(), vtkMath::AngleBetweenVectors(d, e));
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles[angles.size() / 2];
+}
+
+/// Steps of a series: the field of a turning surface turns with it, forwards and backwards; that of
+/// each step by itself is another one at times.
+void TestTimeSteps()
+{
+  vtkNew<vtkDirectionField> series;
+  series->SetDegree(1);
+  vtkNew<vtkPolyData> before;
+  double largest = 0.0;
+  double fromFresh = 0.0;
+  for (int k = 0; k <= 50; ++k)
+  {
+    const int step = std::min(k, 75 - k);
+    const double angle = 0.1 * step;
+    auto mesh = TestMeshes::Pebble(2);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      mesh->GetPoint(i, p);
+      mesh->GetPoints()->SetPoint(i, std::cos(angle) * p[0] - std::sin(angle) * p[2], p[1],
+        std::sin(angle) * p[0] + std::cos(angle) * p[2]);
+    }
+    vtkNew<vtkDirectionField> fresh;
+    fresh->SetDegree(1);
+    fresh->SetInputData(mesh);
+    fresh->Update();
+    mesh->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step);
+    series->SetInputData(mesh);
+    series->Update();
+    CHECK(IsSame(series->GetOutput()->GetCellData(), fresh->GetOutput()->GetCellData()));
+    fromFresh = std::max(fromFresh, MiddleAngle(fresh->GetOutput(), series->GetOutput(), 1));
+    if (k > 0)
+    {
+      largest = std::max(largest, MiddleAngle(before, series->GetOutput(), 1));
+    }
+    before->DeepCopy(series->GetOutput());
+  }
+  CHECK(largest < 0.4);
+  CHECK(fromFresh > 0.5);
+}
+
 /// Composite input: block by block.
 void TestComposite()
 {
@@ -333,6 +394,7 @@ int TestDirectionFieldPipeline(int, char*[])
   TestRepetition();
   TestAttributes();
   TestChain();
+  TestTimeSteps();
   TestComposite();
   return Result();
 }
