@@ -272,7 +272,7 @@ Result DirectionField::Compute(
   EnergyStage* energy = stages.GetEnergy(
     options, [&](double fraction) { return goOn(energyPart * fraction); });
   const bool isReferred = this->PhaseReferenceDegree == options.Degree &&
-    this->PhaseReference.Vectors.size() == this->Input.Points.size();
+    this->PhaseReference.Vectors.size() == this->Input->Points.size();
   const std::vector<Complex> reference = isReferred
     ? GuidanceSection(mesh, stages.GetFrames(), this->PhaseReference, options.Degree)
     : std::vector<Complex>{};
