@@ -53,6 +53,9 @@ const std::map<std::string, Setter> Properties = {
   { "Degree", [](vtkDirectionField* f, double v) { f->SetDegree(static_cast<int>(v)); } },
   { "EnergyBias", [](vtkDirectionField* f, double v) { f->SetEnergyBias(v); } },
   { "Tolerance", [](vtkDirectionField* f, double v) { f->SetTolerance(v); } },
+  { "Solver", [](vtkDirectionField* f, double v) { f->SetSolver(static_cast<int>(v)); } },
+  { "NumberOfThreads",
+    [](vtkDirectionField* f, double v) { f->SetNumberOfThreads(static_cast<int>(v)); } },
   { "IntrinsicDelaunay",
     [](vtkDirectionField* f, double v) { f->SetIntrinsicDelaunay(v != 0.0); } },
 };
