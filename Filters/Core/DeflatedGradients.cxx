@@ -139,11 +139,12 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
   float* const z = this->Preconditioned.data();
   float* const q = this->Product.data();
   Outcome outcome;
-  solution = ComplexVector::Zero(rows);
+  solution.resize(rows);
   const double size = std::sqrt(ParallelSum<double>(rows, PieceRows, 0.0,
     [&](Index begin, Index end) { return rightHandSide.segment(begin, end - begin).squaredNorm(); }));
   if (!(size > 0.0) || !std::isfinite(size))
   {
+    solution.setZero();
     return outcome;
   }
 
@@ -173,7 +174,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     if (!goOn())
     {
       outcome.Stopped = true;
-      return outcome;
+      break;
     }
     this->Preconditioner.Apply<1>(r, z);
     const Coefficients along(SumRows(rows,

@@ -6,7 +6,7 @@
 #include "DeflatedGradients.h"
 #include "NestedIteration.h"
 #include "OperatorProducts.h"
-#include "Threads.h"
+#include "VectorOperations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,15 +151,15 @@ void AddTo(SectionProducts& t, const Complex& a, const SectionProducts& s, const
     });
 }
 
-/// Sums over the rows that the Rayleigh quotient and the residual need.
+/// Sums over the rows: of what has to do with A u, and of what with M u or the residual.
 struct Figures
 {
   double Energy = 0.0;
-  double Mass = 0.0;
+  double Other = 0.0;
   Figures& operator+=(const Figures& other)
   {
     this->Energy += other.Energy;
-    this->Mass += other.Mass;
+    this->Other += other.Other;
     return *this;
   }
 };
@@ -214,7 +214,8 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
   SectionProducts u(operators, std::move(first));
   DeflatedGradients gradients(hierarchy.GetLevels().front(), cycle, others);
   const double terms = SumOfMagnitudes(operators.Energy, u.Vector) /
-    std::sqrt(std::max(u.Vector.dot(u.Mass).real(), std::numeric_limits<double>::min()));
+    std::sqrt(std::max(RealDot(u.Vector, u.Mass), std::numeric_limits<double>::min()));
+  ComplexVector residual(rows);
   /// The last step.
   SectionProducts search;
   int slow = 0;
@@ -227,19 +228,27 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
         for (Index v = begin; v < end; ++v)
         {
           part.Energy += (std::conj(u.Vector[v]) * u.Energy[v]).real();
-          part.Mass += (std::conj(u.Vector[v]) * u.Mass[v]).real();
+          part.Other += (std::conj(u.Vector[v]) * u.Mass[v]).real();
         }
         return part;
       });
     // A is positive semi-definite: what is less than zero is rounding.
-    const double value = std::max(0.0, figures.Energy / figures.Mass);
-    const double perLength = 1.0 / std::sqrt(figures.Mass);
-    for (ComplexVector* vector : { &u.Vector, &u.Energy, &u.Mass })
-    {
-      *vector *= perLength;
-    }
-    const ComplexVector residual = value * u.Mass - u.Energy;
-    const double relative = RelativeResidual(residual.norm(), u.Energy.norm(), terms);
+    const double value = std::max(0.0, figures.Energy / figures.Other);
+    const double perLength = 1.0 / std::sqrt(figures.Other);
+    const Figures squares = ParallelSum<Figures>(rows, PieceRows, {},
+      [&](Index begin, Index end)
+      {
+        for (ComplexVector* vector : { &u.Vector, &u.Energy, &u.Mass })
+        {
+          vector->segment(begin, end - begin) *= perLength;
+        }
+        auto rest = residual.segment(begin, end - begin);
+        const auto energy = u.Energy.segment(begin, end - begin);
+        rest = value * u.Mass.segment(begin, end - begin) - energy;
+        return Figures{ energy.squaredNorm(), rest.squaredNorm() };
+      });
+    const double relative =
+      RelativeResidual(std::sqrt(squares.Other), std::sqrt(squares.Energy), terms);
     if (!std::isfinite(relative))
     {
       break;

@@ -44,9 +44,15 @@ public:
     : Finest(operators)
     , Matrices(level.Matrices)
     , Pairs(pairs)
+    , Rest(static_cast<std::size_t>(2 * Width) * level.Rows())
     , Correction(level.Rows())
   {
     this->Multiply(pairs.Block);
+    if (this->IsWhole())
+    {
+      // Ritz pairs of the coarser level are such on this one, since its matrices are projections.
+      return;
+    }
     const std::vector<SmallMatrix> products =
       Products(level.Rows(), { { &pairs.Block.Vectors, &pairs.Block.Energy },
                                { &pairs.Block.Vectors, &pairs.Block.Mass } });
@@ -58,9 +64,9 @@ public:
   }
 
   /// All four pairs are there.
-  bool IsWhole() const { return this->Ritz.Values.size() == Width; }
+  bool IsWhole() const { return this->Pairs.Values.size() == Width; }
 
-  /// Fills the correction with the residuals; returns the first one's relative size.
+  /// Computes the residuals; returns the first one's relative size.
   float Residuals()
   {
     const SectionBlock& block = this->Pairs.Block;
@@ -79,7 +85,7 @@ public:
             rest.Real[b] -= theta * mass.Real[b];
             rest.Imaginary[b] -= theta * mass.Imaginary[b];
           }
-          rest.Store(this->Correction.Vectors.data(), v);
+          rest.Store(this->Rest.data(), v);
           part.Residual += rest.Real[0] * rest.Real[0] + rest.Imaginary[0] * rest.Imaginary[0];
           part.Energy += energy.Real[0] * energy.Real[0] + energy.Imaginary[0] * energy.Imaginary[0];
         }
@@ -94,8 +100,18 @@ public:
     SectionBlock& x = this->Pairs.Block;
     SectionBlock& w = this->Correction;
     SectionBlock& s = this->Search;
-    const bool searched = s.Rows() > 0;
-    cycle.Apply<Width>(w.Vectors.data(), w.Vectors.data(), level);
+    // The last step, unless this is the first one.
+    const bool searched = this->Ritz.Vectors.rows() > Width;
+    if (searched && s.Rows() == 0)
+    {
+      s = SectionBlock(x.Rows());
+      Combine({ { &w, this->OfCorrection() } }, s);
+    }
+    else if (searched)
+    {
+      Combine({ { &w, this->OfCorrection() }, { &s, this->OfSearch() } }, s);
+    }
+    cycle.Apply<Width>(this->Rest.data(), w.Vectors.data(), level);
     this->Multiply(w);
 
     std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{
@@ -134,18 +150,14 @@ public:
     {
       return;
     }
-    const SmallMatrix ofX = this->Ritz.Vectors.topRows(Width);
-    const SmallMatrix ofW = this->Ritz.Vectors.middleRows(Width, Width);
+    std::vector<std::pair<const SectionBlock*, SmallMatrix>> terms{
+      { &x, SmallMatrix(this->Ritz.Vectors.topRows(Width)) }, { &w, this->OfCorrection() }
+    };
     if (searched)
     {
-      Combine({ { &w, ofW }, { &s, SmallMatrix(this->Ritz.Vectors.bottomRows(Width)) } }, s);
+      terms.emplace_back(&s, this->OfSearch());
     }
-    else
-    {
-      s = SectionBlock(x.Rows());
-      Combine({ { &w, ofW } }, s);
-    }
-    Combine({ { &x, ofX }, { &s, SmallMatrix::Identity(Width, Width) } }, x);
+    Combine(terms, x);
   }
 
 private:
@@ -154,6 +166,8 @@ private:
     this->Ritz = std::move(ritz);
     this->Pairs.Values = this->Ritz.Values;
   }
+  SmallMatrix OfCorrection() const { return this->Ritz.Vectors.middleRows(Width, Width); }
+  SmallMatrix OfSearch() const { return this->Ritz.Vectors.bottomRows(Width); }
   void Multiply(SectionBlock& block) const
   {
     if (this->Finest)
@@ -171,8 +185,9 @@ private:
   const Operators* Finest;
   const LevelMatrices& Matrices;
   NestedPairs& Pairs;
+  CompactSections Rest;
   SectionBlock Correction;
-  /// Empty before the first step.
+  /// Empty before the second step.
   SectionBlock Search;
   RitzPairs Ritz;
 };

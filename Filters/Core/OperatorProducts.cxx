@@ -121,28 +121,25 @@ void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
     [&](Index row)
     {
       std::array<double, 2 * width> a{};
-      std::array<double, 2 * width> m{};
-      const auto add = [&](std::array<double, 2 * width>& sum, const Complex& value, const float* from)
-      {
-        for (int b = 0; b < width; ++b)
-        {
-          sum[b] += value.real() * from[b] - value.imag() * from[width + b];
-          sum[width + b] += value.real() * from[width + b] + value.imag() * from[b];
-        }
-      };
+      // Of the mass no digits cancel.
+      CompactValues<width> m;
       ForEachEntry(operators.Energy, row,
         [&](Index column, const Complex& value, Index k)
         {
           const float* from = x + static_cast<std::size_t>(2 * width) * column;
-          add(a, value, from);
-          add(m, std::conj(mass[k]), from);
+          for (int b = 0; b < width; ++b)
+          {
+            a[b] += value.real() * from[b] - value.imag() * from[width + b];
+            a[width + b] += value.real() * from[width + b] + value.imag() * from[b];
+          }
+          m.Add(CompactComplex(std::conj(mass[k])), x, column);
         });
       const std::size_t place = static_cast<std::size_t>(2 * width) * row;
       for (int b = 0; b < 2 * width; ++b)
       {
         ax[place + b] = static_cast<float>(a[b]);
-        mx[place + b] = static_cast<float>(m[b]);
       }
+      m.Store(mx, row);
     });
 }
 }

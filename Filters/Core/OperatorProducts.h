@@ -28,7 +28,7 @@ struct SectionProducts
   SectionProducts(const Operators& operators, ComplexVector vector);
 };
 
-/// A x and M x of four sections in single precision (see CompactSections), added up in double
+/// A x and M x of four sections in single precision (see CompactSections), A x added up in double
 /// precision.
 void Multiply(const Operators& operators, const float* x, float* ax, float* mx);
 }
