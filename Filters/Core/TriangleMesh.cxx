@@ -6,15 +6,12 @@
 #include "ConnectedTriangles.h"
 #include "CoveredTriangles.h"
 #include "EdgeMatching.h"
-#include "MortonCurve.h"
 #include "RadixSort.h"
 #include "SortedTriangles.h"
 #include "Threads.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace DirectionFields
@@ -246,36 +243,6 @@ void TriangleMesh::Turn(const std::vector<char>& turned)
   }
 }
 
-/// Orders the components by their first triangles in the input.
-void TriangleMesh::OrderComponents()
-{
-  const Index triangles = this->GetNumberOfTriangles();
-  const auto components = static_cast<Index>(this->Components.size());
-  std::vector<Keyed<std::uint32_t>> first(components);
-  for (Index c = 0; c < components; ++c)
-  {
-    first[c] = { std::numeric_limits<std::uint32_t>::max(), c };
-  }
-  std::uint32_t last = 0;
-  for (Index t = 0; t < triangles; ++t)
-  {
-    const auto input = static_cast<std::uint32_t>(this->TriangleInput[t]);
-    std::uint32_t& least = first[this->TriangleComponent[t]].Value;
-    least = std::min(least, input);
-    last = std::max(last, input);
-  }
-  RadixSort(first, BitsBelow(static_cast<Index>(last) + 1));
-  std::vector<Index> place(components);
-  for (Index c = 0; c < components; ++c)
-  {
-    place[first[c].Item] = c;
-  }
-  for (Index& component : this->TriangleComponent)
-  {
-    component = place[component];
-  }
-}
-
 /// Makes every fan of triangles a vertex.
 void TriangleMesh::LinkVertices()
 {
@@ -373,135 +340,6 @@ void TriangleMesh::SplitPoints()
       done[k] = 1;
     }
   }
-}
-
-/// Sorts the vertices of each component along a Morton curve of its own, so that no other component
-/// has a say in it.
-void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
-{
-  const Index vertices = this->GetNumberOfVertices();
-  const auto components = static_cast<Index>(this->Components.size());
-  std::vector<Index> component(vertices);
-  std::vector<Index> begin(components + 1, 0);
-  for (Index v = 0; v < vertices; ++v)
-  {
-    component[v] = this->TriangleComponent[this->VertexHalfEdge[v] / 3];
-    ++begin[component[v] + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for (Index c = 0; c < components; ++c)
-  {
-    this->Components[c].FirstVertex = begin[c];
-    this->Components[c].EndVertex = begin[c + 1];
-  }
-  const std::vector<Index> order =
-    MortonCurve::SortedInGroups(points, this->VertexPoint, component, components);
-
-  std::vector<Index> number(vertices);
-  const std::vector<Index> pointOf = std::move(this->VertexPoint);
-  const std::vector<Index> halfEdgeOf = std::move(this->VertexHalfEdge);
-  this->VertexPoint.resize(vertices);
-  this->VertexHalfEdge.resize(vertices);
-  ParallelFor(vertices, PieceSize,
-    [&](Index first, Index last)
-    {
-      for (Index v = first; v < last; ++v)
-      {
-        number[order[v]] = v;
-        this->VertexPoint[v] = pointOf[order[v]];
-        this->VertexHalfEdge[v] = halfEdgeOf[order[v]];
-      }
-    });
-  ParallelFor(this->GetNumberOfHalfEdges(), PieceSize,
-    [&](Index first, Index last)
-    {
-      for (Index h = first; h < last; ++h)
-      {
-        this->Corners[h] = number[this->Corners[h]];
-      }
-    });
-}
-
-/// Sorts the triangles by their lowest vertices, and so by component.
-void TriangleMesh::SortTriangles()
-{
-  const Index triangles = this->GetNumberOfTriangles();
-  std::vector<Keyed<std::uint32_t>> order(triangles);
-  std::vector<Index> begin(this->Components.size() + 1, 0);
-  Index last = 0;
-  for (Index t = 0; t < triangles; ++t)
-  {
-    order[t] = { static_cast<std::uint32_t>(this->TriangleInput[t]), t };
-    last = std::max(last, this->TriangleInput[t]);
-    ++begin[this->TriangleComponent[t] + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for (std::size_t c = 0; c < this->Components.size(); ++c)
-  {
-    this->Components[c].FirstTriangle = begin[c];
-    this->Components[c].EndTriangle = begin[c + 1];
-  }
-  RadixSort(order, BitsBelow(last + 1));
-  for (Keyed<std::uint32_t>& triangle : order)
-  {
-    const auto corner = this->Corners.begin() + 3 * triangle.Item;
-    triangle.Value = static_cast<std::uint32_t>(*std::min_element(corner, corner + 3));
-  }
-  RadixSort(order, BitsBelow(this->GetNumberOfVertices()));
-
-  std::vector<Index> number(triangles);
-  for (Index t = 0; t < triangles; ++t)
-  {
-    number[order[t].Item] = t;
-  }
-  const auto renumbered = [&number](Index h) { return 3 * number[h / 3] + h % 3; };
-  const std::vector<Index> corners = std::move(this->Corners);
-  const std::vector<Index> twins = std::move(this->Twins);
-  const std::vector<Index> input = std::move(this->TriangleInput);
-  const std::vector<char> crowded = std::move(this->Crowded);
-  this->Corners.resize(corners.size());
-  this->Twins.resize(twins.size());
-  this->TriangleInput.resize(input.size());
-  this->Crowded.resize(crowded.size());
-  ParallelFor(triangles, PieceSize,
-    [&](Index first, Index end)
-    {
-      for (Index t = first; t < end; ++t)
-      {
-        this->TriangleInput[t] = input[order[t].Item];
-        for (Index c = 0; c < 3; ++c)
-        {
-          const Index h = 3 * order[t].Item + c;
-          this->Corners[3 * t + c] = corners[h];
-          this->Twins[3 * t + c] = twins[h] == None ? None : renumbered(twins[h]);
-          if (!crowded.empty())
-          {
-            this->Crowded[3 * t + c] = crowded[h];
-          }
-        }
-      }
-    });
-  if (!this->Images.empty())
-  {
-    const std::vector<Index> images = std::move(this->Images);
-    const std::vector<char> isBack = std::move(this->IsBack);
-    this->Images.resize(images.size());
-    this->IsBack.resize(isBack.size());
-    for (Index t = 0; t < triangles; ++t)
-    {
-      const Index image = images[order[t].Item];
-      this->Images[t] = image == None ? None : number[image];
-      this->IsBack[t] = isBack[order[t].Item];
-    }
-  }
-  ParallelFor(this->GetNumberOfVertices(), PieceSize,
-    [&](Index first, Index end)
-    {
-      for (Index v = first; v < end; ++v)
-      {
-        this->VertexHalfEdge[v] = this->FindFan(renumbered(this->VertexHalfEdge[v])).First;
-      }
-    });
 }
 
 /// Numbers the edges by their first half-edges.

@@ -3,6 +3,7 @@
 
 #include "vtkDirectionField.h"
 
+#include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
 #include "PolyDataToSurface.h"
 #include "Threads.h"
@@ -27,7 +28,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 vtkStandardNewMacro(vtkDirectionField);
 
@@ -136,91 +136,8 @@ DirectionFields::Guidance MakeGuidance(vtkPolyData* input, const char* vectors, 
 }
 
 //------------------------------------------------------------------------------
-/// The surface of the last input and the stages of its computation.
-class vtkDirectionField::Cache
-{
-public:
-  /// The stages are kept where the points and the triangles are the same as before, whatever
-  /// became of the input's data. They are compared by value: modification times do not tell, for
-  /// they change with each array, and do not change where points are moved in place.
-  ///
-  /// Where only the points have changed and the time, the field of the time before is the reference
-  /// of the new one's phase, so that it does not jump.
-  ///
-  /// False where the progress function stopped it; then everything is as before.
-  bool SetInput(vtkPolyData* input, const std::optional<double>& time,
-    const DirectionFields::ProgressFunction& progress)
-  {
-    auto surface = std::make_shared<DirectionFields::TriangulatedPolyData>(
-      DirectionFields::PolyDataToSurface(input, progress));
-    if (surface->Aborted)
-    {
-      return false;
-    }
-    if (this->Stages && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
-      SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
-      SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
-    {
-      this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
-      return true;
-    }
-    // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
-    const bool follows = this->Stages && time && this->Time && *time != *this->Time &&
-      surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
-      surface->CellOfTriangle == this->Surface->CellOfTriangle;
-    // What belongs to the old surface goes before the stages of the new one need memory.
-    this->Stages.reset();
-    this->Surface = std::move(surface);
-    this->Stages.emplace(
-      std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
-    if (follows)
-    {
-      this->Stages->SetPhaseReference(std::move(this->Directions), this->Degree);
-    }
-    this->Time = time;
-    this->Directions.clear();
-    return true;
-  }
-
-  /// The field that was computed of the input.
-  void SetField(const DirectionFields::Result& field)
-  {
-    if (this->Time)
-    {
-      this->Degree = field.Degree;
-      this->Directions.resize(this->Surface->Mesh.Points.size());
-      for (size_t i = 0; i < this->Directions.size(); ++i)
-      {
-        this->Directions[i] =
-          std::abs(field.Representation[i]) * field.Direction(static_cast<int>(i), 0);
-      }
-    }
-  }
-
-  const DirectionFields::TriangulatedPolyData& GetSurface() const { return *this->Surface; }
-  DirectionFields::DirectionField& GetStages() { return *this->Stages; }
-
-private:
-  /// Not by the values' own comparison: that of NaN, as unused points may have, is never true.
-  template <typename T>
-  static bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
-  {
-    return a.size() == b.size() &&
-      (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-  }
-
-  /// The stages share the mesh in it.
-  std::shared_ptr<DirectionFields::TriangulatedPolyData> Surface;
-  std::optional<DirectionFields::DirectionField> Stages;
-  /// Of the last input, if it is one of a series, and the first directions of its field.
-  std::optional<double> Time;
-  std::vector<DirectionFields::Vector3> Directions;
-  int Degree = 0;
-};
-
-//------------------------------------------------------------------------------
 vtkDirectionField::vtkDirectionField()
-  : Last(std::make_unique<Cache>())
+  : Last(std::make_unique<DirectionFields::DirectionFieldCache>())
 {
   const DirectionFields::Options defaults;
   this->Degree = defaults.Degree;
@@ -261,7 +178,7 @@ vtkDirectionField::~vtkDirectionField()
 //------------------------------------------------------------------------------
 void vtkDirectionField::ReleaseStages()
 {
-  this->Last = std::make_unique<Cache>();
+  this->Last = std::make_unique<DirectionFields::DirectionFieldCache>();
 }
 
 //------------------------------------------------------------------------------

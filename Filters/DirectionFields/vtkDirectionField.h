@@ -34,9 +34,9 @@
  * @section Input Input
  * Any vtkPolyData. Triangles enter the computation as they are; polygons and triangle strips are
  * cut into triangles internally, and the results come back on the input's own points and cells.
- * Vertices and lines are passed through. Cells that vtkGhostType marks as hidden are passed through
- * but take no part. Cells that it marks as duplicates of another piece's carry the field on, but do
- * not count: neither in the sums of the field data nor on port 1. Each piece is solved for itself.
+ * Vertices, lines and cells that vtkGhostType marks as hidden are passed through but take no part.
+ * Cells that it marks as duplicates of another piece's carry the field on, but count neither in the
+ * sums of the field data nor on port 1. Each piece is solved for itself.
  * An input without polygons and strips has the zero field; an empty input gives an empty output.
  *
  * @section Output Output port 0: the field
@@ -48,8 +48,7 @@
  *   active scalars stay what they were. Arrays `Direction{n}` ... `Direction15` that an earlier
  *   filter left are removed.
  * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, small near
- *   singularities; 1 in the mean square over each connected component. 0 at points
- *   that no triangle uses.
+ *   singularities; 1 in the mean square over each connected component. 0 at unused points.
  * - cell data `SingularityIndex`: int, in units of 1/n. The index of the field inside the cell: 0
  *   where it is regular, 1 for n = 4 means a quarter turn in the direction of a walk around the
  *   cell, negative values a turn against it. For a polygon or a strip the sum over its triangles.
@@ -130,14 +129,9 @@
  * @warning
  * Without alignment and constraints the field is determined up to one rotation per connected
  * component, which makes it closest to the x axis on average. In a time series whose points move and
- * whose cells stay it is closest to the field of the step that this filter computed before, so that
- * it does not jump, in whichever order the steps are visited; on other visits of a step it may differ by
- * that rotation. On symmetric shapes (a sphere, say) one of several optimal fields is chosen; the
- * same input always gives the same field.
- *
- * @warning
- * Matrices, eigenvectors and curvature of the last surface are kept, so that another alignment or
- * other constraints take a fraction of the time of the first run. They are freed with the filter.
+ * whose cells stay it is closest to the field of the step that this filter computed before, lest it
+ * jump; on another visit of a step it may differ by that rotation. On symmetric shapes (a sphere,
+ * say) one of several optimal fields is chosen; the same input always gives the same field.
  *
  * @warning
  * Every connected component of the mesh counts: where points are not shared between polygons, as
@@ -157,6 +151,7 @@
 
 namespace DirectionFields
 {
+class DirectionFieldCache;
 struct Options;
 struct Result;
 }
@@ -237,8 +232,9 @@ public:
 
   ///@{
   /**
-   * Keep mesh, matrices and eigenvectors between executions, so that those with changed properties
-   * redo only what depends on these. Off frees that memory after each execution. Default on.
+   * Keep mesh, matrices, eigenvectors and curvature of the last surface as long as the filter, so
+   * that executions with changed properties redo only what depends on these. Off frees that memory
+   * after each execution. Default on.
    */
   vtkSetMacro(KeepStages, bool);
   vtkGetMacro(KeepStages, bool);
@@ -497,8 +493,7 @@ private:
   int ConstraintSolver;
 
   /// So that another strength or constraint does not start from nothing.
-  class Cache;
-  std::unique_ptr<Cache> Last;
+  std::unique_ptr<DirectionFields::DirectionFieldCache> Last;
 };
 
 #endif

@@ -51,6 +51,21 @@ TEST(ConstraintRules, PriorityIsGivenBoundarySharpCurvature)
   EXPECT_LT(Deviation(curved, at(4, 4), Vector3::UnitY()), 5.0);
 }
 
+TEST(ConstraintRules, FeatureAngleDecidesWhatIsSharp)
+{
+  DirectionField field(Transformed(ChamferedCube(4), Eigen::Matrix3d::Identity(), { 0, 0, 0 }));
+  Options options;
+  options.ConstrainSharpEdges = true;
+  options.FeatureAngle = 44.0;
+  EXPECT_GT(field.Compute(options).Components[0].Constraints, 0);
+  EXPECT_TRUE(field.Compute(options).Notes.empty());
+  options.FeatureAngle = 46.0;
+  const Result blunt = field.Compute(options);
+  EXPECT_EQ(blunt.Components[0].Constraints, 0);
+  EXPECT_TRUE(blunt.Constraint.empty());
+  EXPECT_EQ(blunt.Notes.size(), 1u);
+}
+
 TEST(ConstraintRules, InconsistentCurvatureIsDropped)
 {
   // On a cylinder the curvature runs around; one given direction contradicts it.

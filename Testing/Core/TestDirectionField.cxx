@@ -321,39 +321,6 @@ TEST(DirectionField, RepeatedRunsAgreeToTheByte)
   EXPECT_EQ(a.Representation, c.Representation);
 }
 
-TEST(DirectionField, MagnitudeIsOneInTheMeanSquare)
-{
-  // Whatever the scale and the resolution.
-  for (const int level : { 3, 4 })
-  {
-    for (const double scale : { 1.0, 1000.0 })
-    {
-      for (const bool sharp : { false, true })
-      {
-        Options options;
-        options.ConstrainSharpEdges = sharp;
-        options.FeatureAngle = 5.0;
-        const Surface surface =
-          Transformed(Potato(level), scale * Eigen::Matrix3d::Identity(), { 0, 0, 0 });
-        const Result result = DirectionField(surface).Compute(options);
-        double square = 0.0;
-        double area = 0.0;
-        for (const Triangle& t : surface.Triangles)
-        {
-          const Vector3& p = surface.Points[t[0]];
-          const double a = (surface.Points[t[1]] - p).cross(surface.Points[t[2]] - p).norm();
-          for (const Index i : t)
-          {
-            square += a * std::norm(result.Representation[i]);
-            area += a;
-          }
-        }
-        EXPECT_NEAR(square / area, 1.0, 0.2);
-      }
-    }
-  }
-}
-
 TEST(DirectionField, ThinTrianglesOfAFlatSurfaceKeepItParallel)
 {
   Surface surface = Square(40);
@@ -367,26 +334,6 @@ TEST(DirectionField, ThinTrianglesOfAFlatSurfaceKeepItParallel)
     EXPECT_LT((result.Direction(i, 0) - Vector3::UnitX()).norm(), 1e-3);
   }
   EXPECT_GE(result.Components[0].Eigenvalue, 0.0);
-}
-
-TEST(DirectionField, ExtremeSizesGiveFiniteFigures)
-{
-  for (const double size : { 1e-200, 1e-155, 1e155, 1e200 })
-  {
-    const Surface surface = Transformed(Potato(2), size * Eigen::Matrix3d::Identity(), { 0, 0, 0 });
-    Options options;
-    options.Alignment = Alignment::PrincipalCurvature;
-    const Result result = DirectionField(surface).Compute(options);
-    const ComponentReport& c = result.Components[0];
-    EXPECT_TRUE(std::isfinite(c.Eigenvalue) && std::isfinite(c.Lambda) &&
-      std::isfinite(c.SmoothnessEnergy));
-    for (std::size_t i = 0; i < surface.Points.size(); ++i)
-    {
-      EXPECT_TRUE(std::isfinite(result.Curvature.Mean[i]));
-      EXPECT_TRUE(std::isfinite(result.Curvature.Gaussian[i]));
-      EXPECT_NEAR(result.Direction(static_cast<Index>(i), 0).norm(), 1.0, 1e-12);
-    }
-  }
 }
 
 TEST(DirectionField, UnusedPointsGetZero)

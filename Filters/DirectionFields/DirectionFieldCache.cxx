@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DirectionFieldCache.h"
+
+#include <cstring>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+/// Not by the values' own comparison: that of NaN, as unused points may have, is never true.
+template <typename T>
+bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+}
+
+bool DirectionFieldCache::SetInput(
+  vtkPolyData* input, const std::optional<double>& time, const ProgressFunction& progress)
+{
+  auto surface = std::make_shared<TriangulatedPolyData>(PolyDataToSurface(input, progress));
+  if (surface->Aborted)
+  {
+    return false;
+  }
+  if (this->Stages && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
+    SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
+    SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
+  {
+    this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
+    return true;
+  }
+  // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
+  const bool follows = this->Stages && time && this->Time && *time != *this->Time &&
+    surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
+    surface->CellOfTriangle == this->Surface->CellOfTriangle;
+  // What belongs to the old surface goes before the stages of the new one need memory.
+  this->Stages.reset();
+  this->Surface = std::move(surface);
+  this->Stages.emplace(
+    std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
+  if (follows)
+  {
+    this->Stages->SetPhaseReference(std::move(this->Directions), this->Degree);
+  }
+  this->Time = time;
+  this->Directions.clear();
+  return true;
+}
+
+void DirectionFieldCache::SetField(const Result& field)
+{
+  if (this->Time)
+  {
+    this->Degree = field.Degree;
+    this->Directions.resize(this->Surface->Mesh.Points.size());
+    for (size_t i = 0; i < this->Directions.size(); ++i)
+    {
+      this->Directions[i] =
+        std::abs(field.Representation[i]) * field.Direction(static_cast<int>(i), 0);
+    }
+  }
+}
+}
