@@ -3,6 +3,7 @@
 
 #include "MultigridSystem.h"
 
+#include "LeastSquaresPreconditioner.h"
 #include "OperatorProducts.h"
 #include "VectorOperations.h"
 
@@ -20,6 +21,8 @@ constexpr int Width = SectionBlock::Width;
 constexpr double WantedResidual = 1e-9;
 /// They start again from the true residual while that is above this.
 constexpr double AcceptedResidual = 5e-9;
+/// Steps of least squares, which are longer, stop here.
+constexpr double WantedLeastSquares = 4e-9;
 constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 /// In 1 / unit^2; above it the mass matrix is all that counts.
@@ -320,73 +323,77 @@ SystemSolution MultigridSystem::SolveConstrainedEnergy(const FreeSystem& freeSys
   return solution;
 }
 
-/// Conjugate gradients on the normal equations of K_f B, B the V-cycle for K_ff (CGLS, Björck 1996):
-/// the squared condition is that of a well-conditioned matrix.
+/// Conjugate gradients on the normal equations, the matrix K_f times its adjoint (CGLS, Björck 1996).
 SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& freeSystem,
   const ComplexVector& rightHandSide, const GivenValues& given) const
 {
-  const Eigen::Index count = rightHandSide.size();
-  const std::vector<Index>& free = freeSystem.Free;
   SystemSolution solution;
-  ComplexVector u = Scattered(given.Values, given.Vertices, count);
-  if (free.empty())
+  solution.Vector = Scattered(given.Values, given.Vertices, rightHandSide.size());
+  if (freeSystem.Free.empty())
   {
-    solution.Vector = std::move(u);
     return solution;
   }
-  const ComplexVector b = rightHandSide - this->Times(u);
-  const auto columns = [&](const ComplexVector& x) { return this->Times(Scattered(x, free, count)); };
-  const auto adjoint = [&](const ComplexVector& x) { return Gathered(this->Times(x), free); };
-  Preconditioner preconditioner(freeSystem.Hierarchy, this->Shift(), nullptr);
-  solution.Residual = 1.0;
-  const double size = Norm(adjoint(b));
+  const ComplexVector b = rightHandSide - this->Times(solution.Vector);
+  // The gradient is K_f^* r: K r but at given vertices.
+  const auto gradientOf = [&](const ComplexVector& r)
+  {
+    ComplexVector gradient = this->Times(r);
+    for (const Index v : given.Vertices)
+    {
+      gradient[v] = 0.0;
+    }
+    return gradient;
+  };
+  const double size = Norm(gradientOf(b));
   if (!(size > 0.0))
   {
-    solution.Residual = 0.0;
-    solution.Vector = std::move(u);
     return solution;
   }
-  ComplexVector x = ComplexVector::Zero(static_cast<Eigen::Index>(free.size()));
+  solution.Residual = 1.0;
+  LeastSquaresPreconditioner preconditioner(
+    this->EnergyFactor * this->Matrices.Energy + this->MassFactor * this->Matrices.Mass,
+    freeSystem.Free, freeSystem.Hierarchy, std::max(0.0, this->Shift()));
+  ComplexVector x = ComplexVector::Zero(b.size());
   int steps = 0;
   for (int restart = 0;
        preconditioner.IsUsable() && restart < MostRestarts && steps < MostSteps; ++restart)
   {
     ComplexVector better = x;
-    ComplexVector r = b - columns(better);
-    ComplexVector gradient = adjoint(r);
-    ComplexVector s;
+    preconditioner.AddCoarse(1.0, b - this->Times(better), better);
+    ComplexVector r = b - this->Times(better);
+    ComplexVector gradient = gradientOf(r);
+    ComplexVector z;
     ComplexVector direction;
-    ComplexVector next;
     double previous = 0.0;
     for (bool first = true; steps < MostSteps && this->GoOn(); ++steps, first = false)
     {
-      preconditioner.Apply(gradient, s);
-      const double product = RealDot(s, s);
-      preconditioner.Apply(s, next);
+      preconditioner.Apply(gradient, z);
+      const double product = RealDot(gradient, z);
+      preconditioner.AddCoarse(-1.0, this->Times(z), z);
       if (first)
       {
-        direction = next;
+        direction = z;
       }
       else
       {
-        Combine(1.0, next, product / previous, direction);
+        Combine(1.0, z, product / previous, direction);
       }
       previous = product;
-      const ComplexVector q = columns(direction);
+      const ComplexVector q = this->Times(direction);
       const double step = product / RealDot(q, q);
-      if (!std::isfinite(step))
+      if (!(step > 0.0) || !std::isfinite(step))
       {
         break;
       }
       Combine(step, direction, 1.0, better);
       Combine(-step, q, 1.0, r);
-      gradient = adjoint(r);
-      if (Norm(gradient) <= WantedResidual * size)
+      gradient = gradientOf(r);
+      if (Norm(gradient) <= WantedLeastSquares * size)
       {
         break;
       }
     }
-    const double relative = Norm(adjoint(b - columns(better))) / size;
+    const double relative = Norm(gradientOf(b - this->Times(better))) / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
     {
@@ -398,8 +405,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
       break;
     }
   }
-  u += Scattered(x, free, count);
-  solution.Vector = std::move(u);
+  solution.Vector += x;
   return solution;
 }
 }

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LeastSquaresPreconditioner_h
+#define DirectionFields_LeastSquaresPreconditioner_h
+
+#include "Factorization.h"
+#include "Multigrid.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// For conjugate gradients on K_f^* K_f, K_f the columns of K = a A + m M that belong to the free
+/// vertices. All vectors are over all vertices, those of free values zero at the given ones.
+///
+/// A V-cycle B inverts K_ff up to a factor in the energy norm. In the norm of least squares it does
+/// not: interpolated sections leave a rough residual that grows with the mesh. Sweeps after the
+/// cycle, S, take that away; (S B) (S B)^* inverts K_ff^2. What remains are sections that are smooth
+/// along curves of given vertices and bend across them: a coarse level of the hierarchy holds them,
+/// and they are deflated, solved for exactly there (R. Nicolaides, SIAM J. Numer. Anal. 24, 1987).
+class LeastSquaresPreconditioner
+{
+public:
+  /// @param matrix    K
+  /// @param free      the free vertices, ascending
+  /// @param hierarchy that of K_ff; must outlive this
+  /// @param shift     m / a, at least 0
+  LeastSquaresPreconditioner(const SparseMatrix& matrix, const std::vector<Index>& free,
+    const Multigrid& hierarchy, double shift);
+
+  bool IsUsable() const { return this->Cycles.IsUsable(); }
+
+  /// z = S B (S B)^* r; what r is at given vertices does not matter.
+  void Apply(const ComplexVector& r, ComplexVector& z);
+
+  /// x += factor Z (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, Z the sections of the coarse level: with y = K_f x
+  /// and -1 the deflation of x, with the residual and 1 the best change of x among those sections.
+  void AddCoarse(double factor, const ComplexVector& y, ComplexVector& x);
+
+private:
+  void MakeCoarse(const SparseMatrix& matrix);
+
+  const std::vector<Index>& Free;
+  const Multigrid& Hierarchy;
+  Cycle Cycles;
+  SweepDiagonal Diagonal;
+  /// K_f Z
+  SparseMatrix CoarseColumns;
+  Factorization CoarseFactor;
+  /// Prolongations from the coarse level to the finest; 0 where nothing is deflated.
+  std::size_t CoarseLevel = 0;
+  CompactSections Right;
+  CompactSections Solution;
+  CompactSections Next;
+  CompactSections Rest;
+};
+}
+
+#endif
