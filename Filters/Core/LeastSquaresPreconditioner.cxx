@@ -11,10 +11,11 @@ namespace DirectionFields
 {
 namespace
 {
-/// Sweeps after a V-cycle, and before its adjoint.
-constexpr int Sweeps = 3;
+/// Sweeps of a cycle before and after the correction of the coarser level.
+constexpr int SweepsBefore = 1;
+constexpr int SweepsAfter = 5;
 /// Unknowns of the coarse level: more of them save steps, but cost more in each.
-constexpr Index MostCoarseRows = 12000;
+constexpr Index MostCoarseRows = 30000;
 /// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
 constexpr double DensestCouplings = 100.0;
 constexpr Index ColumnPiece = 1024;
@@ -57,6 +58,18 @@ ComplexVector AdjointTimes(const SparseMatrix& w, const ComplexVector& y)
   return products;
 }
 
+void Add(const CompactSections& what, CompactSections& to)
+{
+  ParallelFor(static_cast<Index>(to.size()), VectorPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        to[k] += what[k];
+      }
+    });
+}
+
 /// P y
 ComplexVector Prolonged(const Prolongator& p, const ComplexVector& y)
 {
@@ -82,14 +95,20 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matri
   const std::vector<Index>& free, const Multigrid& hierarchy, double shift)
   : Free(free)
   , Hierarchy(hierarchy)
-  , Cycles(hierarchy, shift)
-  , Diagonal(hierarchy.GetLevels()[0].Matrices.Energy, hierarchy.GetLevels()[0].LumpedMass,
-      static_cast<float>(shift))
-  , Right(2 * free.size())
-  , Solution(2 * free.size())
-  , Next(2 * free.size())
-  , Rest(2 * free.size())
+  , Coarsest(hierarchy, shift)
 {
+  for (const Multigrid::Level& level : hierarchy.GetLevels())
+  {
+    Workspace own;
+    own.Diagonal = SweepDiagonal(level.Matrices.Energy, level.LumpedMass,
+      static_cast<float>(shift));
+    for (CompactSections* section :
+      { &own.Right, &own.Correction, &own.Sum, &own.Next, &own.Rest })
+    {
+      section->resize(2 * static_cast<std::size_t>(level.Rows()));
+    }
+    this->Levels.push_back(std::move(own));
+  }
   this->MakeCoarse(matrix);
 }
 
@@ -126,65 +145,63 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
   }
 }
 
+void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, const Counts& counts)
+{
+  Workspace& own = this->Levels[level];
+  if (level + 1 == this->Levels.size())
+  {
+    this->Coarsest.Apply<1>(own.Right.data(), own.Sum.data(), level);
+    return;
+  }
+  const Multigrid::Level& matrices = this->Hierarchy.GetLevels()[level];
+  const CompactMatrix& matrix = matrices.Matrices.Energy;
+  SweepDown<1>(matrix, own.Diagonal, own.Right.data(), own.Sum.data(), own.Rest.data());
+  for (int sweep = 1; sweep < counts.Down; ++sweep)
+  {
+    SweepDown<1>(matrix, own.Diagonal, own.Rest.data(), own.Next.data(), own.Correction.data());
+    own.Rest.swap(own.Correction);
+    Add(own.Next, own.Sum);
+  }
+  Workspace& coarser = this->Levels[level + 1];
+  matrices.FromCoarser.Restrict<1>(own.Rest.data(), coarser.Right.data());
+  this->ApplyCycle(level + 1, counts);
+  matrices.FromCoarser.AddTo<1>(own.Sum.data(), coarser.Sum.data());
+  for (int sweep = 0; sweep < counts.Up; ++sweep)
+  {
+    SweepUp<1>(matrix, own.Diagonal, own.Right.data(), own.Sum.data(), own.Next.data());
+    own.Sum.swap(own.Next);
+  }
+}
+
 void LeastSquaresPreconditioner::Apply(const ComplexVector& r, ComplexVector& z)
 {
-  const CompactMatrix& matrix = this->Hierarchy.GetLevels()[0].Matrices.Energy;
   const auto count = static_cast<Index>(this->Free.size());
-  const auto numbers = static_cast<Index>(this->Right.size());
+  Workspace& finest = this->Levels.front();
   z = ComplexVector::Zero(r.size());
   const double size = Norm(r);
   if (!(size > 0.0))
   {
     return;
   }
-  float* const right = this->Right.data();
-  float* const solution = this->Solution.data();
-  float* const next = this->Next.data();
-  float* const rest = this->Rest.data();
   ParallelFor(count, VectorPiece,
     [&](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
       {
         const Complex value = r[this->Free[k]] / size;
-        right[2 * k] = static_cast<float>(value.real());
-        right[2 * k + 1] = static_cast<float>(value.imag());
+        finest.Right[2 * k] = static_cast<float>(value.real());
+        finest.Right[2 * k + 1] = static_cast<float>(value.imag());
       }
     });
-  const auto add = [&](const float* what, float* to)
-  {
-    ParallelFor(numbers, VectorPiece,
-      [&](Index begin, Index end)
-      {
-        for (Index k = begin; k < end; ++k)
-        {
-          to[k] += what[k];
-        }
-      });
-  };
-  // The adjoint: sweeps downwards, then the cycle for what they leave.
-  SweepDown<1>(matrix, this->Diagonal, right, solution, rest);
-  for (int sweep = 1; sweep < Sweeps; ++sweep)
-  {
-    this->Right.swap(this->Rest);
-    SweepDown<1>(matrix, this->Diagonal, this->Right.data(), next, this->Rest.data());
-    add(next, solution);
-  }
-  this->Cycles.Apply<1>(this->Rest.data(), next);
-  add(next, solution);
-  // The cycle, then sweeps upwards.
-  this->Cycles.Apply<1>(solution, this->Next.data());
-  for (int sweep = 0; sweep < Sweeps; ++sweep)
-  {
-    SweepUp<1>(matrix, this->Diagonal, solution, this->Next.data(), this->Rest.data());
-    this->Next.swap(this->Rest);
-  }
+  this->ApplyCycle(0, { SweepsAfter, SweepsBefore });
+  finest.Right.swap(finest.Sum);
+  this->ApplyCycle(0, { SweepsBefore, SweepsAfter });
   ParallelFor(count, VectorPiece,
     [&](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
       {
-        z[this->Free[k]] = size * Complex(this->Next[2 * k], this->Next[2 * k + 1]);
+        z[this->Free[k]] = size * Complex(finest.Sum[2 * k], finest.Sum[2 * k + 1]);
       }
     });
 }

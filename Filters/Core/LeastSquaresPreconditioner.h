@@ -14,11 +14,12 @@ namespace DirectionFields
 /// For conjugate gradients on K_f^* K_f, K_f the columns of K = a A + m M that belong to the free
 /// vertices. All vectors are over all vertices, those of free values zero at the given ones.
 ///
-/// A V-cycle B inverts K_ff up to a factor in the energy norm. In the norm of least squares it does
-/// not: interpolated sections leave a rough residual that grows with the mesh. Sweeps after the
-/// cycle, S, take that away; (S B) (S B)^* inverts K_ff^2. What remains are sections that are smooth
-/// along curves of given vertices and bend across them: a coarse level of the hierarchy holds them,
-/// and they are deflated, solved for exactly there (R. Nicolaides, SIAM J. Numer. Anal. 24, 1987).
+/// A V-cycle inverts K_ff up to a factor in the energy norm. In the norm of least squares it does
+/// not: interpolated sections leave a rough residual that grows with the mesh. A cycle B with several
+/// sweeps after each correction takes most of that away; B B^* inverts K_ff^2. What remains are sections that
+/// are smooth along curves of given vertices and bend across them: a coarse level of the hierarchy
+/// holds them, and they are deflated, solved for exactly there (R. Nicolaides, SIAM J. Numer. Anal. 24,
+/// 1987).
 class LeastSquaresPreconditioner
 {
 public:
@@ -29,9 +30,9 @@ public:
   LeastSquaresPreconditioner(const SparseMatrix& matrix, const std::vector<Index>& free,
     const Multigrid& hierarchy, double shift);
 
-  bool IsUsable() const { return this->Cycles.IsUsable(); }
+  bool IsUsable() const { return this->Coarsest.IsUsable(); }
 
-  /// z = S B (S B)^* r; what r is at given vertices does not matter.
+  /// z = B B^* r; what r is at given vertices does not matter.
   void Apply(const ComplexVector& r, ComplexVector& z);
 
   /// x += factor Z (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, Z the sections of the coarse level: with y = K_f x
@@ -39,21 +40,37 @@ public:
   void AddCoarse(double factor, const ComplexVector& y, ComplexVector& x);
 
 private:
+  /// Storage of one level.
+  struct Workspace
+  {
+    SweepDiagonal Diagonal;
+    CompactSections Right;
+    CompactSections Correction;
+    CompactSections Sum;
+    CompactSections Next;
+    CompactSections Rest;
+  };
+  /// How often a cycle sweeps before and after the correction of the coarser level; swapped for the
+  /// adjoint.
+  struct Counts
+  {
+    int Down;
+    int Up;
+  };
   void MakeCoarse(const SparseMatrix& matrix);
+  /// Sum of the level from its Right.
+  void ApplyCycle(std::size_t level, const Counts& counts);
 
   const std::vector<Index>& Free;
   const Multigrid& Hierarchy;
-  Cycle Cycles;
-  SweepDiagonal Diagonal;
+  /// Solves on the coarsest level.
+  Cycle Coarsest;
+  std::vector<Workspace> Levels;
   /// K_f Z
   SparseMatrix CoarseColumns;
   Factorization CoarseFactor;
   /// Prolongations from the coarse level to the finest; 0 where nothing is deflated.
   std::size_t CoarseLevel = 0;
-  CompactSections Right;
-  CompactSections Solution;
-  CompactSections Next;
-  CompactSections Rest;
 };
 }
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
+#include "LinearSystem.h"
 #include "MultigridEigenpair.h"
+#include "MultigridSystem.h"
 #include "TestMeshes.h"
 #include "TestSystem.h"
 #include "Threads.h"
@@ -225,18 +227,23 @@ TEST(Multigrid, TakesFewCyclesWhateverTheMeshAndTheDegree)
 
 TEST(Multigrid, BytesDoNotDependOnTheThreads)
 {
-  const Surface surface = Potato(5);
-  Options options;
-  options.Solver = Solver::Multigrid;
-  std::vector<Complex> serial;
-  for (const int threads : { 1, 2, 3 })
+  // The second has constraints, which enter by least squares.
+  for (const Surface& surface : { Potato(5), Hemisphere(5) })
   {
-    options.NumberOfThreads = threads;
-    const Result result = DirectionField(surface).Compute(options);
-    EXPECT_EQ(result.Components[0].SolverUsed, Solver::Multigrid);
-    EXPECT_GT(result.Components[0].Iterations, 0);
-    serial = serial.empty() ? result.Representation : serial;
-    EXPECT_EQ(result.Representation, serial) << threads;
+    Options options;
+    options.Solver = Solver::Multigrid;
+    options.ConstrainBoundary = true;
+    std::vector<Complex> serial;
+    for (const int threads : { 1, 2, 3 })
+    {
+      options.NumberOfThreads = threads;
+      const Result result = DirectionField(surface).Compute(options);
+      EXPECT_EQ(result.Components[0].SolverUsed, Solver::Multigrid);
+      EXPECT_GT(result.Components[0].Iterations, 0);
+      EXPECT_LE(result.Components[0].SystemResidual, 1e-8);
+      serial = serial.empty() ? result.Representation : serial;
+      EXPECT_EQ(result.Representation, serial) << threads;
+    }
   }
 }
 
@@ -281,4 +288,51 @@ TEST(Multigrid, StopsWhenTold)
     system.Matrices, hierarchy, Settings(system), [&](int) { return ++calls < 20; }, lowest);
   EXPECT_TRUE(pair.Aborted);
   EXPECT_EQ(calls, 20);
+}
+
+TEST(Multigrid, LeastSquaresAreThoseOfTheDirectSolverInFewSteps)
+{
+  for (const auto& [levels, most] : { std::pair(4, 16), std::pair(5, 24) })
+  {
+    const System system(Hemisphere(levels), 4, 0.0);
+    const auto n = static_cast<Index>(system.Matrices.Energy.rows());
+    GivenValues given;
+    for (Index v = 0; v < n; ++v)
+    {
+      if (system.Mesh.IsBoundary(v))
+      {
+        given.Vertices.push_back(v);
+      }
+    }
+    given.Values = RandomVector(static_cast<Eigen::Index>(given.Vertices.size()), 3);
+    const ComplexVector b = system.Scale * (system.Matrices.Mass * RandomVector(n, 4));
+    const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
+    int steps = 0;
+    const MultigridSystem multigrid{ system.Matrices, 1.0, 0.5 * system.Scale,
+      [&]
+      {
+        ++steps;
+        return true;
+      } };
+    const SystemSolution fast = multigrid.SolveConstrainedLeastSquares(freeSystem, b, given);
+    const SparseMatrix k = system.Matrices.Energy + 0.5 * system.Scale * system.Matrices.Mass;
+    const SystemSolution direct = SolveConstrainedLeastSquares(k, b, given);
+    EXPECT_LE(fast.Residual, 5e-9);
+    EXPECT_LT((fast.Vector - direct.Vector).norm(), 1e-6 * direct.Vector.norm());
+    EXPECT_EQ(ComplexVector(fast.Vector(given.Vertices)), given.Values);
+    EXPECT_LE(steps, most);
+  }
+}
+
+TEST(Multigrid, LeastSquaresStopWhenTold)
+{
+  const System system(Hemisphere(4), 4, 0.0);
+  GivenValues given{ { 0, 700 }, ComplexVector::Ones(2) };
+  const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
+  int calls = 0;
+  const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, [&] { return ++calls < 4; } };
+  const SystemSolution stopped = multigrid.SolveConstrainedLeastSquares(
+    freeSystem, ComplexVector::Zero(system.Matrices.Energy.rows()), given);
+  EXPECT_GT(stopped.Residual, 1e-8);
+  EXPECT_LE(calls, 8);
 }
