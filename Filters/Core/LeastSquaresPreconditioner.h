@@ -15,11 +15,11 @@ namespace DirectionFields
 /// vertices. All vectors are over all vertices, those of free values zero at the given ones.
 ///
 /// A V-cycle inverts K_ff up to a factor in the energy norm. In the norm of least squares it does
-/// not: interpolated sections leave a rough residual that grows with the mesh. A cycle B with several
-/// sweeps after each correction takes most of that away; B B^* inverts K_ff^2. What remains are sections that
-/// are smooth along curves of given vertices and bend across them: a coarse level of the hierarchy
-/// holds them, and they are deflated, solved for exactly there (R. Nicolaides, SIAM J. Numer. Anal. 24,
-/// 1987).
+/// not: interpolated sections leave a rough residual that grows with the mesh. A cycle B with
+/// several sweeps after each correction takes most of that away; B B^* inverts K_ff^2. What remains
+/// are sections that are smooth along curves of given vertices and bend across them: a coarse level
+/// of the hierarchy holds them, and they are deflated, solved for exactly there (R. Nicolaides,
+/// SIAM J. Numer. Anal. 24, 1987).
 class LeastSquaresPreconditioner
 {
 public:
@@ -35,8 +35,9 @@ public:
   /// z = B B^* r; what r is at given vertices does not matter.
   void Apply(const ComplexVector& r, ComplexVector& z);
 
-  /// x += factor Z (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, Z the sections of the coarse level: with y = K_f x
-  /// and -1 the deflation of x, with the residual and 1 the best change of x among those sections.
+  /// x += factor Z (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, Z the sections of the coarse level: with
+  /// y = K_f x and -1 the deflation of x, with the residual and 1 the best change of x among those
+  /// sections.
   void AddCoarse(double factor, const ComplexVector& y, ComplexVector& x);
 
 private:

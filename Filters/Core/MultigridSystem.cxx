@@ -323,7 +323,7 @@ SystemSolution MultigridSystem::SolveConstrainedEnergy(const FreeSystem& freeSys
   return solution;
 }
 
-/// Conjugate gradients on the normal equations, the matrix K_f times its adjoint (CGLS, Björck 1996).
+/// Conjugate gradients on the normal equations (CGLS, Björck 1996).
 SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& freeSystem,
   const ComplexVector& rightHandSide, const GivenValues& given) const
 {
