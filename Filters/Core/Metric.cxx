@@ -48,7 +48,7 @@ public:
     std::vector<Index> bad;
     for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
     {
-      if (this->ClampEdges(t) | (this->Deficit(t) > 0.0))
+      if (this->ClampEdges(t) || this->Deficit(t) > 0.0)
       {
         bad.push_back(t);
       }
