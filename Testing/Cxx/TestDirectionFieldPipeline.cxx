@@ -290,7 +290,7 @@ void TestChain()
   }
   CHECK(FieldValue(first->GetOutput(), "IndexSum") == 12);
   CHECK(FieldValue(second->GetOutput(), "IndexSum") == 4);
-  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 9);
+  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 10);
 
   // Changing the degree of a filter is the same as a new filter.
   first->SetDegree(2);
