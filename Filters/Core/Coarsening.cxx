@@ -347,10 +347,8 @@ void Prolongator::AddTo(float* x, const float* y) const
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum(x, v);
-        for (Index k = this->Begin[v]; k < this->Begin[v + 1]; ++k)
-        {
-          sum.Add(this->Value[k], y, this->Column[k]);
-        }
+        AddProducts<B>(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
+          y, sum);
         sum.Store(x, v);
       }
     });
@@ -365,10 +363,8 @@ void Prolongator::Restrict(const float* x, float* y) const
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum;
-        for (Index k = this->AdjointBegin[v]; k < this->AdjointBegin[v + 1]; ++k)
-        {
-          sum.Add(this->AdjointValue[k], x, this->AdjointColumn[k]);
-        }
+        AddManyProducts<B>(this->AdjointValue.data(), this->AdjointColumn.data(),
+          this->AdjointBegin[v], this->AdjointBegin[v + 1], x, sum);
         sum.Store(y, v);
       }
     });

@@ -80,13 +80,12 @@ void SweepDown(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum;
-        for (Index k = matrix.Begin[v]; k < matrix.Upper[v]; ++k)
+        Index k = matrix.Begin[v];
+        while (k < matrix.Upper[v] && matrix.Column[k] < begin)
         {
-          if (matrix.Column[k] >= begin)
-          {
-            sum.Add(matrix.Value[k], x, matrix.Column[k]);
-          }
+          ++k;
         }
+        matrix.AddTimes<B>(k, matrix.Upper[v], x, sum);
         sum.AddReal(-1.0f, b, v);
         sum.Scale(-diagonal.Inverse[v]);
         sum.Store(x, v);
@@ -103,10 +102,7 @@ void SweepDown(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const
         {
           rest.Add(matrix.Value[k], x, matrix.Column[k]);
         }
-        for (Index k = matrix.Upper[v]; k < matrix.Begin[v + 1]; ++k)
-        {
-          rest.Add(matrix.Value[k], x, matrix.Column[k]);
-        }
+        matrix.AddTimes<B>(matrix.Upper[v], matrix.Begin[v + 1], x, rest);
         rest.AddReal(-diagonal.Extra[v], x, v);
         rest.Scale(-1.0f);
         rest.Store(r, v);
@@ -124,19 +120,14 @@ void SweepUp(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const f
       for (Index v = end; v-- > begin;)
       {
         CompactValues<B> sum;
-        Index k = matrix.Begin[v];
-        for (; k < matrix.Upper[v]; ++k)
+        // What is old does not wait for the row below.
+        matrix.AddTimes<B>(matrix.Begin[v], matrix.Upper[v], x, sum);
+        Index outside = matrix.Begin[v + 1];
+        for (; outside > matrix.Upper[v] && matrix.Column[outside - 1] >= end; --outside)
         {
-          sum.Add(matrix.Value[k], x, matrix.Column[k]);
+          sum.Add(matrix.Value[outside - 1], x, matrix.Column[outside - 1]);
         }
-        for (; k < matrix.Begin[v + 1] && matrix.Column[k] < end; ++k)
-        {
-          sum.Add(matrix.Value[k], y, matrix.Column[k]);
-        }
-        for (; k < matrix.Begin[v + 1]; ++k)
-        {
-          sum.Add(matrix.Value[k], x, matrix.Column[k]);
-        }
+        matrix.AddTimes<B>(matrix.Upper[v], outside, y, sum);
         sum.AddReal(-diagonal.Extra[v], x, v);
         sum.AddReal(-1.0f, b, v);
         sum.Scale(-diagonal.Inverse[v]);

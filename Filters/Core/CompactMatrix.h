@@ -4,86 +4,12 @@
 #ifndef DirectionFields_CompactMatrix_h
 #define DirectionFields_CompactMatrix_h
 
-#include "Types.h"
+#include "CompactValues.h"
 
-#include <array>
-#include <cmath>
-#include <complex>
 #include <vector>
 
 namespace DirectionFields
 {
-/// What preconditioners compute with: half the memory traffic of Complex, and enough digits for a
-/// correction.
-using CompactComplex = std::complex<float>;
-
-/// The modulus, for numbers whose squares neither overflow nor matter if they vanish.
-inline float Modulus(const CompactComplex& z)
-{
-  return std::sqrt(z.real() * z.real() + z.imag() * z.imag());
-}
-
-/// B sections side by side: for each vertex B real parts, then B imaginary parts. One section is an
-/// array of CompactComplex.
-using CompactSections = std::vector<float>;
-
-/// The B values of a vertex.
-template <int B>
-struct CompactValues
-{
-  std::array<float, B> Real{};
-  std::array<float, B> Imaginary{};
-
-  CompactValues() = default;
-  CompactValues(const float* sections, Index v)
-  {
-    const float* from = sections + static_cast<std::size_t>(2 * B) * v;
-    for (int b = 0; b < B; ++b)
-    {
-      this->Real[b] = from[b];
-      this->Imaginary[b] = from[B + b];
-    }
-  }
-  void Store(float* sections, Index v) const
-  {
-    float* to = sections + static_cast<std::size_t>(2 * B) * v;
-    for (int b = 0; b < B; ++b)
-    {
-      to[b] = this->Real[b];
-      to[B + b] = this->Imaginary[b];
-    }
-  }
-  /// Adds a multiple of the values of another vertex.
-  void Add(const CompactComplex& factor, const float* sections, Index v)
-  {
-    const float* from = sections + static_cast<std::size_t>(2 * B) * v;
-    const float re = factor.real();
-    const float im = factor.imag();
-    for (int b = 0; b < B; ++b)
-    {
-      this->Real[b] += re * from[b] - im * from[B + b];
-      this->Imaginary[b] += re * from[B + b] + im * from[b];
-    }
-  }
-  void AddReal(float factor, const float* sections, Index v)
-  {
-    const float* from = sections + static_cast<std::size_t>(2 * B) * v;
-    for (int b = 0; b < B; ++b)
-    {
-      this->Real[b] += factor * from[b];
-      this->Imaginary[b] += factor * from[B + b];
-    }
-  }
-  void Scale(float factor)
-  {
-    for (int b = 0; b < B; ++b)
-    {
-      this->Real[b] *= factor;
-      this->Imaginary[b] *= factor;
-    }
-  }
-};
-
 /// Hermitian matrix in single precision with the sweeps of a smoother. Compressed rows, columns
 /// ascending; the diagonal stands apart.
 ///
@@ -110,16 +36,21 @@ struct CompactMatrix
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
 
+  /// Adds entries begin ... end - 1 of a row times x.
+  template <int B>
+  void AddTimes(Index begin, Index end, const float* x, CompactValues<B>& sum) const
+  {
+    AddProducts<B>(this->Value.data(), this->Column.data(), begin, end, x, sum);
+  }
+
   /// Row v of A x.
   template <int B>
   CompactValues<B> RowTimes(Index v, const float* x) const
   {
     CompactValues<B> sum;
     sum.AddReal(this->Diagonal[v], x, v);
-    for (Index k = this->Begin[v]; k < this->Begin[v + 1]; ++k)
-    {
-      sum.Add(this->Value[k], x, this->Column[k]);
-    }
+    AddManyProducts<B>(this->Value.data(), this->Column.data(), this->Begin[v],
+      this->Begin[v + 1], x, sum);
     return sum;
   }
 };

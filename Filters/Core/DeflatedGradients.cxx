@@ -39,27 +39,23 @@ struct Sums
 /// The same in single precision, for a few rows.
 struct FewSums
 {
-  std::array<float, Width> Real{};
-  std::array<float, Width> Imaginary{};
+  CompactValues<Width> Products;
   float Other = 0.0f;
 
   /// Adds conj(row v of the block) times a value.
   void Add(const CompactSections& block, Index v, float real, float imaginary)
   {
-    const float* x = block.data() + static_cast<std::size_t>(2 * Width) * v;
-    for (int b = 0; b < Width; ++b)
-    {
-      this->Real[b] += x[b] * real + x[Width + b] * imaginary;
-      this->Imaginary[b] += x[b] * imaginary - x[Width + b] * real;
-    }
+    const CompactValues<Width> x(block.data(), v);
+    this->Products.Real += x.Real * real + x.Imaginary * imaginary;
+    this->Products.Imaginary += x.Real * imaginary - x.Imaginary * real;
   }
   operator Sums() const
   {
     Sums sums;
     for (int b = 0; b < Width; ++b)
     {
-      sums.Real[b] = this->Real[b];
-      sums.Imaginary[b] = this->Imaginary[b];
+      sums.Real[b] = this->Products.Real[b];
+      sums.Imaginary[b] = this->Products.Imaginary[b];
     }
     sums.Other = this->Other;
     return sums;
@@ -93,23 +89,19 @@ struct Coefficients
 {
   explicit Coefficients(const Sums& sums)
   {
-    std::copy(sums.Real.begin(), sums.Real.end(), this->Real.begin());
-    std::copy(sums.Imaginary.begin(), sums.Imaginary.end(), this->Imaginary.begin());
+    for (int b = 0; b < Width; ++b)
+    {
+      this->Values.Real[b] = static_cast<float>(sums.Real[b]);
+      this->Values.Imaginary[b] = static_cast<float>(sums.Imaginary[b]);
+    }
   }
   CompactComplex Times(const CompactSections& block, Index v) const
   {
-    const float* x = block.data() + static_cast<std::size_t>(2 * Width) * v;
-    float re = 0.0f;
-    float im = 0.0f;
-    for (int b = 0; b < Width; ++b)
-    {
-      re += x[b] * this->Real[b] - x[Width + b] * this->Imaginary[b];
-      im += x[b] * this->Imaginary[b] + x[Width + b] * this->Real[b];
-    }
-    return { re, im };
+    const CompactValues<Width> x(block.data(), v);
+    return { (x.Real * this->Values.Real - x.Imaginary * this->Values.Imaginary).sum(),
+      (x.Real * this->Values.Imaginary + x.Imaginary * this->Values.Real).sum() };
   }
-  std::array<float, Width> Real;
-  std::array<float, Width> Imaginary;
+  CompactValues<Width> Values;
 };
 }
 

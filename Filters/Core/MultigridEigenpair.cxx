@@ -58,45 +58,59 @@ struct Projected
 
 using Sections = std::vector<const SectionProducts*>;
 
+/// Adds up the conjugates of a block's values times another value, in double precision.
+class WideSum
+{
+public:
+  void Add(const CompactValues<Width>& values, const Complex& factor)
+  {
+    const Numbers re = values.Real.cast<double>();
+    const Numbers im = values.Imaginary.cast<double>();
+    this->Real += factor.real() * re + factor.imag() * im;
+    this->Imaginary += factor.imag() * re - factor.real() * im;
+  }
+  Complex Value(int b) const { return { this->Real[b], this->Imaginary[b] }; }
+
+private:
+  using Numbers = Eigen::Array<double, Width, 1>;
+  Numbers Real = Numbers::Zero();
+  Numbers Imaginary = Numbers::Zero();
+};
+
 Projected Project(
   const SectionBlock& block, const Eigen::VectorXd& values, const Sections& sections)
 {
-  constexpr int mostSections = 3;
   const int count = static_cast<int>(sections.size());
   const Eigen::Index size = Width - 1 + count;
   Projected sum = ParallelSum<Projected>(block.Rows(), PieceRows, Projected(size),
     [&](Index begin, Index end)
     {
-      std::array<std::array<Complex, Width - 1 + mostSections>, mostSections> energy{};
-      std::array<std::array<Complex, Width - 1 + mostSections>, mostSections> mass{};
-      for (Index v = begin; v < end; ++v)
-      {
-        for (int column = 0; column < count; ++column)
-        {
-          const Complex a = sections[column]->Energy[v];
-          const Complex m = sections[column]->Mass[v];
-          // Not with the block's own products, whose rounding would exceed a vanishing eigenvalue.
-          for (int b = 1; b < Width; ++b)
-          {
-            const Complex other = std::conj(Entry(block.Vectors, v, b));
-            energy[column][b - 1] += other * a;
-            mass[column][b - 1] += other * m;
-          }
-          for (int row = 0; row <= column; ++row)
-          {
-            const Complex other = std::conj(sections[row]->Vector[v]);
-            energy[column][Width - 1 + row] += other * a;
-            mass[column][Width - 1 + row] += other * m;
-          }
-        }
-      }
       Projected part(size);
       for (int column = 0; column < count; ++column)
       {
-        for (int row = 0; row < Width + column; ++row)
+        const SectionProducts& section = *sections[column];
+        // Not with the block's own products, whose rounding would exceed a vanishing eigenvalue.
+        WideSum energy;
+        WideSum mass;
+        for (Index v = begin; v < end; ++v)
         {
-          part.Energy(row, Width - 1 + column) = energy[column][row];
-          part.Mass(row, Width - 1 + column) = mass[column][row];
+          const CompactValues<Width> other(block.Vectors.data(), v);
+          energy.Add(other, section.Energy[v]);
+          mass.Add(other, section.Mass[v]);
+        }
+        for (int b = 1; b < Width; ++b)
+        {
+          part.Energy(b - 1, Width - 1 + column) = energy.Value(b);
+          part.Mass(b - 1, Width - 1 + column) = mass.Value(b);
+        }
+        const Index length = end - begin;
+        for (int row = 0; row <= column; ++row)
+        {
+          const auto other = sections[row]->Vector.segment(begin, length);
+          part.Energy(Width - 1 + row, Width - 1 + column) =
+            other.dot(section.Energy.segment(begin, length));
+          part.Mass(Width - 1 + row, Width - 1 + column) =
+            other.dot(section.Mass.segment(begin, length));
         }
       }
       return part;
@@ -184,7 +198,7 @@ void SetFirst(const SectionProducts& u, SectionBlock& block)
 
 Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarchy,
   const EigenpairSettings& settings, const std::function<bool(int)>& progress,
-  SectionBlock& lowest)
+  LowestSections& lowest)
 {
   Eigenpair best;
   best.Residual = std::numeric_limits<double>::infinity();
@@ -301,7 +315,8 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     }
     search = std::move(t);
   }
-  lowest = std::move(others);
+  nested.Values[0] = best.Value;
+  lowest = { std::move(others.Vectors), std::move(nested.Values) };
   return best;
 }
 

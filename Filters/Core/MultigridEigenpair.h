@@ -23,7 +23,7 @@ struct SmallestPairs
   std::unique_ptr<Multigrid> Hierarchy;
   /// Approximations of the smallest eigenvectors, orthonormal in M, the first of them First itself.
   /// Empty where there is no hierarchy.
-  SectionBlock Lowest;
+  LowestSections Lowest;
 };
 
 /// The smallest eigenpair of A u = lambda M u by multigrid: the smallest few pairs of the coarsest
@@ -38,7 +38,7 @@ struct SmallestPairs
 /// @param progress called before each V-cycle with the number done; false stops
 Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarchy,
   const EigenpairSettings& settings, const std::function<bool(int)>& progress,
-  SectionBlock& lowest);
+  LowestSections& lowest);
 
 /// By the solver that is asked for.
 /// @param start    of the direct solver

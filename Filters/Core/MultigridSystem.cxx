@@ -7,8 +7,6 @@
 #include "OperatorProducts.h"
 #include "VectorOperations.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -108,20 +106,13 @@ ComplexVector Scattered(
 class Preconditioner
 {
 public:
-  Preconditioner(const Multigrid& hierarchy, double shift, const SectionBlock* lowest)
+  Preconditioner(const Multigrid& hierarchy, double shift, const LowestSections* lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
-    , Lowest(lowest && lowest->Rows() > 0 ? lowest : nullptr)
+    , Lowest(lowest && lowest->Values.size() > 0 && lowest->Values[0] + shift > 0.0 ? lowest : nullptr)
   {
     if (this->Lowest)
     {
-      const std::vector<SmallMatrix> products =
-        Products(lowest->Rows(), { { &lowest->Vectors, &lowest->Energy },
-                                   { &lowest->Vectors, &lowest->Mass } });
-      this->Projected.compute(products[0] + shift * products[1]);
-      if (this->Projected.info() != Eigen::Success)
-      {
-        this->Lowest = nullptr;
-      }
+      this->PerValue = (lowest->Values.array() + shift).inverse();
     }
   }
   bool IsUsable() const { return this->Cycles.IsUsable(); }
@@ -140,7 +131,7 @@ public:
     Eigen::VectorXcd coefficients = Eigen::VectorXcd::Zero(Width);
     if (this->Lowest)
     {
-      coefficients = this->Projected.solve(this->ProductsWithLowest(r));
+      coefficients = this->PerValue.cast<Complex>() * this->ProductsWithLowest(r).array();
     }
     ForRows(r,
       [&](Index begin, Index end)
@@ -191,8 +182,9 @@ private:
   }
 
   Cycle Cycles;
-  const SectionBlock* Lowest;
-  Eigen::LLT<SmallMatrix> Projected;
+  const LowestSections* Lowest;
+  /// Of the projection of K^-1 to the lowest sections.
+  Eigen::ArrayXd PerValue;
   CompactSections Section;
 };
 
@@ -287,7 +279,7 @@ ComplexVector MultigridSystem::Times(const ComplexVector& x) const
   return Product(this->Matrices, this->EnergyFactor, this->MassFactor, x);
 }
 
-SystemSolution MultigridSystem::Solve(const Multigrid& hierarchy, const SectionBlock& lowest,
+SystemSolution MultigridSystem::Solve(const Multigrid& hierarchy, const LowestSections& lowest,
   const ComplexVector& rightHandSide) const
 {
   Preconditioner preconditioner(hierarchy, this->Shift(), &lowest);

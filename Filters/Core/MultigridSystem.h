@@ -45,7 +45,7 @@ struct MultigridSystem
   /// K u = b.
   /// @param lowest approximations of the smallest eigenvectors of A, orthonormal in M, which K may
   ///               nearly map to zero; or empty
-  SystemSolution Solve(const Multigrid& hierarchy, const SectionBlock& lowest,
+  SystemSolution Solve(const Multigrid& hierarchy, const LowestSections& lowest,
     const ComplexVector& rightHandSide) const;
 
   /// As SolveConstrainedEnergy.

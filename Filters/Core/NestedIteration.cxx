@@ -19,8 +19,9 @@ constexpr int Width = SectionBlock::Width;
 constexpr float CoarseTolerance = 0.2f;
 constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
-/// On the finest level one step as a rule; more where it did not bring this.
-constexpr float FineTolerance = 0.2f;
+/// On the finest level, where each step costs a few of those to come, until one changes the smallest
+/// value by no more than this part.
+constexpr double SettledChange = 0.01;
 constexpr int MostStepsOnFinest = 4;
 
 /// Squared norms of A u - theta M u and of A u for the smallest pair.
@@ -43,6 +44,7 @@ public:
   BlockIteration(const Operators* operators, const Multigrid::Level& level, NestedPairs& pairs)
     : Finest(operators)
     , Matrices(level.Matrices)
+    , IsCoarsest(level.FromCoarser.Begin.empty())
     , Pairs(pairs)
     , Rest(static_cast<std::size_t>(2 * Width) * level.Rows())
     , Correction(level.Rows())
@@ -94,8 +96,8 @@ public:
     return static_cast<float>(std::sqrt(norms.Residual / norms.Energy));
   }
 
-  /// One step with the residuals that Residuals left.
-  void Step(const Cycle& cycle, std::size_t level)
+  /// One step with the residuals that Residuals left. Whether it is the last one.
+  bool Step(const Cycle& cycle, std::size_t level, bool isLast)
   {
     SectionBlock& x = this->Pairs.Block;
     SectionBlock& w = this->Correction;
@@ -145,11 +147,17 @@ public:
     {
       set(other, 2, products[4 + 2 * other], products[5 + 2 * other]);
     }
+    const double before = this->Pairs.Values[0];
     this->Take(RayleighRitz(energy, mass, Width));
     if (!this->IsWhole())
     {
-      return;
+      return true;
     }
+    // Without a coarser level the first steps say nothing; and where the value rises, what the
+    // coarser level took for it was rounding.
+    const double now = this->Pairs.Values[0];
+    isLast = isLast ||
+      (level == 0 && !this->IsCoarsest && std::abs(before - now) <= SettledChange * now);
     std::vector<std::pair<const SectionBlock*, SmallMatrix>> terms{
       { &x, SmallMatrix(this->Ritz.Vectors.topRows(Width)) }, { &w, this->OfCorrection() }
     };
@@ -157,7 +165,8 @@ public:
     {
       terms.emplace_back(&s, this->OfSearch());
     }
-    Combine(terms, x);
+    Combine(terms, x, level > 0 || !isLast);
+    return isLast;
   }
 
 private:
@@ -184,6 +193,7 @@ private:
 
   const Operators* Finest;
   const LevelMatrices& Matrices;
+  bool IsCoarsest;
   NestedPairs& Pairs;
   CompactSections Rest;
   SectionBlock Correction;
@@ -228,18 +238,17 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
     const int most = level == 0 ? MostStepsOnFinest
       : level + 1 == levels.size() ? MostStepsOnCoarsest
                                    : MostSteps;
-    for (int step = 0; step < most && iteration.IsWhole(); ++step)
+    bool goes = iteration.IsWhole();
+    for (int step = 0; goes && step < most; ++step)
     {
       if (!goOn())
       {
         pairs.Values.resize(0);
         return pairs;
       }
-      if (iteration.Residuals() <= (level == 0 ? FineTolerance : CoarseTolerance))
-      {
-        break;
-      }
-      iteration.Step(cycle, level);
+      const float residual = iteration.Residuals();
+      goes = (level == 0 || residual > CoarseTolerance) &&
+        !iteration.Step(cycle, level, step + 1 == most);
     }
     if (!iteration.IsWhole())
     {

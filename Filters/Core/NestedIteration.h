@@ -14,6 +14,7 @@ namespace DirectionFields
 /// Approximations of the four smallest eigenpairs of A u = lambda M u on the finest level.
 struct NestedPairs
 {
+  /// Without Energy.
   SectionBlock Block;
   /// Ascending. Empty where the iteration broke down.
   Eigen::VectorXd Values;
@@ -21,7 +22,7 @@ struct NestedPairs
 
 /// The smallest pairs of the coarsest level, improved on each finer one by a few steps of the
 /// locally optimal block preconditioned conjugate gradient method (A. Knyazev, SIAM J. Sci. Comput.
-/// 23, 2001) with V-cycles; by a single one on the finest.
+/// 23, 2001) with V-cycles; by as few as will do on the finest.
 /// @param goOn called before each step; false stops with Values empty
 NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy,
   const Cycle& cycle, const std::function<bool()>& goOn);

@@ -15,8 +15,8 @@ namespace
 {
 constexpr Index PieceRows = 2048;
 
-/// Calls visit(row, column, value) for the entries of the rows, row after row. A column of a
-/// Hermitian matrix is the conjugate of the row.
+/// Calls visit(column, value, k) for the entries of a column of a Hermitian matrix: the row's are
+/// the conjugates.
 template <typename Visit>
 void ForEachEntry(const SparseMatrix& matrix, Index row, const Visit& visit)
 {
@@ -24,9 +24,29 @@ void ForEachEntry(const SparseMatrix& matrix, Index row, const Visit& visit)
   const Complex* values = matrix.valuePtr();
   for (Index k = matrix.outerIndexPtr()[row]; k < matrix.outerIndexPtr()[row + 1]; ++k)
   {
-    visit(inner[k], std::conj(values[k]), k);
+    visit(inner[k], values[k], k);
   }
 }
+
+/// Adds up conj(a) x; real and imaginary part at once.
+class ConjugateSum
+{
+public:
+  void Add(double real, double imaginary, const Complex& x)
+  {
+    const Eigen::Array2d both(x.real(), x.imag());
+    this->ByReal += real * both;
+    this->ByImaginary += imaginary * both;
+  }
+  Complex Value() const
+  {
+    return { this->ByReal[0] + this->ByImaginary[1], this->ByReal[1] - this->ByImaginary[0] };
+  }
+
+private:
+  Eigen::Array2d ByReal = Eigen::Array2d::Zero();
+  Eigen::Array2d ByImaginary = Eigen::Array2d::Zero();
+};
 
 template <typename Body>
 void ForEachRow(const SparseMatrix& matrix, const Body& body)
@@ -48,10 +68,11 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
   ForEachRow(matrix,
     [&](Index row)
     {
-      Complex sum = 0.0;
+      ConjugateSum sum;
       ForEachEntry(matrix, row,
-        [&](Index column, const Complex& value, Index) { sum += value * x[column]; });
-      y[row] = sum;
+        [&](Index column, const Complex& value, Index)
+        { sum.Add(value.real(), value.imag(), x[column]); });
+      y[row] = sum.Value();
     });
   return y;
 }
@@ -63,11 +84,14 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
   ForEachRow(operators.Energy,
     [&](Index row)
     {
-      Complex sum = 0.0;
+      ConjugateSum sum;
       ForEachEntry(operators.Energy, row,
         [&](Index column, const Complex& value, Index k)
-        { sum += (a * value + m * std::conj(mass[k])) * x[column]; });
-      y[row] = sum;
+        {
+          sum.Add(a * value.real() + m * mass[k].real(), a * value.imag() + m * mass[k].imag(),
+            x[column]);
+        });
+      y[row] = sum.Value();
     });
   return y;
 }
@@ -100,16 +124,16 @@ SectionProducts::SectionProducts(const Operators& operators, ComplexVector vecto
   ForEachRow(operators.Energy,
     [&](Index row)
     {
-      Complex a = 0.0;
-      Complex m = 0.0;
+      ConjugateSum a;
+      ConjugateSum m;
       ForEachEntry(operators.Energy, row,
         [&](Index column, const Complex& value, Index k)
         {
-          a += value * this->Vector[column];
-          m += std::conj(mass[k]) * this->Vector[column];
+          a.Add(value.real(), value.imag(), this->Vector[column]);
+          m.Add(mass[k].real(), mass[k].imag(), this->Vector[column]);
         });
-      this->Energy[row] = a;
-      this->Mass[row] = m;
+      this->Energy[row] = a.Value();
+      this->Mass[row] = m.Value();
     });
 }
 
@@ -120,25 +144,24 @@ void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
   ForEachRow(operators.Energy,
     [&](Index row)
     {
-      std::array<double, 2 * width> a{};
+      Eigen::Array4d real = Eigen::Array4d::Zero();
+      Eigen::Array4d imaginary = Eigen::Array4d::Zero();
       // Of the mass no digits cancel.
       CompactValues<width> m;
       ForEachEntry(operators.Energy, row,
         [&](Index column, const Complex& value, Index k)
         {
-          const float* from = x + static_cast<std::size_t>(2 * width) * column;
-          for (int b = 0; b < width; ++b)
-          {
-            a[b] += value.real() * from[b] - value.imag() * from[width + b];
-            a[width + b] += value.real() * from[width + b] + value.imag() * from[b];
-          }
-          m.Add(CompactComplex(std::conj(mass[k])), x, column);
+          const CompactValues<width> from(x, column);
+          const Eigen::Array4d re = from.Real.cast<double>();
+          const Eigen::Array4d im = from.Imaginary.cast<double>();
+          real += value.real() * re + value.imag() * im;
+          imaginary += value.real() * im - value.imag() * re;
+          m.Add(CompactComplex(std::conj(mass[k])), from);
         });
-      const std::size_t place = static_cast<std::size_t>(2 * width) * row;
-      for (int b = 0; b < 2 * width; ++b)
-      {
-        ax[place + b] = static_cast<float>(a[b]);
-      }
+      CompactValues<width> a;
+      a.Real = real.cast<float>();
+      a.Imaginary = imaginary.cast<float>();
+      a.Store(ax, row);
       m.Store(mx, row);
     });
 }

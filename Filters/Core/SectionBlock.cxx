@@ -21,34 +21,29 @@ constexpr Index FewRows = 256;
 /// Basis vectors of unit length count as independent above this distance, or its square.
 constexpr double IndependentDistance = 1e-3;
 
-/// Rows of four complex numbers as real arrays, four by four.
-using Parts = std::array<float, Width * Width>;
+using Values = CompactValues<Width>;
 
+/// sum(i, j) += conj(a_i) b_j over the rows.
 void AddProducts(const float* a, const float* b, Index begin, Index end, SmallMatrix& sum)
 {
   for (Index first = begin; first < end; first += FewRows)
   {
-    Parts real{};
-    Parts imaginary{};
+    std::array<Values, Width> few;
     const Index last = std::min(end, first + FewRows);
     for (Index v = first; v < last; ++v)
     {
-      const float* x = a + static_cast<std::size_t>(2 * Width) * v;
-      const float* y = b + static_cast<std::size_t>(2 * Width) * v;
+      const Values x(a, v);
+      const Values y(b, v);
       for (int i = 0; i < Width; ++i)
       {
-        for (int j = 0; j < Width; ++j)
-        {
-          real[Width * i + j] += x[i] * y[j] + x[Width + i] * y[Width + j];
-          imaginary[Width * i + j] += x[i] * y[Width + j] - x[Width + i] * y[j];
-        }
+        few[i].Add(CompactComplex(x.Real[i], -x.Imaginary[i]), y);
       }
     }
     for (int i = 0; i < Width; ++i)
     {
       for (int j = 0; j < Width; ++j)
       {
-        sum(i, j) += Complex(real[Width * i + j], imaginary[Width * i + j]);
+        sum(i, j) += Complex(few[i].Real[j], few[i].Imaginary[j]);
       }
     }
   }
@@ -88,48 +83,48 @@ std::vector<SmallMatrix> Products(
 }
 
 void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
-  SectionBlock& target)
+  SectionBlock& target, bool withEnergy)
 {
   struct Factor
   {
     const SectionBlock* Block;
-    Parts Real;
-    Parts Imaginary;
+    std::array<Values, Width> Rows;
   };
   std::vector<Factor> factors;
   for (const auto& [block, matrix] : terms)
   {
-    Factor factor{ block, {}, {} };
+    Factor factor{ block, {} };
     for (int i = 0; i < Width; ++i)
     {
-      for (int j = 0; j < Width; ++j)
-      {
-        factor.Real[Width * i + j] = static_cast<float>(matrix(i, j).real());
-        factor.Imaginary[Width * i + j] = static_cast<float>(matrix(i, j).imag());
-      }
+      factor.Rows[i].Real = matrix.row(i).real().transpose().cast<float>();
+      factor.Rows[i].Imaginary = matrix.row(i).imag().transpose().cast<float>();
     }
     factors.push_back(factor);
+  }
+  std::vector<CompactSections SectionBlock::*> members{ &SectionBlock::Vectors,
+    &SectionBlock::Mass };
+  if (withEnergy)
+  {
+    members.push_back(&SectionBlock::Energy);
+  }
+  else
+  {
+    target.Energy = {};
   }
   ParallelFor(target.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)
     {
-      for (const auto member : { &SectionBlock::Vectors, &SectionBlock::Energy, &SectionBlock::Mass })
+      for (const auto member : members)
       {
         for (Index v = begin; v < end; ++v)
         {
-          CompactValues<Width> sum;
+          Values sum;
           for (const Factor& factor : factors)
           {
-            const CompactValues<Width> x((factor.Block->*member).data(), v);
+            const Values x((factor.Block->*member).data(), v);
             for (int i = 0; i < Width; ++i)
             {
-              for (int j = 0; j < Width; ++j)
-              {
-                const float re = factor.Real[Width * i + j];
-                const float im = factor.Imaginary[Width * i + j];
-                sum.Real[j] += x.Real[i] * re - x.Imaginary[i] * im;
-                sum.Imaginary[j] += x.Real[i] * im + x.Imaginary[i] * re;
-              }
+              sum.Add(CompactComplex(x.Real[i], x.Imaginary[i]), factor.Rows[i]);
             }
           }
           sum.Store((target.*member).data(), v);

@@ -27,14 +27,23 @@ struct SectionBlock
   Index Rows() const { return static_cast<Index>(this->Vectors.size() / (2 * Width)); }
 };
 
+/// The sections of the smallest eigenvalues, nearly, orthonormal in the mass matrix.
+struct LowestSections
+{
+  /// Four sections; or empty.
+  CompactSections Vectors;
+  /// Ascending.
+  Eigen::VectorXd Values;
+};
+
 /// a^* b of each pair of blocks of four sections, 4 x 4, in one pass.
 std::vector<SmallMatrix> Products(
   Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs);
 
-/// target = sum of a c over the pairs (block a, 4 x 4 matrix c), for vectors and products alike.
-/// The target may be one of the blocks.
+/// target = sum of a c over the pairs (block a, 4 x 4 matrix c), for vectors and products alike, or
+/// without Energy, which is emptied. The target may be one of the blocks.
 void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
-  SectionBlock& target);
+  SectionBlock& target, bool withEnergy = true);
 
 /// The smallest pairs of a projected eigenvalue problem.
 struct RitzPairs

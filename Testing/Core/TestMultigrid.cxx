@@ -88,7 +88,7 @@ EigenpairSettings Settings(const System& system)
 Eigenpair ByMultigrid(const System& system)
 {
   const Multigrid hierarchy(system.Matrices, system.Scale);
-  SectionBlock lowest;
+  LowestSections lowest;
   return SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
 }
 
@@ -282,7 +282,7 @@ TEST(Multigrid, StopsWhenTold)
 {
   const System system(Potato(5), 4, 0.0);
   const Multigrid hierarchy(system.Matrices, system.Scale);
-  SectionBlock lowest;
+  LowestSections lowest;
   int calls = 0;
   const Eigenpair pair = SmallestEigenpair(
     system.Matrices, hierarchy, Settings(system), [&](int) { return ++calls < 20; }, lowest);
