@@ -4,6 +4,7 @@
 #include "ComponentField.h"
 
 #include "OperatorProducts.h"
+#include "VectorOperations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +79,9 @@ Eigen::VectorXd Mask(const ComponentProblem& problem)
 ComplexVector Normalized(ComplexVector guidance, const SparseMatrix& mass, const Eigen::VectorXd& mask)
 {
   // First by the largest: squares of tiny guidance must not underflow.
-  const double largest =
-    guidance.size() > 0 ? guidance.cwiseAbs().cwiseProduct(mask).maxCoeff() : 0.0;
+  const double largest = guidance.size() > 0
+    ? guidance.real().cwiseAbs().cwiseMax(guidance.imag().cwiseAbs()).cwiseProduct(mask).maxCoeff()
+    : 0.0;
   if (!(largest > 0.0))
   {
     return {};
@@ -88,16 +90,18 @@ ComplexVector Normalized(ComplexVector guidance, const SparseMatrix& mass, const
   guidance.real() /= largest;
   guidance.imag() /= largest;
   const Eigen::VectorXd area = ComplexVector(mass.diagonal()).real().cwiseProduct(mask);
-  return guidance * std::sqrt(area.sum() / area.dot(guidance.cwiseAbs2()));
+  guidance *= std::sqrt(area.sum() / area.dot(guidance.cwiseAbs2()));
+  return guidance;
 }
 
 SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& options,
   const Factors& factors, const ComplexVector& b)
 {
-  const MultigridSystem system{ problem.Matrices, factors.Energy, factors.Mass, problem.GoOn };
+  const MultigridSystem system{ problem.Matrices, factors.Energy, factors.Mass,
+    SystemTolerance(options), problem.GoOn };
   if (problem.Given.Vertices.empty())
   {
-    return system.Solve(*problem.Smoothest.Hierarchy, problem.Smoothest.Lowest, b);
+    return system.Solve(*problem.Smoothest.Hierarchy, problem.Smoothest.Lowest, b, problem.Solved);
   }
   if (!problem.Free || problem.Free->Given != problem.Given.Vertices)
   {
@@ -127,7 +131,7 @@ SystemSolution SolveSystem(const ComponentProblem& problem, const Options& optio
   if (problem.Smoothest.Hierarchy)
   {
     SystemSolution solution = SolveByMultigrid(problem, options, factors, b);
-    if (solution.Residual <= SystemTolerance || options.Solver == Solver::Multigrid ||
+    if (solution.Residual <= SystemTolerance(options) || options.Solver == Solver::Multigrid ||
       !problem.GoOn())
     {
       return solution;
@@ -218,22 +222,34 @@ ComplexVector SolveComponent(
       : std::isinf(gap)     ? std::numeric_limits<double>::lowest()
                             : PerSquare(smallest - gap, unit);
     const Factors factors = guided ? MakeFactors(smallest, gap) : Factors{ 1.0, 0.0, 0.0 };
-    ComplexVector b = ComplexVector::Zero(matrices.Energy.rows());
-    if (guided)
+    ComplexVector b;
+    if (!guided)
     {
-      b = factors.Guidance * mask.cast<Complex>().cwiseProduct(Product(matrices.Mass, guidance));
+      b = ComplexVector::Zero(matrices.Energy.rows());
+    }
+    else
+    {
+      b = Product(matrices.Mass, guidance);
+      ForRows(b,
+        [&](Index begin, Index end)
+        {
+          b.segment(begin, end - begin).array() *=
+            factors.Guidance * mask.segment(begin, end - begin).array();
+        });
     }
     solution = SolveSystem(problem, options, factors, b, report);
   }
-  const ComplexVector& u = solution.Vector;
-  const double size = u.dot(Product(matrices.Mass, u)).real();
+  SectionProducts u(matrices, std::move(solution.Vector));
+  const double size = RealDot(u.Vector, u.Mass);
   report.SmoothnessEnergy =
-    size > 0.0 ? PerSquare(u.dot(Product(matrices.Energy, u)).real() / size, unit) : 0.0;
+    size > 0.0 ? PerSquare(RealDot(u.Vector, u.Energy) / size, unit) : 0.0;
   report.SystemResidual = solution.Residual;
   if (size > 0.0)
   {
-    solution.Vector *= std::sqrt(Area(matrices.Mass) / size);
+    const double factor = std::sqrt(Area(matrices.Mass) / size);
+    ForRows(u.Vector,
+      [&](Index begin, Index end) { u.Vector.segment(begin, end - begin) *= factor; });
   }
-  return solution.Vector;
+  return std::move(u.Vector);
 }
 }

@@ -9,6 +9,7 @@
 #include "Result.h"
 #include "TangentFrames.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -32,6 +33,8 @@ struct ComponentProblem
   const SmallestPairs& Smoothest;
   /// Of the constraints last solved for, or null; kept for the next time.
   std::unique_ptr<FreeSystem>& Free;
+  /// Of the solutions so far, without constraints.
+  ReducedBasis& Solved;
   /// sigma of Options::AlignmentStrength, in 1 / Metric::Unit^2, but for lambda_1.
   double Scale;
   /// Metric::Unit.
@@ -43,8 +46,12 @@ struct ComponentProblem
   std::function<bool()> GoOn;
 };
 
-/// A linear system counts as solved up to this relative residual.
-constexpr double SystemTolerance = 1e-8;
+/// A linear system counts as solved up to this relative residual: fields are then exact within the
+/// tolerance of the eigenvalue problem.
+inline double SystemTolerance(const Options& options)
+{
+  return std::max(1e-8, 0.1 * options.Tolerance);
+}
 
 /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained vertices
 /// and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where alpha is 1:

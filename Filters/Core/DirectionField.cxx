@@ -44,14 +44,18 @@ std::vector<Vector3> InSpace(
   const TangentFrames& frames, const std::vector<Complex>& section, int degree)
 {
   std::vector<Vector3> vectors(section.size(), Vector3::Zero());
-  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
-  {
-    if (std::abs(section[v]) > 0.0)
+  ParallelFor(static_cast<Index>(section.size()), PieceSize,
+    [&](Index begin, Index end)
     {
-      const double angle = std::arg(section[v]) / degree;
-      vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y(v);
-    }
-  }
+      for (Index v = begin; v < end; ++v)
+      {
+        if (section[v] != 0.0)
+        {
+          const double angle = std::arg(section[v]) / degree;
+          vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y(v);
+        }
+      }
+    });
   return vectors;
 }
 
@@ -71,19 +75,22 @@ CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
 {
   const Curvature& curvature = stages.GetCurvature();
   std::vector<Complex> smaller(curvature.Hopf.size());
-  std::transform(curvature.Hopf.begin(), curvature.Hopf.end(), smaller.begin(),
-    [](const Complex& q) { return -q; });
   std::vector<double> mean = curvature.Mean;
   std::vector<double> gaussian = curvature.Gaussian;
   const std::vector<TriangleMesh::Component>& components = stages.GetMesh().GetComponents();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
     const double unit = stages.GetMetric().Unit[c];
-    for (Index v = components[c].FirstVertex; v < components[c].EndVertex; ++v)
-    {
-      mean[v] = Divided(mean[v], unit);
-      gaussian[v] = PerSquare(gaussian[v], unit);
-    }
+    ParallelFor(components[c].Vertices(), PieceSize,
+      [&](Index begin, Index end)
+      {
+        for (Index v = components[c].FirstVertex + begin; v < components[c].FirstVertex + end; ++v)
+        {
+          smaller[v] = -curvature.Hopf[v];
+          mean[v] = Divided(mean[v], unit);
+          gaussian[v] = PerSquare(gaussian[v], unit);
+        }
+      });
   }
   const Vector3 zero = Vector3::Zero();
   return { points.Spread(InSpace(stages.GetFrames(), curvature.Hopf, 2), zero),
@@ -298,7 +305,7 @@ Result DirectionField::Compute(
     const Eigenpair& smoothest = energy->Smoothest[c].First;
     const double unit = stages.GetMetric().Unit[c];
     ComponentProblem problem{ energy->Matrices[c], energy->Smoothest[c], energy->Free[c],
-      stages.GetScale(c, options.Degree), unit, {}, {}, goOnWithSystem };
+      energy->Solved[c], stages.GetScale(c, options.Degree), unit, {}, {}, goOnWithSystem };
     if (!drawn.empty())
     {
       problem.Guidance = Eigen::Map<const ComplexVector>(
@@ -350,7 +357,7 @@ Result DirectionField::Compute(
       }));
     figures.Closed = component.Closed && counts.Ghosts == 0;
     figures.Converged =
-      smoothest.Residual <= options.Tolerance && figures.SystemResidual <= SystemTolerance;
+      smoothest.Residual <= options.Tolerance && figures.SystemResidual <= SystemTolerance(options);
     result.Components.push_back(figures);
   }
   if (energy == nullptr)

@@ -15,12 +15,9 @@ namespace DirectionFields
 namespace
 {
 constexpr int Width = SectionBlock::Width;
-/// Steps go on until the residual that they keep is below this, relative to the right-hand side.
-constexpr double WantedResidual = 1e-9;
-/// They start again from the true residual while that is above this.
-constexpr double AcceptedResidual = 5e-9;
-/// Steps of least squares, which are longer, stop here.
-constexpr double WantedLeastSquares = 4e-9;
+/// Steps go on until the residual that they keep is below this part of the tolerance, and start again
+/// from the true residual while that is above the tolerance.
+constexpr double Margin = 0.7;
 constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 /// In 1 / unit^2; above it the mass matrix is all that counts.
@@ -188,19 +185,20 @@ private:
   CompactSections Section;
 };
 
-/// Conjugate gradients on K u = b from u = 0.
-SystemSolution ConjugateGradients(
-  const MultigridSystem& system, Preconditioner& preconditioner, const ComplexVector& b)
+/// Conjugate gradients on K u = b.
+SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner& preconditioner,
+  const ComplexVector& b, ReducedBasis& solved)
 {
   SystemSolution solution;
-  solution.Vector = ComplexVector::Zero(b.size());
   double size = Norm(b);
   if (!(size > 0.0))
   {
+    solution.Vector = ComplexVector::Zero(b.size());
     return solution;
   }
-  solution.Residual = 1.0;
-  ComplexVector r = b;
+  solution.Vector = solved.Closest(system.EnergyFactor, system.MassFactor, b);
+  ComplexVector r = b - system.Times(solution.Vector);
+  solution.Residual = Norm(r) / size;
   ComplexVector z;
   ComplexVector p;
   int steps = 0;
@@ -229,14 +227,17 @@ SystemSolution ConjugateGradients(
       }
       Combine(step, p, 1.0, u);
       Combine(-step, q, 1.0, r);
-      if (Norm(r) <= WantedResidual * size)
+      if (Norm(r) <= Margin * system.Tolerance * size)
       {
         break;
       }
     }
     r = b - system.Times(u);
-    size = std::max(Norm(b),
-      RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
+    if (Norm(r) > system.Tolerance * size)
+    {
+      size = std::max(size,
+        RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
+    }
     const double relative = Norm(r) / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
@@ -244,10 +245,14 @@ SystemSolution ConjugateGradients(
       solution.Residual = relative;
       solution.Vector = std::move(u);
     }
-    if (stalls || solution.Residual <= AcceptedResidual)
+    if (stalls || solution.Residual <= system.Tolerance)
     {
       break;
     }
+  }
+  if (solution.Residual <= system.Tolerance)
+  {
+    solved.Add(system.Matrices, solution.Vector);
   }
   return solution;
 }
@@ -280,18 +285,18 @@ ComplexVector MultigridSystem::Times(const ComplexVector& x) const
 }
 
 SystemSolution MultigridSystem::Solve(const Multigrid& hierarchy, const LowestSections& lowest,
-  const ComplexVector& rightHandSide) const
+  const ComplexVector& rightHandSide, ReducedBasis& solved) const
 {
   Preconditioner preconditioner(hierarchy, this->Shift(), &lowest);
   SystemSolution failed;
   failed.Vector = ComplexVector::Zero(rightHandSide.size());
   failed.Residual = 1.0;
   return preconditioner.IsUsable()
-    ? ConjugateGradients(*this, preconditioner, rightHandSide)
+    ? ConjugateGradients(*this, preconditioner, rightHandSide, solved)
     : failed;
 }
 
-SystemSolution MultigridSystem::SolveConstrainedEnergy(const FreeSystem& freeSystem,
+SystemSolution MultigridSystem::SolveConstrainedEnergy(FreeSystem& freeSystem,
   const ComplexVector& rightHandSide, const GivenValues& given) const
 {
   const Eigen::Index count = rightHandSide.size();
@@ -307,8 +312,9 @@ SystemSolution MultigridSystem::SolveConstrainedEnergy(const FreeSystem& freeSys
   solution.Residual = 1.0;
   if (preconditioner.IsUsable())
   {
-    const MultigridSystem inner{ freeSystem.Matrices, this->EnergyFactor, this->MassFactor, this->GoOn };
-    solution = ConjugateGradients(inner, preconditioner, b);
+    const MultigridSystem inner{ freeSystem.Matrices, this->EnergyFactor, this->MassFactor,
+      this->Tolerance, this->GoOn };
+    solution = ConjugateGradients(inner, preconditioner, b, freeSystem.Solved);
     u += Scattered(solution.Vector, freeSystem.Free, count);
   }
   solution.Vector = std::move(u);
@@ -380,7 +386,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
       Combine(step, direction, 1.0, better);
       Combine(-step, q, 1.0, r);
       gradient = gradientOf(r);
-      if (Norm(gradient) <= WantedLeastSquares * size)
+      if (Norm(gradient) <= Margin * this->Tolerance * size)
       {
         break;
       }
@@ -392,7 +398,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
       solution.Residual = relative;
       x = std::move(better);
     }
-    if (stalls || solution.Residual <= AcceptedResidual)
+    if (stalls || solution.Residual <= this->Tolerance)
     {
       break;
     }

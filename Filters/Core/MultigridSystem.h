@@ -6,6 +6,7 @@
 
 #include "LinearSystem.h"
 #include "Multigrid.h"
+#include "ReducedBasis.h"
 #include "SectionBlock.h"
 
 #include <functional>
@@ -25,6 +26,8 @@ struct FreeSystem
   std::vector<Index> Free;
   Operators Matrices;
   Multigrid Hierarchy;
+  /// Of the energy's solutions so far.
+  ReducedBasis Solved;
 };
 
 /// K = a A + m M of one component, a >= 0, inverted by conjugate gradients with V-cycles in time linear in
@@ -35,6 +38,8 @@ struct MultigridSystem
   const Operators& Matrices;
   double EnergyFactor;
   double MassFactor;
+  /// Of the relative residual.
+  double Tolerance;
   std::function<bool()> GoOn;
 
   /// m / a, within the range of the hierarchy.
@@ -45,11 +50,12 @@ struct MultigridSystem
   /// K u = b.
   /// @param lowest approximations of the smallest eigenvectors of A, orthonormal in M, which K may
   ///               nearly map to zero; or empty
+  /// @param solved where to begin, the solution is added
   SystemSolution Solve(const Multigrid& hierarchy, const LowestSections& lowest,
-    const ComplexVector& rightHandSide) const;
+    const ComplexVector& rightHandSide, ReducedBasis& solved) const;
 
-  /// As SolveConstrainedEnergy.
-  SystemSolution SolveConstrainedEnergy(const FreeSystem& freeSystem,
+  /// As SolveConstrainedEnergy. Adds the solution to those of the free system.
+  SystemSolution SolveConstrainedEnergy(FreeSystem& freeSystem,
     const ComplexVector& rightHandSide, const GivenValues& given) const;
 
   /// As SolveConstrainedLeastSquares.

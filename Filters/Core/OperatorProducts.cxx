@@ -98,7 +98,10 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
 
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
 {
-  const Eigen::VectorXd size = u.cwiseAbs();
+  Eigen::VectorXd size(u.size());
+  ParallelFor(static_cast<Index>(u.size()), PieceRows,
+    [&](Index begin, Index end)
+    { size.segment(begin, end - begin) = u.segment(begin, end - begin).cwiseAbs2().cwiseSqrt(); });
   return std::sqrt(ParallelSum<double>(static_cast<Index>(matrix.cols()), PieceRows, 0.0,
     [&](Index begin, Index end)
     {

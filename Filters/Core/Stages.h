@@ -56,6 +56,8 @@ struct EnergyStage
   std::vector<SmallestPairs> Smoothest;
   /// Hierarchies of what the constraints of the last call left free; null where there was none.
   std::vector<std::unique_ptr<FreeSystem>> Free;
+  /// Of the solutions without constraints.
+  std::vector<ReducedBasis> Solved;
 };
 
 /// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ReducedBasis.h"
+
+#include "VectorOperations.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+/// Combinations of unit vectors whose squared norm is less than this part of the largest are
+/// rounding.
+constexpr double Independent = 1e-12;
+
+/// v^* x for each of the vectors.
+Eigen::VectorXcd Products(const std::vector<ComplexVector>& vectors, const ComplexVector& x)
+{
+  const auto count = static_cast<Eigen::Index>(vectors.size());
+  return ParallelSum<Eigen::VectorXcd>(static_cast<Index>(x.size()), VectorPiece,
+    Eigen::VectorXcd::Zero(count),
+    [&](Index begin, Index end)
+    {
+      Eigen::VectorXcd part(count);
+      for (Eigen::Index k = 0; k < count; ++k)
+      {
+        part[k] = vectors[k].segment(begin, end - begin).dot(x.segment(begin, end - begin));
+      }
+      return part;
+    });
+}
+
+/// Another row and column of a Hermitian matrix; the oldest ones are left out.
+void Extend(Eigen::MatrixXcd& matrix, const Eigen::VectorXcd& column, bool forget)
+{
+  const Eigen::Index old = matrix.rows() - (forget ? 1 : 0);
+  Eigen::MatrixXcd extended(old + 1, old + 1);
+  extended.topLeftCorner(old, old) = matrix.bottomRightCorner(old, old);
+  extended.col(old) = column;
+  extended.row(old) = column.adjoint();
+  extended(old, old) = column[old].real();
+  matrix = std::move(extended);
+}
+}
+
+ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) const
+{
+  ComplexVector sum = ComplexVector::Zero(b.size());
+  if (this->Vectors.empty())
+  {
+    return sum;
+  }
+  const Eigen::MatrixXcd matrix = a * this->Energy + m * this->Mass;
+  const Eigen::VectorXd perLength = matrix.diagonal().real().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> spectrum(
+    perLength.asDiagonal() * matrix * perLength.asDiagonal());
+  if (!perLength.allFinite() || spectrum.info() != Eigen::Success)
+  {
+    return sum;
+  }
+  const Eigen::VectorXd& values = spectrum.eigenvalues();
+  const Eigen::VectorXd inverse =
+    (values.array() > Independent * values[values.size() - 1]).select(values.cwiseInverse(), 0.0);
+  const Eigen::VectorXcd coefficients = perLength.asDiagonal() *
+    (spectrum.eigenvectors() *
+      (inverse.asDiagonal() *
+        (spectrum.eigenvectors().adjoint() *
+          (perLength.asDiagonal() * Products(this->Vectors, b)))));
+  ForRows(sum,
+    [&](Index begin, Index end)
+    {
+      for (std::size_t k = 0; k < this->Vectors.size(); ++k)
+      {
+        sum.segment(begin, end - begin) +=
+          coefficients[static_cast<Eigen::Index>(k)] * this->Vectors[k].segment(begin, end - begin);
+      }
+    });
+  return sum;
+}
+
+void ReducedBasis::Add(const Operators& operators, const ComplexVector& vector)
+{
+  const bool forget = static_cast<int>(this->Vectors.size()) == MostVectors;
+  if (forget)
+  {
+    this->Vectors.erase(this->Vectors.begin());
+  }
+  const SectionProducts products(operators, vector);
+  this->Vectors.push_back(vector);
+  Extend(this->Energy, Products(this->Vectors, products.Energy), forget);
+  Extend(this->Mass, Products(this->Vectors, products.Mass), forget);
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_ReducedBasis_h
+#define DirectionFields_ReducedBasis_h
+
+#include "OperatorProducts.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// Solutions of systems (a A + m M) u = b for some a and m, which span good first guesses for
+/// others: solutions depend smoothly on the factors (the reduced basis method, see A. Quarteroni,
+/// A. Manzoni, F. Negri, Reduced Basis Methods for Partial Differential Equations, 2016).
+class ReducedBasis
+{
+public:
+  /// When there are more, the oldest is forgotten.
+  static constexpr int MostVectors = 6;
+
+  /// Of the combinations of the basis the one closest to the solution of (a A + m M) u = b in the norm
+  /// of that matrix, which is to be positive definite; zero where there is none.
+  ComplexVector Closest(double a, double m, const ComplexVector& b) const;
+
+  void Add(const Operators& operators, const ComplexVector& vector);
+
+private:
+  std::vector<ComplexVector> Vectors;
+  /// Of the vectors, in their order.
+  Eigen::MatrixXcd Energy;
+  Eigen::MatrixXcd Mass;
+};
+}
+
+#endif
