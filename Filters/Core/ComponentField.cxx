@@ -52,45 +52,84 @@ double Gap(const ComponentProblem& problem, const Options& options)
   return tau < 1.0 ? sigma * tau / (1.0 - tau) : std::numeric_limits<double>::infinity();
 }
 
-/// Each triangle adds a sixth of its area to the diagonal at its three corners.
-double Area(const SparseMatrix& mass)
+/// A third of the area of the triangles at each vertex. Each triangle adds a sixth of its area to
+/// the diagonal at its three corners.
+Eigen::VectorXd VertexAreas(const SparseMatrix& mass)
 {
-  return 2.0 * ComplexVector(mass.diagonal()).real().sum();
+  Eigen::VectorXd areas(mass.cols());
+  ParallelFor(static_cast<Index>(mass.cols()), VectorPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        areas[v] = 2.0 * mass.coeff(v, v).real();
+      }
+    });
+  return areas;
 }
 
-/// alpha: 0 at constrained vertices and their neighbours, else 1. Neighbours are those of the
-/// matrices: the rows that constrained values enter.
-Eigen::VectorXd Mask(const ComponentProblem& problem)
+/// Calls set(v) at constrained vertices and their neighbours: those of the matrices, the rows that
+/// constrained values enter.
+template <typename Set>
+void ForEachNearConstraints(const ComponentProblem& problem, const Set& set)
 {
-  const SparseMatrix& mass = problem.Matrices.Mass;
-  Eigen::VectorXd mask = Eigen::VectorXd::Ones(mass.rows());
   for (const Index v : problem.Given.Vertices)
   {
-    for (SparseMatrix::InnerIterator it(mass, v); it; ++it)
+    for (SparseMatrix::InnerIterator it(problem.Matrices.Mass, v); it; ++it)
     {
-      mask[it.row()] = 0.0;
+      set(it.row());
     }
   }
-  return mask;
 }
 
-/// The guidance scaled to modulus 1 in the mean square over the surface that the mask leaves; empty
-/// where nothing is left of it.
-ComplexVector Normalized(ComplexVector guidance, const SparseMatrix& mass, const Eigen::VectorXd& mask)
+/// The guidance scaled to modulus 1 in the mean square over where the areas are not 0; empty where
+/// nothing is left of it there.
+ComplexVector Normalized(ComplexVector guidance, const Eigen::VectorXd& areas)
 {
+  struct Range
+  {
+    double Value = 0.0;
+    Range& operator+=(const Range& other)
+    {
+      this->Value = std::max(this->Value, other.Value);
+      return *this;
+    }
+  };
+  const auto rows = static_cast<Index>(guidance.size());
   // First by the largest: squares of tiny guidance must not underflow.
-  const double largest = guidance.size() > 0
-    ? guidance.real().cwiseAbs().cwiseMax(guidance.imag().cwiseAbs()).cwiseProduct(mask).maxCoeff()
-    : 0.0;
+  const double largest = ParallelSum<Range>(rows, VectorPiece, {},
+    [&](Index begin, Index end)
+    {
+      Range part;
+      for (Index v = begin; v < end; ++v)
+      {
+        if (areas[v] > 0.0)
+        {
+          part += { std::max(std::abs(guidance[v].real()), std::abs(guidance[v].imag())) };
+        }
+      }
+      return part;
+    }).Value;
   if (!(largest > 0.0))
   {
     return {};
   }
   // Part by part: the quotient of complex numbers would square the divisor.
-  guidance.real() /= largest;
-  guidance.imag() /= largest;
-  const Eigen::VectorXd area = ComplexVector(mass.diagonal()).real().cwiseProduct(mask);
-  guidance *= std::sqrt(area.sum() / area.dot(guidance.cwiseAbs2()));
+  ForRows(guidance,
+    [&](Index begin, Index end)
+    {
+      guidance.segment(begin, end - begin).real() /= largest;
+      guidance.segment(begin, end - begin).imag() /= largest;
+    });
+  const double squares = ParallelSum<double>(rows, VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      return areas.segment(begin, end - begin)
+        .dot(guidance.segment(begin, end - begin).cwiseAbs2());
+    });
+  const double factor = std::sqrt(areas.sum() / squares);
+  ForRows(guidance,
+    [&](Index begin, Index end) { guidance.segment(begin, end - begin) *= factor; });
   return guidance;
 }
 
@@ -196,8 +235,10 @@ ComplexVector SolveComponent(
   const Operators& matrices = problem.Matrices;
   const double smallest = problem.Smoothest.First.Value;
   const double unit = problem.Unit;
-  const Eigen::VectorXd mask = Mask(problem);
-  const ComplexVector guidance = Normalized(problem.Guidance, matrices.Mass, mask);
+  Eigen::VectorXd areas = VertexAreas(matrices.Mass);
+  const double area = areas.sum();
+  ForEachNearConstraints(problem, [&](Index v) { areas[v] = 0.0; });
+  const ComplexVector guidance = Normalized(problem.Guidance, areas);
   const bool guided = guidance.size() > 0;
   const bool constrained = !problem.Given.Vertices.empty();
   const double gap = Gap(problem, options);
@@ -230,12 +271,9 @@ ComplexVector SolveComponent(
     else
     {
       b = Product(matrices.Mass, guidance);
+      ForEachNearConstraints(problem, [&](Index v) { b[v] = 0.0; });
       ForRows(b,
-        [&](Index begin, Index end)
-        {
-          b.segment(begin, end - begin).array() *=
-            factors.Guidance * mask.segment(begin, end - begin).array();
-        });
+        [&](Index begin, Index end) { b.segment(begin, end - begin) *= factors.Guidance; });
     }
     solution = SolveSystem(problem, options, factors, b, report);
   }
@@ -246,7 +284,7 @@ ComplexVector SolveComponent(
   report.SystemResidual = solution.Residual;
   if (size > 0.0)
   {
-    const double factor = std::sqrt(Area(matrices.Mass) / size);
+    const double factor = std::sqrt(area / size);
     ForRows(u.Vector,
       [&](Index begin, Index end) { u.Vector.segment(begin, end - begin) *= factor; });
   }

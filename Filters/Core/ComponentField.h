@@ -46,11 +46,11 @@ struct ComponentProblem
   std::function<bool()> GoOn;
 };
 
-/// A linear system counts as solved up to this relative residual: fields are then exact within the
-/// tolerance of the eigenvalue problem.
+/// A linear system counts as solved up to this relative residual, the eigenvalue problem's as far as
+/// rounding allows.
 inline double SystemTolerance(const Options& options)
 {
-  return std::max(1e-8, 0.1 * options.Tolerance);
+  return std::max(1e-8, options.Tolerance);
 }
 
 /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained vertices

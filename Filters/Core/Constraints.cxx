@@ -71,6 +71,11 @@ Constraints::Constraints(
   this->MirrorInterior(input, options);
   this->Count = static_cast<Index>(this->Kind.size() -
     std::count(this->Kind.begin(), this->Kind.end(), ConstraintKind::None));
+  if (!this->Any())
+  {
+    Free(this->Kind);
+    Free(this->Value);
+  }
 }
 
 void Constraints::Set(Index vertex, ConstraintKind kind, const Complex& value)

@@ -40,7 +40,7 @@ struct Constraints
 
   bool Any() const { return this->Count > 0; }
 
-  /// Over the vertices.
+  /// Over the vertices; empty, as Value, if none is constrained.
   std::vector<ConstraintKind> Kind;
   /// Representation vector, of modulus 1 where constrained, else 0.
   std::vector<Complex> Value;

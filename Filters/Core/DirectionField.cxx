@@ -39,6 +39,23 @@ void TurnTowards(const ComplexVector& reference, bool isCover, ComplexVector& u)
   u *= sum / std::abs(sum);
 }
 
+/// The direction of the principal square root.
+Complex HalfTurned(const Complex& z)
+{
+  // First by the larger part, whose square may not underflow.
+  const double larger = std::max(std::abs(z.real()), std::abs(z.imag()));
+  Complex unit(z.real() / larger, z.imag() / larger);
+  unit /= std::sqrt(std::norm(unit));
+  // The larger of cosine and sine first, the other without cancellation.
+  if (unit.real() >= 0.0)
+  {
+    const double cosine = std::sqrt(0.5 + 0.5 * unit.real());
+    return { cosine, 0.5 * unit.imag() / cosine };
+  }
+  const double sine = std::copysign(std::sqrt(0.5 - 0.5 * unit.real()), unit.imag());
+  return { 0.5 * unit.imag() / sine, sine };
+}
+
 /// Tangent vectors of the angles that n-th powers have.
 std::vector<Vector3> InSpace(
   const TangentFrames& frames, const std::vector<Complex>& section, int degree)
@@ -51,8 +68,10 @@ std::vector<Vector3> InSpace(
       {
         if (section[v] != 0.0)
         {
-          const double angle = std::arg(section[v]) / degree;
-          vectors[v] = std::cos(angle) * frames.X[v] + std::sin(angle) * frames.Y(v);
+          const Complex direction = degree == 2
+            ? HalfTurned(section[v])
+            : std::polar(1.0, std::arg(section[v]) / degree);
+          vectors[v] = direction.real() * frames.X[v] + direction.imag() * frames.Y(v);
         }
       }
     });

@@ -80,7 +80,7 @@ Multigrid::Multigrid(const Operators& operators, double scale)
     if (this->Levels.size() == 1)
     {
       // That of the operators will do.
-      level.Matrices.MassValue = {};
+      Free(level.Matrices.MassValue);
     }
     this->Levels.push_back({ std::move(coarse), {}, {} });
   }

@@ -60,6 +60,9 @@ public:
   template <int B>
   void Apply(const float* b, float* y, std::size_t level = 0) const;
 
+  /// Frees the storage that Apply has kept for next time.
+  void ReleaseStorage() { this->Workspaces = std::vector<Workspace>(this->Workspaces.size()); }
+
 private:
   /// Storage of one level for up to four sections.
   struct Workspace

@@ -58,25 +58,6 @@ struct Projected
 
 using Sections = std::vector<const SectionProducts*>;
 
-/// Adds up the conjugates of a block's values times another value, in double precision.
-class WideSum
-{
-public:
-  void Add(const CompactValues<Width>& values, const Complex& factor)
-  {
-    const Numbers re = values.Real.cast<double>();
-    const Numbers im = values.Imaginary.cast<double>();
-    this->Real += factor.real() * re + factor.imag() * im;
-    this->Imaginary += factor.imag() * re - factor.real() * im;
-  }
-  Complex Value(int b) const { return { this->Real[b], this->Imaginary[b] }; }
-
-private:
-  using Numbers = Eigen::Array<double, Width, 1>;
-  Numbers Real = Numbers::Zero();
-  Numbers Imaginary = Numbers::Zero();
-};
-
 Projected Project(
   const SectionBlock& block, const Eigen::VectorXd& values, const Sections& sections)
 {
@@ -207,7 +188,7 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     best.Aborted = best.Aborted || (progress && !progress(best.Iterations));
     return !best.Aborted;
   };
-  const Cycle cycle(hierarchy, 0.0);
+  Cycle cycle(hierarchy, 0.0);
   if (!cycle.IsUsable())
   {
     return best;
@@ -218,6 +199,8 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     return best;
   }
 
+  // Single sections need less.
+  cycle.ReleaseStorage();
   SectionBlock& others = nested.Block;
   const Index rows = others.Rows();
   ComplexVector first(rows);
@@ -308,7 +291,7 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       break;
     }
     const Eigen::VectorXcd c = ritz.Vectors.col(0);
-    u = SectionProducts(operators, Combined(others, sections, c));
+    u.Set(operators, Combined(others, sections, c));
     if (search.Vector.size() > 0)
     {
       AddTo(t, c[Width], search, c[Width + 1]);

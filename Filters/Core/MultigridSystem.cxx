@@ -17,7 +17,7 @@ namespace
 constexpr int Width = SectionBlock::Width;
 /// Steps go on until the residual that they keep is below this part of the tolerance, and start again
 /// from the true residual while that is above the tolerance.
-constexpr double Margin = 0.7;
+constexpr double Margin = 0.5;
 constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 /// In 1 / unit^2; above it the mass matrix is all that counts.
@@ -114,70 +114,58 @@ public:
   }
   bool IsUsable() const { return this->Cycles.IsUsable(); }
 
-  /// z = B r
-  void Apply(const ComplexVector& r, ComplexVector& z)
+  /// z = B r; returns Re r^* z.
+  /// @param size ‖r‖
+  double Apply(const ComplexVector& r, double size, ComplexVector& z)
   {
-    const double size = Norm(r);
-    this->Section.resize(2 * static_cast<std::size_t>(r.size()));
-    z.resize(r.size());
-    if (!(size > 0.0))
-    {
-      z.setZero();
-      return;
-    }
-    Eigen::VectorXcd coefficients = Eigen::VectorXcd::Zero(Width);
-    if (this->Lowest)
-    {
-      coefficients = this->PerValue.cast<Complex>() * this->ProductsWithLowest(r).array();
-    }
-    ForRows(r,
+    const auto rows = static_cast<Index>(r.size());
+    this->Section.resize(2 * static_cast<std::size_t>(rows));
+    z.resize(rows);
+    const WideSum products = ParallelSum<WideSum>(rows, VectorPiece, {},
       [&](Index begin, Index end)
       {
+        WideSum sum;
         for (Index v = begin; v < end; ++v)
         {
+          if (this->Lowest)
+          {
+            sum.Add({ this->Lowest->Vectors.data(), v }, r[v]);
+          }
           this->Section[2 * v] = static_cast<float>(r[v].real() / size);
           this->Section[2 * v + 1] = static_cast<float>(r[v].imag() / size);
         }
+        return sum;
       });
     this->Cycles.Apply<1>(this->Section.data(), this->Section.data());
-    ForRows(r,
+    Eigen::Array<double, Width, 1> real;
+    Eigen::Array<double, Width, 1> imaginary;
+    for (int b = 0; this->Lowest && b < Width; ++b)
+    {
+      real[b] = this->PerValue[b] * products.Value(b).real();
+      imaginary[b] = this->PerValue[b] * products.Value(b).imag();
+    }
+    return ParallelSum<double>(rows, VectorPiece, 0.0,
       [&](Index begin, Index end)
       {
+        double product = 0.0;
         for (Index v = begin; v < end; ++v)
         {
           z[v] = size * Complex(this->Section[2 * v], this->Section[2 * v + 1]);
-          for (int b = 0; this->Lowest && b < Width; ++b)
+          if (this->Lowest)
           {
-            z[v] += coefficients[b] * this->Value(v, b);
+            const CompactValues<Width> x(this->Lowest->Vectors.data(), v);
+            const Eigen::Array<double, Width, 1> re = x.Real.cast<double>();
+            const Eigen::Array<double, Width, 1> im = x.Imaginary.cast<double>();
+            z[v] += Complex(
+              (real * re - imaginary * im).sum(), (real * im + imaginary * re).sum());
           }
+          product += r[v].real() * z[v].real() + r[v].imag() * z[v].imag();
         }
+        return product;
       });
   }
 
 private:
-  Complex Value(Index v, int b) const
-  {
-    const float* x = this->Lowest->Vectors.data() + static_cast<std::size_t>(2 * Width) * v;
-    return { x[b], x[Width + b] };
-  }
-  Eigen::VectorXcd ProductsWithLowest(const ComplexVector& r) const
-  {
-    return ParallelSum<Eigen::VectorXcd>(static_cast<Index>(r.size()), VectorPiece,
-      Eigen::VectorXcd::Zero(Width),
-      [&](Index begin, Index end) -> Eigen::VectorXcd
-      {
-        std::array<Complex, Width> sums{};
-        for (Index v = begin; v < end; ++v)
-        {
-          for (int b = 0; b < Width; ++b)
-          {
-            sums[b] += std::conj(this->Value(v, b)) * r[v];
-          }
-        }
-        return Eigen::Map<const Eigen::VectorXcd>(sums.data(), Width);
-      });
-  }
-
   Cycle Cycles;
   const LowestSections* Lowest;
   /// Of the projection of K^-1 to the lowest sections.
@@ -198,7 +186,12 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
   }
   solution.Vector = solved.Closest(system.EnergyFactor, system.MassFactor, b);
   ComplexVector r = b - system.Times(solution.Vector);
-  solution.Residual = Norm(r) / size;
+  double rest = Norm(r);
+  solution.Residual = rest / size;
+  if (solution.Residual <= system.Tolerance)
+  {
+    return solution;
+  }
   ComplexVector z;
   ComplexVector p;
   int steps = 0;
@@ -208,8 +201,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
     double previous = 0.0;
     for (bool first = true; steps < MostSteps && system.GoOn(); ++steps, first = false)
     {
-      preconditioner.Apply(r, z);
-      const double product = RealDot(r, z);
+      const double product = preconditioner.Apply(r, rest, z);
       if (first)
       {
         p = z;
@@ -225,20 +217,31 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
       {
         break;
       }
-      Combine(step, p, 1.0, u);
-      Combine(-step, q, 1.0, r);
-      if (Norm(r) <= Margin * system.Tolerance * size)
+      rest = std::sqrt(ParallelSum<double>(static_cast<Index>(r.size()), VectorPiece, 0.0,
+        [&](Index begin, Index end)
+        {
+          double squares = 0.0;
+          for (Index v = begin; v < end; ++v)
+          {
+            u[v] += step * p[v];
+            r[v] -= step * q[v];
+            squares += std::norm(r[v]);
+          }
+          return squares;
+        }));
+      if (rest <= Margin * system.Tolerance * size)
       {
         break;
       }
     }
     r = b - system.Times(u);
-    if (Norm(r) > system.Tolerance * size)
+    rest = Norm(r);
+    if (rest > system.Tolerance * size)
     {
       size = std::max(size,
         RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
     }
-    const double relative = Norm(r) / size;
+    const double relative = rest / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
     {

@@ -46,7 +46,6 @@ public:
     , Matrices(level.Matrices)
     , IsCoarsest(level.FromCoarser.Begin.empty())
     , Pairs(pairs)
-    , Rest(static_cast<std::size_t>(2 * Width) * level.Rows())
     , Correction(level.Rows())
   {
     this->Multiply(pairs.Block);
@@ -68,7 +67,7 @@ public:
   /// All four pairs are there.
   bool IsWhole() const { return this->Pairs.Values.size() == Width; }
 
-  /// Computes the residuals; returns the first one's relative size.
+  /// Puts the residuals in Correction; returns the first one's relative size.
   float Residuals()
   {
     const SectionBlock& block = this->Pairs.Block;
@@ -87,7 +86,7 @@ public:
             rest.Real[b] -= theta * mass.Real[b];
             rest.Imaginary[b] -= theta * mass.Imaginary[b];
           }
-          rest.Store(this->Rest.data(), v);
+          rest.Store(this->Correction.Vectors.data(), v);
           part.Residual += rest.Real[0] * rest.Real[0] + rest.Imaginary[0] * rest.Imaginary[0];
           part.Energy += energy.Real[0] * energy.Real[0] + energy.Imaginary[0] * energy.Imaginary[0];
         }
@@ -102,18 +101,8 @@ public:
     SectionBlock& x = this->Pairs.Block;
     SectionBlock& w = this->Correction;
     SectionBlock& s = this->Search;
-    // The last step, unless this is the first one.
-    const bool searched = this->Ritz.Vectors.rows() > Width;
-    if (searched && s.Rows() == 0)
-    {
-      s = SectionBlock(x.Rows());
-      Combine({ { &w, this->OfCorrection() } }, s);
-    }
-    else if (searched)
-    {
-      Combine({ { &w, this->OfCorrection() }, { &s, this->OfSearch() } }, s);
-    }
-    cycle.Apply<Width>(this->Rest.data(), w.Vectors.data(), level);
+    const bool searched = s.Rows() > 0;
+    cycle.Apply<Width>(w.Vectors.data(), w.Vectors.data(), level);
     this->Multiply(w);
 
     std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{
@@ -166,6 +155,15 @@ public:
       terms.emplace_back(&s, this->OfSearch());
     }
     Combine(terms, x, level > 0 || !isLast);
+    if (!isLast && searched)
+    {
+      Combine({ { &w, this->OfCorrection() }, { &s, this->OfSearch() } }, s);
+    }
+    else if (!isLast)
+    {
+      s = SectionBlock(x.Rows());
+      Combine({ { &w, this->OfCorrection() } }, s);
+    }
     return isLast;
   }
 
@@ -195,9 +193,9 @@ private:
   const LevelMatrices& Matrices;
   bool IsCoarsest;
   NestedPairs& Pairs;
-  CompactSections Rest;
+  /// Its vectors are the residuals before the step.
   SectionBlock Correction;
-  /// Empty before the second step.
+  /// The last step. Empty before the second one.
   SectionBlock Search;
   RitzPairs Ritz;
 };

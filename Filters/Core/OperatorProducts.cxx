@@ -119,10 +119,15 @@ double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
 }
 
 SectionProducts::SectionProducts(const Operators& operators, ComplexVector vector)
-  : Vector(std::move(vector))
-  , Energy(this->Vector.size())
-  , Mass(this->Vector.size())
 {
+  this->Set(operators, std::move(vector));
+}
+
+void SectionProducts::Set(const Operators& operators, ComplexVector vector)
+{
+  this->Vector = std::move(vector);
+  this->Energy.resize(this->Vector.size());
+  this->Mass.resize(this->Vector.size());
   const Complex* mass = operators.Mass.valuePtr();
   ForEachRow(operators.Energy,
     [&](Index row)

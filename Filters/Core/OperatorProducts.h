@@ -26,6 +26,8 @@ struct SectionProducts
 
   SectionProducts() = default;
   SectionProducts(const Operators& operators, ComplexVector vector);
+  /// In the storage that there is.
+  void Set(const Operators& operators, ComplexVector vector);
 };
 
 /// A x and M x of four sections in single precision (see CompactSections), A x added up in double

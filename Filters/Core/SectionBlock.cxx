@@ -109,7 +109,7 @@ void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& ter
   }
   else
   {
-    target.Energy = {};
+    Free(target.Energy);
   }
   ParallelFor(target.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)

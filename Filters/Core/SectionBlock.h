@@ -27,6 +27,31 @@ struct SectionBlock
   Index Rows() const { return static_cast<Index>(this->Vectors.size() / (2 * Width)); }
 };
 
+/// Adds up the conjugates of four values times another one, in double precision.
+class WideSum
+{
+public:
+  void Add(const CompactValues<SectionBlock::Width>& values, const Complex& factor)
+  {
+    const Numbers re = values.Real.cast<double>();
+    const Numbers im = values.Imaginary.cast<double>();
+    this->Real += factor.real() * re + factor.imag() * im;
+    this->Imaginary += factor.imag() * re - factor.real() * im;
+  }
+  WideSum& operator+=(const WideSum& other)
+  {
+    this->Real += other.Real;
+    this->Imaginary += other.Imaginary;
+    return *this;
+  }
+  Complex Value(int b) const { return { this->Real[b], this->Imaginary[b] }; }
+
+private:
+  using Numbers = Eigen::Array<double, SectionBlock::Width, 1>;
+  Numbers Real = Numbers::Zero();
+  Numbers Imaginary = Numbers::Zero();
+};
+
 /// The sections of the smallest eigenvalues, nearly, orthonormal in the mass matrix.
 struct LowestSections
 {

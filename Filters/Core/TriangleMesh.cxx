@@ -48,7 +48,7 @@ TriangleMesh::TriangleMesh(const Surface& surface)
   {
     this->ChooseFrontVertices();
   }
-  this->TriangleComponent = {};
+  Free(this->TriangleComponent);
 }
 
 void TriangleMesh::ForEachComponent(const std::function<void(Index)>& body) const

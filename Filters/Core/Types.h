@@ -48,6 +48,13 @@ inline double PerSquare(double value, double unit)
   return Divided(Divided(value, unit), unit);
 }
 
+/// Empties a vector and frees its memory, which neither clear nor the assignment of {} does.
+template <typename T>
+void Free(std::vector<T>& vector)
+{
+  std::vector<T>().swap(vector);
+}
+
 /// The order of points that stands for numbers where results must not depend on numbering.
 inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)
 {

@@ -32,12 +32,14 @@ bool DirectionFieldCache::SetInput(
     SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
   {
     this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
+    this->Surface->FirstCell = surface->FirstCell;
     return true;
   }
   // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
   const bool follows = this->Stages && time && this->Time && *time != *this->Time &&
     surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
-    surface->CellOfTriangle == this->Surface->CellOfTriangle;
+    surface->CellOfTriangle == this->Surface->CellOfTriangle &&
+    surface->FirstCell == this->Surface->FirstCell;
   // What belongs to the old surface goes before the stages of the new one need memory.
   this->Stages.reset();
   this->Surface = std::move(surface);

@@ -156,7 +156,7 @@ std::vector<vtkIdType> SplitCells(
   const size_t triangles = field.SplitTriangles.size();
   for (size_t t = 0; t < triangles;)
   {
-    const vtkIdType cell = input.CellOfTriangle[t];
+    const vtkIdType cell = input.Cell(t);
     const bool isStrip = cell >= firstStrip;
     vtkCellArray* cells = isStrip ? strips : polys;
     const vtkIdType local = cell - (isStrip ? firstStrip : firstPoly);
@@ -164,7 +164,7 @@ std::vector<vtkIdType> SplitCells(
     settled.assign(static_cast<size_t>(corners->GetNumberOfIds()), 0);
     // The triangles of a cell stand in a row.
     const size_t first = t;
-    for (; t < triangles && input.CellOfTriangle[t] == cell; ++t)
+    for (; t < triangles && input.Cell(t) == cell; ++t)
     {
       // Those that took no part have no points of their own.
       for (int c = 0; c < 3 && field.Component[t] != None; ++c)
@@ -285,7 +285,7 @@ void AddCellArrays(const TriangulatedPolyData& input, const Result& field, vtkPo
   int* const indices = index->GetPointer(0);
   for (size_t t = 0; t < field.SingularityIndex.size(); ++t)
   {
-    indices[input.CellOfTriangle[t]] += field.SingularityIndex[t];
+    indices[input.Cell(t)] += field.SingularityIndex[t];
   }
   output->GetCellData()->AddArray(index);
 }
@@ -434,7 +434,7 @@ void MakeSingularities(const TriangulatedPolyData& input, const Result& field, i
     verts->InsertNextCell(1, &id);
     index->InsertNextValue(field.SingularityIndex[t]);
     fraction->InsertNextValue(static_cast<double>(field.SingularityIndex[t]) / field.Degree);
-    cells->InsertNextValue(input.CellOfTriangle[t]);
+    cells->InsertNextValue(input.Cell(t));
     normals->InsertNextTuple(OutwardNormal(mesh, t, field).data());
   }
 

@@ -96,9 +96,9 @@ std::vector<char> GhostTriangles(vtkPolyData* polyData, const TriangulatedPolyDa
   std::vector<char> excluded;
   if (ghosts)
   {
-    for (const vtkIdType cell : surface.CellOfTriangle)
+    for (std::size_t t = 0; t < surface.Mesh.Triangles.size(); ++t)
     {
-      excluded.push_back((ghosts->GetValue(cell) &
+      excluded.push_back((ghosts->GetValue(surface.Cell(t)) &
                            (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL))
           ? 1
           : 0);

@@ -213,7 +213,7 @@ bool CopyTriangles(
   const auto triangles = static_cast<Index>(cells->GetNumberOfCells());
   const Id* const ids = array->GetPointer(0);
   result.Mesh.Triangles.resize(triangles);
-  result.CellOfTriangle.resize(triangles);
+  result.FirstCell = firstCell;
   // Of each piece the first id that there is no point of.
   std::vector<vtkIdType> invalid(NumberOfPieces(triangles, PieceSize), -1);
   ParallelFor(triangles, PieceSize,
@@ -222,7 +222,6 @@ bool CopyTriangles(
       vtkIdType& found = invalid[begin / PieceSize];
       for (Index t = begin; t < end; ++t)
       {
-        result.CellOfTriangle[t] = firstCell + t;
         for (int c = 0; c < 3; ++c)
         {
           const vtkIdType at = 3 * static_cast<vtkIdType>(t) + c;

@@ -19,9 +19,16 @@ struct TriangulatedPolyData
 {
   /// All points of the vtkPolyData, so that point ids stay the user's.
   Surface Mesh;
-  /// For each triangle its cell, in the numbering of the vtkPolyData: vertices, lines, polygons,
-  /// strips.
+  /// The cell of a triangle, in the numbering of the vtkPolyData: vertices, lines, polygons, strips.
+  vtkIdType Cell(std::size_t triangle) const
+  {
+    return this->CellOfTriangle.empty() ? this->FirstCell + static_cast<vtkIdType>(triangle)
+                                        : this->CellOfTriangle[triangle];
+  }
+
+  /// Empty where the cells from FirstCell on are the triangles.
   std::vector<vtkIdType> CellOfTriangle;
+  vtkIdType FirstCell = 0;
   /// Stopped by the progress function; the triangles are incomplete.
   bool Aborted = false;
 };
