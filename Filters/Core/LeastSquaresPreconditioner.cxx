@@ -13,7 +13,7 @@ namespace
 {
 /// Sweeps of a cycle before and after the correction of the coarser level.
 constexpr int SweepsBefore = 1;
-constexpr int SweepsAfter = 5;
+constexpr int SweepsAfter = 4;
 /// Unknowns of the coarse level: more of them save steps, but cost more in each.
 constexpr Index MostCoarseRows = 30000;
 /// A coarse matrix that couples an unknown with more others than this in the mean is not formed.

@@ -334,11 +334,15 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
   {
     return solution;
   }
-  const ComplexVector b = rightHandSide - this->Times(solution.Vector);
+  // Half of the memory traffic of the two.
+  const SparseMatrix matrix =
+    this->EnergyFactor * this->Matrices.Energy + this->MassFactor * this->Matrices.Mass;
+  const auto times = [&](const ComplexVector& x) { return Product(matrix, x); };
+  const ComplexVector b = rightHandSide - times(solution.Vector);
   // The gradient is K_f^* r: K r but at given vertices.
   const auto gradientOf = [&](const ComplexVector& r)
   {
-    ComplexVector gradient = this->Times(r);
+    ComplexVector gradient = times(r);
     for (const Index v : given.Vertices)
     {
       gradient[v] = 0.0;
@@ -352,16 +356,15 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
   }
   solution.Residual = 1.0;
   LeastSquaresPreconditioner preconditioner(
-    this->EnergyFactor * this->Matrices.Energy + this->MassFactor * this->Matrices.Mass,
-    freeSystem.Free, freeSystem.Hierarchy, std::max(0.0, this->Shift()));
+    matrix, freeSystem.Free, freeSystem.Hierarchy, std::max(0.0, this->Shift()));
   ComplexVector x = ComplexVector::Zero(b.size());
   int steps = 0;
   for (int restart = 0;
        preconditioner.IsUsable() && restart < MostRestarts && steps < MostSteps; ++restart)
   {
     ComplexVector better = x;
-    preconditioner.AddCoarse(1.0, b - this->Times(better), better);
-    ComplexVector r = b - this->Times(better);
+    preconditioner.AddCoarse(1.0, b - times(better), better);
+    ComplexVector r = b - times(better);
     ComplexVector gradient = gradientOf(r);
     ComplexVector z;
     ComplexVector direction;
@@ -370,7 +373,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     {
       preconditioner.Apply(gradient, z);
       const double product = RealDot(gradient, z);
-      preconditioner.AddCoarse(-1.0, this->Times(z), z);
+      preconditioner.AddCoarse(-1.0, times(z), z);
       if (first)
       {
         direction = z;
@@ -380,7 +383,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
         Combine(1.0, z, product / previous, direction);
       }
       previous = product;
-      const ComplexVector q = this->Times(direction);
+      const ComplexVector q = times(direction);
       const double step = product / RealDot(q, q);
       if (!(step > 0.0) || !std::isfinite(step))
       {
@@ -394,7 +397,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
         break;
       }
     }
-    const double relative = Norm(gradientOf(b - this->Times(better))) / size;
+    const double relative = Norm(gradientOf(b - times(better))) / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
     {
