@@ -9,6 +9,7 @@
 
 #include "BenchmarkMeshes.h"
 #include "IntrinsicTriangulation.h"
+#include "MultigridEigenpair.h"
 #include "Operators.h"
 #include "TestGeometry.h"
 #include "Threads.h"
@@ -88,6 +89,17 @@ void Flips(benchmark::State& state, const std::string& mesh)
   Count(state, mesh);
 }
 
+/// The matrices of all components.
+std::vector<Operators> Assembled(const Geometry& g)
+{
+  std::vector<Operators> operators;
+  for (const TriangleMesh::Component& component : g.Mesh.GetComponents())
+  {
+    operators.push_back(AssembleOperators(g.Mesh, g.Lengths, g.Transport, component, 4, 0.0));
+  }
+  return operators;
+}
+
 void Assembly(benchmark::State& state, const std::string& mesh)
 {
   Threads threads;
@@ -95,11 +107,56 @@ void Assembly(benchmark::State& state, const std::string& mesh)
   const Geometry g(SurfaceOf(mesh));
   for (auto _ : state)
   {
-    for (const TriangleMesh::Component& component : g.Mesh.GetComponents())
+    const std::vector<Operators> operators = Assembled(g);
+    benchmark::DoNotOptimize(operators.data());
+  }
+  Count(state, mesh);
+}
+
+/// The order of magnitude of a component's smallest eigenvalue.
+double ScaleOf(const Geometry& g, std::size_t component)
+{
+  return 8.0 * Pi / g.Lengths.ComponentArea[component];
+}
+
+void Hierarchy(benchmark::State& state, const std::string& mesh)
+{
+  Threads threads;
+  const Threads::Scope scope(threads);
+  const Geometry g(SurfaceOf(mesh));
+  const std::vector<Operators> operators = Assembled(g);
+  for (auto _ : state)
+  {
+    for (std::size_t c = 0; c < operators.size(); ++c)
     {
-      const Operators operators =
-        AssembleOperators(g.Mesh, g.Lengths, g.Transport, component, 4, 0.0);
-      benchmark::DoNotOptimize(operators.Energy.valuePtr());
+      const Multigrid hierarchy(operators[c], ScaleOf(g, c));
+      state.counters["complexity"] = hierarchy.OperatorComplexity();
+    }
+  }
+  Count(state, mesh);
+}
+
+void Eigensolve(benchmark::State& state, const std::string& mesh)
+{
+  Threads threads;
+  const Threads::Scope scope(threads);
+  const Geometry g(SurfaceOf(mesh));
+  const std::vector<Operators> operators = Assembled(g);
+  std::vector<std::unique_ptr<Multigrid>> hierarchies;
+  for (std::size_t c = 0; c < operators.size(); ++c)
+  {
+    hierarchies.push_back(std::make_unique<Multigrid>(operators[c], ScaleOf(g, c)));
+  }
+  for (auto _ : state)
+  {
+    for (std::size_t c = 0; c < operators.size(); ++c)
+    {
+      EigenpairSettings settings;
+      settings.Scale = ScaleOf(g, c);
+      LowestSections lowest;
+      const Eigenpair pair =
+        SmallestEigenpair(operators[c], *hierarchies[c], settings, {}, lowest);
+      state.counters["iterations"] = pair.Iterations;
     }
   }
   Count(state, mesh);
@@ -121,14 +178,22 @@ void Smoothest(benchmark::State& state, const std::string& mesh)
   Count(state, mesh);
 }
 
-/// Another field on kept stages: what the options ask for, changed a little each time.
+/// The strengths that a slider goes through: none comes again, or near to another soon.
+double NextStrength(double strength)
+{
+  // Steps of the golden ratio through 0.2 ... 0.9.
+  const double next = strength + 0.7 * 0.6180339887498949;
+  return next < 0.9 ? next : next - 0.7;
+}
+
+/// Another field on kept stages: what the options ask for, with other settings each time.
 void Changed(benchmark::State& state, const std::string& mesh, Options options)
 {
   DirectionField field(SurfaceOf(mesh));
   field.Compute(options);
   for (auto _ : state)
   {
-    options.AlignmentStrength = 0.3 + 0.5 * (options.AlignmentStrength - 0.2);
+    options.AlignmentStrength = NextStrength(options.AlignmentStrength);
     options.ConsistencyAngle = 20.0 + 0.9 * (options.ConsistencyAngle - 20.0);
     field.Compute(options);
   }
@@ -192,7 +257,7 @@ void FilterStrengthChange(benchmark::State& state, const std::string& mesh)
   double strength = 0.8;
   for (auto _ : state)
   {
-    filter->SetAlignmentStrength(strength = 0.3 + 0.5 * (strength - 0.2));
+    filter->SetAlignmentStrength(strength = NextStrength(strength));
     filter->Modified();
     filter->Update();
   }
@@ -228,6 +293,8 @@ int main(int argc, char* argv[])
     { "Setup", Setup },
     { "Flips", Flips },
     { "Assembly", Assembly },
+    { "Hierarchy", Hierarchy },
+    { "Eigensolve", Eigensolve },
     { "Smoothest", Smoothest },
     { "Aligned", Aligned },
     { "AlignedChange", AlignedChange },
