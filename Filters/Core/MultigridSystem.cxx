@@ -255,7 +255,8 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
   }
   if (solution.Residual <= system.Tolerance)
   {
-    solved.Add(system.Matrices, solution.Vector);
+    solved.Add(
+      system.Matrices, system.EnergyFactor, system.MassFactor, b, solution.Vector);
   }
   return solution;
 }

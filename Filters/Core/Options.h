@@ -59,8 +59,9 @@ struct Options
   /// s in the energy (1+s) E_holomorphic + (1-s) E_antiholomorphic. Range -1 to 1; 0 is the
   /// Dirichlet energy.
   double EnergyBias = 0.0;
-  /// Largest relative residual |A u - lambda M u| / |A u| of a solution that counts as converged.
-  /// Range 1e-12 to 0.1.
+  /// Largest relative residual |A u - lambda M u| / |A u| of a solution that counts as converged,
+  /// and that of aligned and constrained systems, but not less than 1e-8 for them. Range 1e-12 to
+  /// 0.1.
   double Tolerance = 1e-6;
   /// Most solves with the factored matrix, or V-cycles, that a connected component may take for its
   /// smallest eigenpair. Range 1 to 10000.

@@ -54,6 +54,16 @@ ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) 
   {
     return sum;
   }
+  const Eigen::VectorXcd products = Products(this->Vectors, b);
+  for (std::size_t k = 0; k < this->Systems.size(); ++k)
+  {
+    const System& system = this->Systems[k];
+    if (system.Energy == a && system.Mass == m &&
+      system.Product == products[static_cast<Eigen::Index>(k)])
+    {
+      return this->Vectors[k];
+    }
+  }
   const Eigen::MatrixXcd matrix = a * this->Energy + m * this->Mass;
   const Eigen::VectorXd perLength = matrix.diagonal().real().cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> spectrum(
@@ -69,7 +79,7 @@ ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) 
     (spectrum.eigenvectors() *
       (inverse.asDiagonal() *
         (spectrum.eigenvectors().adjoint() *
-          (perLength.asDiagonal() * Products(this->Vectors, b)))));
+          (perLength.asDiagonal() * products))));
   ForRows(sum,
     [&](Index begin, Index end)
     {
@@ -82,15 +92,18 @@ ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) 
   return sum;
 }
 
-void ReducedBasis::Add(const Operators& operators, const ComplexVector& vector)
+void ReducedBasis::Add(const Operators& operators, double a, double m, const ComplexVector& b,
+  const ComplexVector& u)
 {
   const bool forget = static_cast<int>(this->Vectors.size()) == MostVectors;
   if (forget)
   {
     this->Vectors.erase(this->Vectors.begin());
+    this->Systems.erase(this->Systems.begin());
   }
-  const SectionProducts products(operators, vector);
-  this->Vectors.push_back(vector);
+  const SectionProducts products(operators, u);
+  this->Vectors.push_back(u);
+  this->Systems.push_back({ a, m, Products({ u }, b)[0] });
   Extend(this->Energy, Products(this->Vectors, products.Energy), forget);
   Extend(this->Mass, Products(this->Vectors, products.Mass), forget);
 }

@@ -20,13 +20,26 @@ public:
   static constexpr int MostVectors = 6;
 
   /// Of the combinations of the basis the one closest to the solution of (a A + m M) u = b in the norm
-  /// of that matrix, which is to be positive definite; zero where there is none.
+  /// of that matrix, which is to be positive definite; zero where there is none. For a system that
+  /// has been solved before, the solution itself.
   ComplexVector Closest(double a, double m, const ComplexVector& b) const;
 
-  void Add(const Operators& operators, const ComplexVector& vector);
+  /// Adds the solution u of (a A + m M) u = b.
+  void Add(const Operators& operators, double a, double m, const ComplexVector& b,
+    const ComplexVector& u);
 
 private:
+  /// What tells a system from others.
+  struct System
+  {
+    double Energy;
+    double Mass;
+    /// u^* b
+    Complex Product;
+  };
+
   std::vector<ComplexVector> Vectors;
+  std::vector<System> Systems;
   /// Of the vectors, in their order.
   Eigen::MatrixXcd Energy;
   Eigen::MatrixXcd Mass;

@@ -184,8 +184,8 @@ public:
 
   ///@{
   /**
-   * Relative residual |A u - lambda M u| / |A u| at which the solver stops. Range 1e-12 to 0.1,
-   * default 1e-6.
+   * Relative residual |A u - lambda M u| / |A u| at which the solver stops, and that of aligned and
+   * constrained systems, but not less than 1e-8 for them. Range 1e-12 to 0.1, default 1e-6.
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, 0.1);
   vtkGetMacro(Tolerance, double);

@@ -35,7 +35,7 @@ TEST(ReducedBasis, IsClosestInTheNormOfTheMatrix)
   for (unsigned seed = 2; seed < 6; ++seed)
   {
     vectors.push_back(RandomVector(n, seed));
-    basis.Add(system.Matrices, vectors.back());
+    basis.Add(system.Matrices, 1.0, 0.0, b, vectors.back());
   }
   // What is left is orthogonal to the basis.
   for (const double m : { 0.0, 0.3, 1e6 })
@@ -49,7 +49,7 @@ TEST(ReducedBasis, IsClosestInTheNormOfTheMatrix)
   }
   // A vector of the span is found, and a dependent one does not disturb.
   const ComplexVector wanted = vectors[0] - Complex(0.0, 2.0) * vectors[3];
-  basis.Add(system.Matrices, vectors[1] + 1e-9 * vectors[2]);
+  basis.Add(system.Matrices, 1.0, 0.0, b, vectors[1] + 1e-9 * vectors[2]);
   const SparseMatrix k = system.Matrices.Energy + system.Matrices.Mass;
   EXPECT_LT((basis.Closest(1.0, 1.0, k * wanted) - wanted).norm(), 1e-6 * wanted.norm());
 }
@@ -67,7 +67,7 @@ TEST(ReducedBasis, ForgetsTheOldest)
   };
   for (unsigned seed = 0; seed <= ReducedBasis::MostVectors; ++seed)
   {
-    basis.Add(system.Matrices, RandomVector(n, seed));
+    basis.Add(system.Matrices, 1.0, 0.0, RandomVector(n, 100), RandomVector(n, seed));
   }
   EXPECT_GT(distance(0), 0.1);
   for (unsigned seed = 1; seed <= ReducedBasis::MostVectors; ++seed)
@@ -129,6 +129,14 @@ TEST(ReducedBasis, FieldsDoNotDependOnTheOnesBefore)
       EXPECT_LE(result.Components[0].SystemResidual, 1e-6);
       EXPECT_LT(Distance(result.Representation, fresh.Representation), 2e-5) << strength;
       EXPECT_EQ(result.Components[0].IndexSum, fresh.Components[0].IndexSum) << strength;
+      EXPECT_EQ(kept.Compute(options).Representation, result.Representation);
     }
+    // The same options give the same bytes.
+    options.AlignmentStrength = 0.9;
+    const std::vector<Complex> once = kept.Compute(options).Representation;
+    options.AlignmentStrength = 0.3;
+    EXPECT_GT(Distance(kept.Compute(options).Representation, once), 1e-3);
+    options.AlignmentStrength = 0.9;
+    EXPECT_EQ(kept.Compute(options).Representation, once);
   }
 }
