@@ -22,6 +22,9 @@ constexpr Index FewestRows = 16;
 constexpr Index MostCoarsestRows = 1500;
 /// Added to the coarsest energy, relative to the scale of its smallest eigenvalue: that may be 0.
 constexpr double CoarsestShift = 0.01;
+/// From this level on cycles correct twice: they lose little there, where a hierarchy of many levels
+/// would lose much, and it costs next to nothing.
+constexpr std::size_t FirstTwice = 2;
 
 std::vector<float> Lumped(const LevelMatrices& matrices)
 {
@@ -99,12 +102,13 @@ double Multigrid::OperatorComplexity() const
 
 Cycle::Cycle(const Multigrid& hierarchy, double shift)
   : Hierarchy(hierarchy)
+  , Shift(static_cast<float>(shift))
 {
   const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
   for (std::size_t l = 0; l + 1 < levels.size(); ++l)
   {
     this->Diagonals.emplace_back(
-      levels[l].Matrices.Energy, levels[l].LumpedMass, static_cast<float>(shift));
+      levels[l].Matrices.Energy, levels[l].LumpedMass, this->Shift);
   }
   this->Workspaces.resize(levels.size());
 
@@ -184,8 +188,44 @@ void Cycle::Apply(const float* b, float* y, std::size_t level) const
   SweepDown<B>(matrix, this->Diagonals[level], b, own.Down.data(), own.Rest.data());
   fromCoarser.Restrict<B>(own.Rest.data(), coarser.Right.data());
   this->Apply<B>(coarser.Right.data(), coarser.Up.data(), level + 1);
+  if (level + 1 >= FirstTwice && level + 2 < levels.size())
+  {
+    this->ApplyAgain<B>(level + 1);
+  }
   fromCoarser.AddTo<B>(own.Down.data(), coarser.Up.data());
   SweepUp<B>(matrix, this->Diagonals[level], b, own.Down.data(), y);
+}
+
+template <int B>
+void Cycle::ApplyAgain(std::size_t level) const
+{
+  const Multigrid::Level& matrices = this->Hierarchy.GetLevels()[level];
+  Workspace& own = this->Workspaces[level];
+  own.Once.resize(own.Up.size());
+  own.Once.swap(own.Up);
+  ParallelFor(matrices.Rows(), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> product = matrices.Matrices.Energy.RowTimes<B>(v, own.Once.data());
+        product.AddReal(this->Shift * matrices.LumpedMass[v], own.Once.data(), v);
+        product.Scale(-1.0f);
+        product.AddReal(1.0f, own.Right.data(), v);
+        product.Store(own.Right.data(), v);
+      }
+    });
+  this->Apply<B>(own.Right.data(), own.Up.data(), level);
+  ParallelFor(matrices.Rows(), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> sum(own.Up.data(), v);
+        sum.AddReal(1.0f, own.Once.data(), v);
+        sum.Store(own.Up.data(), v);
+      }
+    });
 }
 
 template void Cycle::Apply<1>(const float*, float*, std::size_t) const;

@@ -44,8 +44,9 @@ private:
   double Scale;
 };
 
-/// A V-cycle for A + shift M, approximately: one sweep down, the coarser level's V-cycle, one sweep
-/// up; a Cholesky factor on the coarsest level. Symmetric and positive definite for a shift >= 0.
+/// A cycle for A + shift M, approximately: one sweep down, the coarser level's cycle, which from the
+/// third level on is repeated for what it leaves, one sweep up; a Cholesky factor on the coarsest
+/// level. Symmetric and positive definite for a shift >= 0.
 class Cycle
 {
 public:
@@ -71,11 +72,16 @@ private:
     CompactSections Down;
     CompactSections Rest;
     CompactSections Up;
+    CompactSections Once;
   };
   template <int B>
   void SolveCoarsest(const float* b, float* y) const;
+  /// Corrects the Up of the level by what it leaves of its Right, which is overwritten.
+  template <int B>
+  void ApplyAgain(std::size_t level) const;
 
   const Multigrid& Hierarchy;
+  float Shift;
   std::vector<SweepDiagonal> Diagonals;
   Eigen::MatrixXcd CoarsestFactor;
   bool Usable = false;

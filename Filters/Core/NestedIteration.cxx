@@ -6,6 +6,7 @@
 #include "OperatorProducts.h"
 #include "Threads.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,17 +15,20 @@ namespace DirectionFields
 namespace
 {
 constexpr int Width = SectionBlock::Width;
-/// Relative residual of the smallest pair where a coarser level is left: its discretization is off
-/// by more than that.
-constexpr float CoarseTolerance = 0.2f;
+/// Relative residual of the smallest pair where a level is left: the discretization of a coarser one
+/// is off by more than that.
+constexpr float Tolerance = 0.2f;
+/// A value below this part of the order of magnitude of the smallest eigenvalue is 0. The residual of
+/// its section is rounding, along which no step may go.
+constexpr double ZeroPart = 1e-3;
 constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
-/// On the finest level, where each step costs a few of those to come, until one changes the smallest
-/// value by no more than this part.
+/// On the finest level, where each step costs a few of those to come, also where one has changed the
+/// smallest value by no more than this part.
 constexpr double SettledChange = 0.01;
 constexpr int MostStepsOnFinest = 4;
 
-/// Squared norms of A u - theta M u and of A u for the smallest pair.
+/// Squared norms of A u - theta M u and of A u for one pair.
 struct Norms
 {
   double Residual = 0.0;
@@ -41,8 +45,10 @@ struct Norms
 class BlockIteration
 {
 public:
-  BlockIteration(const Operators* operators, const Multigrid::Level& level, NestedPairs& pairs)
+  BlockIteration(const Operators* operators, const Multigrid::Level& level, double scale,
+    NestedPairs& pairs)
     : Finest(operators)
+    , Zero(ZeroPart * scale)
     , Matrices(level.Matrices)
     , IsCoarsest(level.FromCoarser.Begin.empty())
     , Pairs(pairs)
@@ -67,10 +73,16 @@ public:
   /// All four pairs are there.
   bool IsWhole() const { return this->Pairs.Values.size() == Width; }
 
-  /// Puts the residuals in Correction; returns the first one's relative size.
+  /// Puts the residuals in Correction; returns the relative size of that of the smallest value but
+  /// 0, and 0 where there is none.
   float Residuals()
   {
     const SectionBlock& block = this->Pairs.Block;
+    const int first = this->FirstNonzero();
+    if (first == Width)
+    {
+      return 0.0f;
+    }
     const Norms norms = ParallelSum<Norms>(block.Rows(), CompactMatrix::PieceRows, {},
       [&](Index begin, Index end)
       {
@@ -86,9 +98,16 @@ public:
             rest.Real[b] -= theta * mass.Real[b];
             rest.Imaginary[b] -= theta * mass.Imaginary[b];
           }
+          part.Residual += rest.Real[first] * rest.Real[first] +
+            rest.Imaginary[first] * rest.Imaginary[first];
+          part.Energy += energy.Real[first] * energy.Real[first] +
+            energy.Imaginary[first] * energy.Imaginary[first];
+          for (int b = 0; b < first; ++b)
+          {
+            rest.Real[b] = 0.0f;
+            rest.Imaginary[b] = 0.0f;
+          }
           rest.Store(this->Correction.Vectors.data(), v);
-          part.Residual += rest.Real[0] * rest.Real[0] + rest.Imaginary[0] * rest.Imaginary[0];
-          part.Energy += energy.Real[0] * energy.Real[0] + energy.Imaginary[0] * energy.Imaginary[0];
         }
         return part;
       });
@@ -136,7 +155,8 @@ public:
     {
       set(other, 2, products[4 + 2 * other], products[5 + 2 * other]);
     }
-    const double before = this->Pairs.Values[0];
+    const int first = this->FirstNonzero();
+    const double before = this->Pairs.Values[first];
     this->Take(RayleighRitz(energy, mass, Width));
     if (!this->IsWhole())
     {
@@ -144,7 +164,7 @@ public:
     }
     // Without a coarser level the first steps say nothing; and where the value rises, what the
     // coarser level took for it was rounding.
-    const double now = this->Pairs.Values[0];
+    const double now = this->Pairs.Values[first];
     isLast = isLast ||
       (level == 0 && !this->IsCoarsest && std::abs(before - now) <= SettledChange * now);
     std::vector<std::pair<const SectionBlock*, SmallMatrix>> terms{
@@ -168,6 +188,15 @@ public:
   }
 
 private:
+  int FirstNonzero() const
+  {
+    int first = 0;
+    while (first < Width && this->Pairs.Values[first] < this->Zero)
+    {
+      ++first;
+    }
+    return first;
+  }
   void Take(RitzPairs ritz)
   {
     this->Ritz = std::move(ritz);
@@ -190,6 +219,7 @@ private:
   }
 
   const Operators* Finest;
+  double Zero;
   const LevelMatrices& Matrices;
   bool IsCoarsest;
   NestedPairs& Pairs;
@@ -232,7 +262,8 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
         finer.Vectors.data(), pairs.Block.Vectors.data());
       pairs.Block = std::move(finer);
     }
-    BlockIteration iteration(level == 0 ? &operators : nullptr, levels[level], pairs);
+    BlockIteration iteration(level == 0 ? &operators : nullptr, levels[level],
+      hierarchy.GetScale(), pairs);
     const int most = level == 0 ? MostStepsOnFinest
       : level + 1 == levels.size() ? MostStepsOnCoarsest
                                    : MostSteps;
@@ -244,8 +275,7 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
         pairs.Values.resize(0);
         return pairs;
       }
-      const float residual = iteration.Residuals();
-      goes = (level == 0 || residual > CoarseTolerance) &&
+      goes = iteration.Residuals() > Tolerance &&
         !iteration.Step(cycle, level, step + 1 == most);
     }
     if (!iteration.IsWhole())

@@ -140,8 +140,10 @@ RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int w
   {
     return {};
   }
+  // A vector that is zero is none.
+  const Eigen::VectorXd lengths = mass.diagonal().real().cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd perLength =
-    mass.diagonal().real().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+    (lengths.array() > std::numeric_limits<double>::min()).select(lengths.cwiseInverse(), 0.0);
   const SmallMatrix scaled =
     perLength.asDiagonal() * (0.5 * (mass + mass.adjoint())) * perLength.asDiagonal();
   const Eigen::LLT<SmallMatrix> factor(scaled);

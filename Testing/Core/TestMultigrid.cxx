@@ -144,8 +144,10 @@ TEST(Multigrid, CyclesAreSymmetricAndPositive)
 {
   for (const double shift : { 0.0, 0.05 })
   {
-    const System system(Potato(5), 4, 0.0);
+    const System system(Potato(6), 4, 0.0);
     const Multigrid hierarchy(system.Matrices, system.Scale);
+    // The third level is corrected twice.
+    ASSERT_GE(hierarchy.GetLevels().size(), 4u);
     const Cycle cycle(hierarchy, shift);
     ASSERT_TRUE(cycle.IsUsable());
     for (unsigned seed = 1; seed <= 5; ++seed)

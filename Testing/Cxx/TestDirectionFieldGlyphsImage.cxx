@@ -10,23 +10,18 @@
 // degrees before the glyphs are made, and the test passes if the comparison fails.
 
 #include "TestChecks.h"
+#include "TestPictures.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkImageDifference.h"
 #include "vtkPLYReader.h"
-#include "vtkPNGReader.h"
-#include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,12 +31,7 @@ using namespace TestChecks;
 namespace
 {
 constexpr int WindowSize = 600;
-
-/// The picture of correct glyphs may differ by this much on another machine; those of a field
-/// turned by 10 degrees differ by more than the second value. In percent of the greatest
-/// difference.
-constexpr double MostDifference = 0.25;
-constexpr double LeastTurnedDifference = 0.5;
+constexpr TestPictures::Limits Limits{ 0.25, 0.5 };
 
 struct Scene
 {
@@ -162,42 +152,7 @@ vtkSmartPointer<vtkImageData> Draw(const Scene& scene, vtkPolyData* glyphs)
   shapes->GetProperty()->SetColor(0.0, 0.30, 0.40);
   shapes->GetProperty()->SetAmbient(0.3);
   shapes->GetProperty()->SetLineWidth(3.0);
-
-  vtkNew<vtkRenderWindow> window;
-  window->SetMultiSamples(0);
-  window->SetSize(WindowSize, WindowSize);
-  window->AddRenderer(renderer);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetPosition(scene.Position);
-  camera->SetFocalPoint(scene.FocalPoint);
-  camera->SetViewUp(scene.ViewUp);
-  camera->SetParallelScale(scene.Scale);
-  renderer->ResetCameraClippingRange();
-  window->Render();
-
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->Update();
-  return grab->GetOutput();
-}
-
-/// Percent of the greatest possible difference, averaged over the image. Pixels may not move, as
-/// vtkTesting lets them, for a glyph that turns moves its pixels little; they are averaged with
-/// their neighbours, for the edges of polygons.
-double Difference(vtkImageData* image, const std::string& baseline)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(baseline.c_str());
-  vtkNew<vtkImageDifference> difference;
-  difference->SetInputData(image);
-  difference->SetImageConnection(reader->GetOutputPort());
-  difference->AllowShiftOff();
-  difference->AveragingOn();
-  difference->SetThreshold(16);
-  difference->Update();
-  return 100.0 * difference->GetThresholdedError() / (WindowSize * WindowSize);
+  return TestPictures::Draw(renderer.GetPointer(), scene, WindowSize);
 }
 }
 
@@ -235,18 +190,6 @@ int TestDirectionFieldGlyphsImage(int argc, char* argv[])
   CHECK(number > 0.9 * scene.Glyphs);
 
   auto image = Draw(scene, glyphs->GetOutput());
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(output.c_str());
-  writer->SetInputData(image);
-  writer->Write();
-  vtkNew<vtkPNGReader> probe;
-  if (!probe->CanReadFile(baseline.c_str()))
-  {
-    std::cerr << "No baseline " << baseline << "; the picture is " << output << std::endl;
-    return EXIT_FAILURE;
-  }
-  const double difference = Difference(image, baseline);
-  std::cout << "Difference: " << difference << " %, picture: " << output << std::endl;
-  CHECK(turned ? difference > LeastTurnedDifference : difference < MostDifference);
+  TestPictures::CheckPicture(image, baseline, output, turned, Limits);
   return Result();
 }

@@ -12,25 +12,20 @@
 
 #include "CoreMeshes.h"
 #include "TestChecks.h"
+#include "TestPictures.h"
 
 #include "vtkDirectionField.h"
 
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkGlyph3D.h"
 #include "vtkImageData.h"
-#include "vtkImageDifference.h"
 #include "vtkPLYReader.h"
-#include "vtkPNGReader.h"
-#include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <cstdlib>
 #include <set>
@@ -40,11 +35,7 @@ using namespace TestChecks;
 namespace
 {
 constexpr int WindowSize = 400;
-
-/// The picture of a correct field may differ by this much on another machine; a field turned by
-/// 10 degrees differs by more than the second value. In percent of the greatest difference.
-constexpr double MostDifference = 0.5;
-constexpr double LeastTurnedDifference = 1.0;
+constexpr TestPictures::Limits Limits{ 0.5, 1.0 };
 
 struct Scene
 {
@@ -231,42 +222,7 @@ vtkSmartPointer<vtkImageData> Draw(
   Add(renderer, filter->GetOutput(), 1.0, false);
   Add(renderer, MakeGlyphs(filter->GetOutput(), filter->GetDegree(), turn), 0.0, false);
   Add(renderer, MakeBalls(filter->GetOutput(1), 0.045 * scene.Scale), 1.0, false);
-
-  vtkNew<vtkRenderWindow> window;
-  window->SetMultiSamples(0);
-  window->SetSize(WindowSize, WindowSize);
-  window->AddRenderer(renderer);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetPosition(scene.Position);
-  camera->SetFocalPoint(scene.FocalPoint);
-  camera->SetViewUp(scene.ViewUp);
-  camera->SetParallelScale(scene.Scale);
-  renderer->ResetCameraClippingRange();
-  window->Render();
-
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->Update();
-  return grab->GetOutput();
-}
-
-/// Percent of the greatest possible difference, averaged over the image. Pixels may not move, as
-/// vtkTesting lets them, for a glyph that turns moves its pixels little; they are averaged with
-/// their neighbours, for the edges of polygons.
-double Difference(vtkImageData* image, const std::string& baseline)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(baseline.c_str());
-  vtkNew<vtkImageDifference> difference;
-  difference->SetInputData(image);
-  difference->SetImageConnection(reader->GetOutputPort());
-  difference->AllowShiftOff();
-  difference->AveragingOn();
-  difference->SetThreshold(16);
-  difference->Update();
-  return 100.0 * difference->GetThresholdedError() / (WindowSize * WindowSize);
+  return TestPictures::Draw(renderer.GetPointer(), scene, WindowSize);
 }
 
 /// The field is as constrained and as aligned as the options say.
@@ -366,18 +322,6 @@ int TestDirectionFieldImage(int argc, char* argv[])
   }
 
   auto image = Draw(scene, filter, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(output.c_str());
-  writer->SetInputData(image);
-  writer->Write();
-  vtkNew<vtkPNGReader> probe;
-  if (!probe->CanReadFile(baseline.c_str()))
-  {
-    std::cerr << "No baseline " << baseline << "; the picture is " << output << std::endl;
-    return EXIT_FAILURE;
-  }
-  const double difference = Difference(image, baseline);
-  std::cout << "Difference: " << difference << " %, picture: " << output << std::endl;
-  CHECK(turned ? difference > LeastTurnedDifference : difference < MostDifference);
+  TestPictures::CheckPicture(image, baseline, output, turned, Limits);
   return Result();
 }
