@@ -180,8 +180,9 @@ public:
     return this->Row[this->Slots[at]].second;
   }
 
-  /// Sorted by column; valid until the next use.
-  std::vector<std::pair<Index, Entry>>& Take()
+  /// Valid until the next use.
+  /// @param sorted by column
+  std::vector<std::pair<Index, Entry>>& Take(bool sorted)
   {
     for (const auto& entry : this->Row)
     {
@@ -192,8 +193,11 @@ public:
         at = (at + 1) & (this->Slots.size() - 1);
       }
     }
-    std::sort(this->Row.begin(), this->Row.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (sorted)
+    {
+      std::sort(this->Row.begin(), this->Row.end(),
+        [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
     return this->Row;
   }
   void Clear() { this->Row.clear(); }
@@ -234,8 +238,9 @@ struct Rows
   std::vector<Index> Size;
   std::vector<std::vector<std::pair<Index, Entry>>> Pieces;
 
+  /// @param sorted whether the entries of a row are in the order of their columns
   template <typename MakeRow>
-  Rows(Index count, const MakeRow& makeRow)
+  Rows(Index count, bool sorted, const MakeRow& makeRow)
     : Size(count)
     , Pieces(NumberOfPieces(count, PieceRows))
   {
@@ -248,7 +253,7 @@ struct Rows
         {
           sum.Clear();
           makeRow(row, sum);
-          const auto& entries = sum.Take();
+          const auto& entries = sum.Take(sorted);
           this->Size[row] = static_cast<Index>(entries.size());
           piece.insert(piece.end(), entries.begin(), entries.end());
         }
@@ -380,7 +385,7 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level)
   const CompactMatrix& energy = matrices.Energy;
   const Couplings couplings = FindCouplings(matrices, level);
   const Aggregates aggregates = Aggregate(matrices, couplings);
-  const Rows<CompactComplex> rows(energy.Rows(),
+  const Rows<CompactComplex> rows(energy.Rows(), true,
     [&](Index i, RowSum<CompactComplex>& sum)
     {
       float radius = couplings.Diagonal[i];
@@ -418,7 +423,7 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
 {
   const CompactMatrix& energy = matrices.Energy;
   // A P and M P first.
-  const Rows<TwoEntries> products(energy.Rows(),
+  const Rows<TwoEntries> products(energy.Rows(), false,
     [&](Index i, RowSum<TwoEntries>& sum)
     {
       const auto add = [&](Index j, const CompactComplex& a, const CompactComplex& m)
@@ -437,7 +442,7 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
       }
     });
   const std::vector<Index> begin = products.Begin();
-  const Rows<TwoEntries> rows(prolongator.CoarseRows(),
+  const Rows<TwoEntries> rows(prolongator.CoarseRows(), true,
     [&](Index row, RowSum<TwoEntries>& sum)
     {
       for (Index k = prolongator.AdjointBegin[row]; k < prolongator.AdjointBegin[row + 1]; ++k)

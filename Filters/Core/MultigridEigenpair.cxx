@@ -25,8 +25,8 @@ constexpr Eigen::Index DirectRows = 3000;
 /// eigenvalue in it is better known.
 constexpr double InnerReduction = 0.05;
 constexpr int MostInnerSteps = 40;
-/// The last step goes a little further than the tolerance asks.
-constexpr double Margin = 0.5;
+/// How far the last step goes, in parts of the tolerance: what the projection adds is enough.
+constexpr double Margin = 1.0;
 /// The iteration stalls where this many steps in a row have not reduced the residual by this factor.
 constexpr int MostSlowSteps = 3;
 constexpr double SlowReduction = 0.7;
