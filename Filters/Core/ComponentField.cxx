@@ -157,10 +157,17 @@ SystemSolution SolveDirectly(const ComponentProblem& problem, const Options& opt
 {
   const SparseMatrix matrix =
     factors.Energy * problem.Matrices.Energy + factors.Mass * problem.Matrices.Mass;
-  return problem.Given.Vertices.empty() ? SolveAligned(matrix, b)
-    : options.ConstraintSolver == ConstraintSolver::Energy
-    ? SolveConstrainedEnergy(matrix, b, problem.Given)
-    : SolveConstrainedLeastSquares(matrix, b, problem.Given);
+  try
+  {
+    return problem.Given.Vertices.empty() ? SolveAligned(matrix, b, problem.GoOn)
+      : options.ConstraintSolver == ConstraintSolver::Energy
+      ? SolveConstrainedEnergy(matrix, b, problem.Given, problem.GoOn)
+      : SolveConstrainedLeastSquares(matrix, b, problem.Given, problem.GoOn);
+  }
+  catch (const Stopped&)
+  {
+    return { ComplexVector::Zero(b.size()), 1.0 };
+  }
 }
 
 /// By multigrid where the smoothest field was found by it.

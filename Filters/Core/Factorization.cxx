@@ -14,16 +14,19 @@ class Factorization::Backend
 {
 public:
   virtual ~Backend() = default;
-  virtual bool Compute(const SparseMatrix& matrix) = 0;
+  virtual bool Compute(const SparseMatrix& matrix, const GoOnFunction& goOn) = 0;
   virtual ComplexVector Solve(const ComplexVector& rightHandSide) const = 0;
 };
 
 class Factorization::EigenBackend : public Factorization::Backend
 {
 public:
-  bool Compute(const SparseMatrix& matrix) override
+  bool Compute(const SparseMatrix& matrix, const GoOnFunction& goOn) override
   {
-    this->Solver.compute(matrix);
+    RequireToGoOn(goOn);
+    this->Solver.analyzePattern(matrix);
+    RequireToGoOn(goOn);
+    this->Solver.factorize(matrix);
     return this->Solver.info() == Eigen::Success &&
       (this->Solver.vectorD().real().array() > 0.0).all();
   }
@@ -51,9 +54,12 @@ public:
     // A failure is reported by Compute; nothing is printed.
     this->Solver.cholmod().print = 0;
   }
-  bool Compute(const SparseMatrix& matrix) override
+  bool Compute(const SparseMatrix& matrix, const GoOnFunction& goOn) override
   {
-    this->Solver.compute(matrix);
+    RequireToGoOn(goOn);
+    this->Solver.analyzePattern(matrix);
+    RequireToGoOn(goOn);
+    this->Solver.factorize(matrix);
     return this->Solver.info() == Eigen::Success;
   }
   ComplexVector Solve(const ComplexVector& rightHandSide) const override
@@ -69,20 +75,20 @@ private:
 Factorization::Factorization() = default;
 Factorization::~Factorization() = default;
 
-bool Factorization::Compute(const SparseMatrix& matrix)
+bool Factorization::Compute(const SparseMatrix& matrix, const GoOnFunction& goOn)
 {
 #ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
   if (matrix.rows() >= CholmodRows)
   {
     this->Factor = std::make_unique<CholmodBackend>();
-    if (this->Factor->Compute(matrix))
+    if (this->Factor->Compute(matrix, goOn))
     {
       return true;
     }
   }
 #endif
   this->Factor = std::make_unique<EigenBackend>();
-  return this->Factor->Compute(matrix);
+  return this->Factor->Compute(matrix, goOn);
 }
 
 ComplexVector Factorization::Solve(const ComplexVector& rightHandSide) const

@@ -6,10 +6,28 @@
 
 #include "Types.h"
 
+#include <functional>
 #include <memory>
 
 namespace DirectionFields
 {
+/// Asked before each longer part of a computation; false stops it. Empty never does.
+using GoOnFunction = std::function<bool()>;
+
+/// Thrown where a GoOnFunction has stopped a computation.
+struct Stopped
+{
+};
+
+/// Throws Stopped.
+inline void RequireToGoOn(const GoOnFunction& goOn)
+{
+  if (goOn && !goOn())
+  {
+    throw Stopped();
+  }
+}
+
 /// Sparse Cholesky factorization of a Hermitian positive definite matrix, by Eigen, or by CHOLMOD
 /// where it was built in and the matrix is large.
 class Factorization
@@ -18,8 +36,9 @@ public:
   Factorization();
   ~Factorization();
 
-  /// False where the matrix is not positive definite up to rounding.
-  bool Compute(const SparseMatrix& matrix);
+  /// False where the matrix is not positive definite up to rounding. Asks before it begins and
+  /// between the order of elimination and the factor, which takes the most of the time.
+  bool Compute(const SparseMatrix& matrix, const GoOnFunction& goOn = {});
   /// Needs a successful Compute.
   ComplexVector Solve(const ComplexVector& rightHandSide) const;
 

@@ -47,13 +47,13 @@ double CheckedNorm(const ComplexVector& rightHandSide)
 }
 
 /// Factors a matrix, with a little added to its diagonal where it needs that.
-void Factor(const SparseMatrix& matrix, Factorization& factor)
+void Factor(const SparseMatrix& matrix, const GoOnFunction& goOn, Factorization& factor)
 {
   for (const double regularization : Regularizations)
   {
     SparseMatrix regular = matrix;
     regular.diagonal() *= 1.0 + regularization;
-    if (factor.Compute(regular))
+    if (factor.Compute(regular, goOn))
     {
       return;
     }
@@ -64,7 +64,7 @@ void Factor(const SparseMatrix& matrix, Factorization& factor)
 
 /// Solves by a factor and refines with the matrix itself: what the factor loses to rounding or to
 /// regularization comes back.
-SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b)
+SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b, const GoOnFunction& goOn)
 {
   SystemSolution solution;
   solution.Vector = ComplexVector::Zero(b.size());
@@ -74,11 +74,12 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b)
     return solution;
   }
   Factorization factor;
-  Factor(matrix, factor);
+  Factor(matrix, goOn, factor);
   ComplexVector residual = b;
   solution.Residual = 1.0;
   for (int step = 0; step < MaximumRefinements && solution.Residual > WantedResidual; ++step)
   {
+    RequireToGoOn(goOn);
     const ComplexVector better = solution.Vector + factor.Solve(residual);
     const ComplexVector rest = b - matrix * better;
     const double relative =
@@ -114,7 +115,7 @@ bool IsNormalMatrixSparse(const SparseMatrix& adjoint)
 /// Minimizes ‖K_f u - b‖ by conjugate gradients on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of
 /// the free vertices are the identity and only the others are left to deal with.
 SystemSolution ConjugateGradients(const SparseMatrix& columns, const SparseMatrix& adjoint,
-  const SparseMatrix& square, const ComplexVector& b)
+  const SparseMatrix& square, const ComplexVector& b, const GoOnFunction& goOn)
 {
   SystemSolution solution;
   solution.Vector = ComplexVector::Zero(columns.cols());
@@ -125,7 +126,7 @@ SystemSolution ConjugateGradients(const SparseMatrix& columns, const SparseMatri
     return solution;
   }
   Factorization factor;
-  Factor(square, factor);
+  Factor(square, goOn, factor);
   solution.Residual = 1.0;
   // Starting again from the true residual takes back what rounding adds up in the recursions.
   for (int start = 0; start < MaximumRestarts && solution.Residual > WantedResidual; ++start)
@@ -138,6 +139,7 @@ SystemSolution ConjugateGradients(const SparseMatrix& columns, const SparseMatri
     const double first = gamma;
     for (int step = 0; step < MaximumSteps && gamma > StepReduction * first; ++step)
     {
+      RequireToGoOn(goOn);
       const ComplexVector direction = factor.Solve(p);
       const ComplexVector q = columns * direction;
       const double alpha = gamma / q.squaredNorm();
@@ -172,19 +174,20 @@ SystemSolution ConjugateGradients(const SparseMatrix& columns, const SparseMatri
 
 /// Minimizes ‖K_f u - b‖: by a factor of K_f^* K_f unless that is dense, as at a vertex of many
 /// triangles, or too badly conditioned.
-SystemSolution SolveLeastSquares(
-  const SparseMatrix& columns, const SparseMatrix& square, const ComplexVector& b)
+SystemSolution SolveLeastSquares(const SparseMatrix& columns, const SparseMatrix& square,
+  const ComplexVector& b, const GoOnFunction& goOn)
 {
   const SparseMatrix adjoint = columns.adjoint();
   SystemSolution solution;
   solution.Residual = std::numeric_limits<double>::infinity();
   if (IsNormalMatrixSparse(adjoint))
   {
-    solution = Solve(adjoint * columns, adjoint * b);
+    RequireToGoOn(goOn);
+    solution = Solve(adjoint * columns, adjoint * b, goOn);
   }
   if (solution.Residual > AcceptedResidual)
   {
-    SystemSolution other = ConjugateGradients(columns, adjoint, square, b);
+    SystemSolution other = ConjugateGradients(columns, adjoint, square, b, goOn);
     if (other.Residual < solution.Residual)
     {
       return other;
@@ -269,13 +272,14 @@ SystemSolution Joined(const SystemSolution& free, const Split& split, const Give
 }
 }
 
-SystemSolution SolveAligned(const SparseMatrix& matrix, const ComplexVector& rightHandSide)
+SystemSolution SolveAligned(
+  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GoOnFunction& goOn)
 {
-  return Solve(matrix, rightHandSide);
+  return Solve(matrix, rightHandSide, goOn);
 }
 
-SystemSolution SolveConstrainedEnergy(
-  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given)
+SystemSolution SolveConstrainedEnergy(const SparseMatrix& matrix,
+  const ComplexVector& rightHandSide, const GivenValues& given, const GoOnFunction& goOn)
 {
   const Split split(matrix, given);
   const ComplexVector right = MovedToTheRight(matrix, rightHandSide, given);
@@ -284,15 +288,15 @@ SystemSolution SolveConstrainedEnergy(
   {
     freeRight[static_cast<Eigen::Index>(k)] = right[split.Free[k]];
   }
-  return Joined(Solve(split.FreeColumns(matrix, true), freeRight), split, given);
+  return Joined(Solve(split.FreeColumns(matrix, true), freeRight, goOn), split, given);
 }
 
-SystemSolution SolveConstrainedLeastSquares(
-  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given)
+SystemSolution SolveConstrainedLeastSquares(const SparseMatrix& matrix,
+  const ComplexVector& rightHandSide, const GivenValues& given, const GoOnFunction& goOn)
 {
   const Split split(matrix, given);
   return Joined(SolveLeastSquares(split.FreeColumns(matrix, false), split.FreeColumns(matrix, true),
-                  MovedToTheRight(matrix, rightHandSide, given)),
+                  MovedToTheRight(matrix, rightHandSide, given), goOn),
     split, given);
 }
 }

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_LinearSystem_h
 #define DirectionFields_LinearSystem_h
 
+#include "Factorization.h"
 #include "Options.h"
 #include "Types.h"
 
@@ -29,18 +30,19 @@ struct GivenValues
   ComplexVector Values;
 };
 
-/// Solves K u = b for a Hermitian positive definite K.
-SystemSolution SolveAligned(const SparseMatrix& matrix, const ComplexVector& rightHandSide);
+/// Solves K u = b for a Hermitian positive definite K. This and the others throw Stopped.
+SystemSolution SolveAligned(const SparseMatrix& matrix, const ComplexVector& rightHandSide,
+  const GoOnFunction& goOn = {});
 
 /// K_ff u_f = b_f - K_fc u_c: u minimizes u^* K u - 2 Re b^* u among the fields with the given
 /// values.
-SystemSolution SolveConstrainedEnergy(
-  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given);
+SystemSolution SolveConstrainedEnergy(const SparseMatrix& matrix,
+  const ComplexVector& rightHandSide, const GivenValues& given, const GoOnFunction& goOn = {});
 
 /// K_f^* K_f u_f = K_f^* (b - K_c u_c), K_f and K_c the columns of the free and of the given
 /// vertices: u minimizes ‖K u - b‖ among the fields with the given values (POC14).
-SystemSolution SolveConstrainedLeastSquares(
-  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GivenValues& given);
+SystemSolution SolveConstrainedLeastSquares(const SparseMatrix& matrix,
+  const ComplexVector& rightHandSide, const GivenValues& given, const GoOnFunction& goOn = {});
 }
 
 #endif

@@ -215,7 +215,19 @@ Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass
 
   Factorization factor;
   double shift = RelativeShift * settings.Scale;
-  while (!factor.Compute(energy + shift * mass))
+  const auto computes = [&]
+  {
+    try
+    {
+      return factor.Compute(energy + shift * mass, [&] { return goOn(0); });
+    }
+    catch (const Stopped&)
+    {
+      pair.Aborted = true;
+      return true;
+    }
+  };
+  while (!computes())
   {
     shift *= 100.0;
     if (shift > 1e3 * settings.Scale)
@@ -223,6 +235,10 @@ Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass
       throw std::runtime_error("The energy matrix could not be factored: the mesh has triangles "
                                "of too different sizes or shapes. Remesh it more evenly.");
     }
+  }
+  if (pair.Aborted)
+  {
+    return pair;
   }
   KrylovSpace space(factor, mass, start);
   pair = {};

@@ -399,28 +399,47 @@ TEST(DirectionField, ReportsRepairs)
 
 TEST(DirectionField, ProgressRisesAndStops)
 {
-  const Surface surface =
-    Joined(Potato(3), Transformed(Potato(2), ObliqueRotation(1), { 9, 0, 0 }));
-  DirectionField field(surface);
-  std::vector<double> seen;
-  const Result result = field.Compute({}, {},
-    [&](double fraction)
-    {
-      seen.push_back(fraction);
-      return true;
-    });
-  EXPECT_FALSE(result.Aborted);
-  ASSERT_GT(seen.size(), 4u);
-  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-  EXPECT_GE(seen.front(), 0.0);
-  EXPECT_LE(seen.back(), 1.0);
-  for (std::size_t stop = 0; stop < seen.size(); ++stop)
+  Options smoothest;
+  Options aligned;
+  aligned.Alignment = Alignment::PrincipalCurvature;
+  Options constrained;
+  constrained.ConstrainBoundary = true;
+  std::vector<Options> all;
+  for (const Solver solver : { Solver::Direct, Solver::Multigrid })
   {
-    std::size_t calls = 0;
-    const Result aborted = DirectionField(surface).Compute({}, {}, [&](double) { return calls++ < stop; });
-    EXPECT_TRUE(aborted.Aborted);
-    EXPECT_EQ(calls, stop + 1);
-    EXPECT_TRUE(aborted.Representation.empty());
+    for (Options options : { smoothest, aligned, constrained })
+    {
+      options.Solver = solver;
+      all.push_back(options);
+    }
+    constrained.ConstraintSolver = ConstraintSolver::Energy;
+  }
+  const Surface surface =
+    Joined(Hemisphere(4), Transformed(Potato(2), ObliqueRotation(1), { 9, 0, 0 }));
+  for (const Options& options : all)
+  {
+    DirectionField field(surface);
+    std::vector<double> seen;
+    const Result result = field.Compute(options, {},
+      [&](double fraction)
+      {
+        seen.push_back(fraction);
+        return true;
+      });
+    EXPECT_FALSE(result.Aborted);
+    ASSERT_GT(seen.size(), 4u);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    EXPECT_GE(seen.front(), 0.0);
+    EXPECT_LE(seen.back(), 1.0);
+    for (std::size_t stop = 0; stop < seen.size(); stop += 1 + seen.size() / 12)
+    {
+      std::size_t calls = 0;
+      const Result aborted =
+        DirectionField(surface).Compute(options, {}, [&](double) { return calls++ < stop; });
+      EXPECT_TRUE(aborted.Aborted);
+      EXPECT_EQ(calls, stop + 1);
+      EXPECT_TRUE(aborted.Representation.empty());
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Factorization.h"
 #include "Operators.h"
 #include "SectionIntegrals.h"
 #include "Singularities.h"
@@ -277,6 +278,27 @@ TEST(SmallestEigenpair, StopsWhenTold)
     RandomVector(system.Matrices.Energy.rows(), 5), {}, [&](int) { return ++calls < 3; });
   EXPECT_TRUE(pair.Aborted);
   EXPECT_EQ(calls, 3);
+}
+
+TEST(Factorization, AsksBeforeEachPart)
+{
+  const System system(Potato(3), 4, 0.0);
+  const SparseMatrix matrix = system.Matrices.Energy + system.Matrices.Mass;
+  for (const int allowed : { 0, 1, 2 })
+  {
+    int calls = 0;
+    const auto goOn = [&] { return calls++ < allowed; };
+    Factorization factor;
+    if (allowed < 2)
+    {
+      EXPECT_THROW(factor.Compute(matrix, goOn), Stopped);
+    }
+    else
+    {
+      EXPECT_TRUE(factor.Compute(matrix, goOn));
+    }
+    EXPECT_EQ(calls, std::min(allowed + 1, 2));
+  }
 }
 
 TEST(Singularities, SumIsDegreeTimesChiForAnyField)
