@@ -40,16 +40,28 @@ Factors MakeFactors(double smallest, double gap)
   return { 1.0, gap - smallest, gap };
 }
 
-/// lambda_1 - lambda_t, 0 to infinity.
+/// How far off the computed lambda_1 may be, over sigma: by the square of its residual over how far
+/// the next one is, but by no more than the residual.
+double EigenvalueError(const Eigenpair& pair)
+{
+  constexpr double nearness = 100.0;
+  return pair.Residual * std::min(1.0, nearness * pair.Residual);
+}
+
+/// lambda_1 - lambda_t, 0 to infinity. No less than lambda_1 is known to, or A - lambda_t M could be
+/// indefinite.
 double Gap(const ComponentProblem& problem, const Options& options)
 {
+  const double sigma = std::max(problem.Smoothest.First.Value, problem.Scale);
+  const double least = sigma * EigenvalueError(problem.Smoothest.First);
   if (options.UseShift)
   {
-    return std::min(options.Shift * problem.Unit * problem.Unit, std::numeric_limits<double>::max());
+    return std::clamp(options.Shift * problem.Unit * problem.Unit, least,
+      std::max(least, std::numeric_limits<double>::max()));
   }
   const double tau = options.AlignmentStrength;
-  const double sigma = std::max(problem.Smoothest.First.Value, problem.Scale);
-  return tau < 1.0 ? sigma * tau / (1.0 - tau) : std::numeric_limits<double>::infinity();
+  return tau < 1.0 ? std::max(least, sigma * tau / (1.0 - tau))
+                   : std::numeric_limits<double>::infinity();
 }
 
 /// A third of the area of the triangles at each vertex. Each triangle adds a sixth of its area to
@@ -252,9 +264,7 @@ ComplexVector SolveComponent(
   const bool smoothest = gap <= SmallestGap * std::max(smallest, problem.Scale);
 
   SystemSolution solution;
-  report.SolverUsed = problem.Smoothest.SolverUsed;
-  report.Lambda = PerSquare(smallest, unit);
-  if (!constrained && (!guided || smoothest))
+  const auto takeSmoothest = [&]
   {
     solution.Vector = problem.Smoothest.First.Vector;
     if (guided)
@@ -263,6 +273,12 @@ ComplexVector SolveComponent(
       const Complex overlap = solution.Vector.dot(Product(matrices.Mass, guidance));
       solution.Vector *= std::abs(overlap) > 0.0 ? overlap / std::abs(overlap) : Complex(1.0);
     }
+  };
+  report.SolverUsed = problem.Smoothest.SolverUsed;
+  report.Lambda = PerSquare(smallest, unit);
+  if (!constrained && (!guided || smoothest))
+  {
+    takeSmoothest();
   }
   else
   {
@@ -283,11 +299,16 @@ ComplexVector SolveComponent(
         [&](Index begin, Index end) { b.segment(begin, end - begin) *= factors.Guidance; });
     }
     solution = SolveSystem(problem, options, factors, b, report);
+    if (solution.Vector.isZero(0.0))
+    {
+      // Nothing came of it, or of constraints that are zero: better a field than none.
+      takeSmoothest();
+    }
   }
   SectionProducts u(matrices, std::move(solution.Vector));
   const double size = RealDot(u.Vector, u.Mass);
   report.SmoothnessEnergy =
-    size > 0.0 ? PerSquare(RealDot(u.Vector, u.Energy) / size, unit) : 0.0;
+    size > 0.0 ? PerSquare(std::max(0.0, RealDot(u.Vector, u.Energy) / size), unit) : 0.0;
   report.SystemResidual = solution.Residual;
   if (size > 0.0)
   {

@@ -17,8 +17,8 @@ namespace DirectionFields
 struct SystemSolution
 {
   ComplexVector Vector;
-  /// ‖K u - b‖ / max(‖b‖, 1e-6 ‖|K| |u|‖) of what was solved (for least squares: the normal
-  /// equations); 0 where nothing was left to solve.
+  /// ‖K u - b‖ / ‖b‖ of what was solved (for least squares: the normal equations), or over
+  /// 1e-6 ‖|K| |u|‖ where rounding allows no better; 0 where nothing was left to solve.
   double Residual = 0.0;
 };
 

@@ -27,6 +27,11 @@ constexpr double InnerReduction = 0.05;
 constexpr int MostInnerSteps = 40;
 /// How far the last step goes, in parts of the tolerance: what the projection adds is enough.
 constexpr double Margin = 1.0;
+/// At a loose tolerance a residual below it may come before a good vector: unless it is this small,
+/// there are to be a few cycles.
+constexpr double CertainResidual = 1e-6;
+constexpr int FewestCycles = 3;
+constexpr double LeastReduction = 0.5;
 /// The iteration stalls where this many steps in a row have not reduced the residual by this factor.
 constexpr int MostSlowSteps = 3;
 constexpr double SlowReduction = 0.7;
@@ -159,19 +164,17 @@ struct Figures
   }
 };
 
-/// Puts u in place of the block's first section.
-void SetFirst(const SectionProducts& u, SectionBlock& block)
+/// Puts u in place of the first of four sections.
+void SetFirst(const ComplexVector& u, CompactSections& sections)
 {
-  ParallelFor(block.Rows(), PieceRows,
+  ParallelFor(static_cast<Index>(u.size()), PieceRows,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
         const std::size_t at = static_cast<std::size_t>(2 * Width) * v;
-        block.Vectors[at] = static_cast<float>(u.Vector[v].real());
-        block.Vectors[at + Width] = static_cast<float>(u.Vector[v].imag());
-        block.Mass[at] = static_cast<float>(u.Mass[v].real());
-        block.Mass[at + Width] = static_cast<float>(u.Mass[v].imag());
+        sections[at] = static_cast<float>(u[v].real());
+        sections[at + Width] = static_cast<float>(u[v].imag());
       }
     });
 }
@@ -258,12 +261,16 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       best.Residual = relative;
     }
     const int left = settings.MaximumIterations - best.Iterations;
-    if (best.Residual <= settings.Tolerance || slow >= MostSlowSteps || left <= 0)
+    const bool converged = best.Residual <= settings.Tolerance &&
+      (best.Residual <= CertainResidual || best.Iterations >= FewestCycles);
+    if (converged || slow >= MostSlowSteps || left <= 0)
     {
       break;
     }
-    SetFirst(u, others);
-    const double reduction = std::max(InnerReduction, Margin * settings.Tolerance / relative);
+    SetFirst(u.Vector, others.Vectors);
+    SetFirst(u.Mass, others.Mass);
+    const double reduction =
+      std::clamp(Margin * settings.Tolerance / relative, InnerReduction, LeastReduction);
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
       std::min(left, MostInnerSteps),
@@ -298,7 +305,11 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     }
     search = std::move(t);
   }
-  nested.Values[0] = best.Value;
+  if (best.Vector.size() > 0)
+  {
+    SetFirst(best.Vector, others.Vectors);
+    nested.Values[0] = best.Value;
+  }
   lowest = { std::move(others.Vectors), std::move(nested.Values) };
   return best;
 }

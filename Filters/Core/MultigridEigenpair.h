@@ -21,7 +21,8 @@ struct SmallestPairs
   Solver SolverUsed = Solver::Direct;
   /// Only where SolverUsed is Multigrid.
   std::unique_ptr<Multigrid> Hierarchy;
-  /// Approximations of the smallest eigenvectors, orthonormal in M, the first of them First itself.
+  /// Approximations of the smallest eigenvectors, orthonormal in M to some digits, the first of them
+  /// First but for its phase.
   /// Empty where there is no hierarchy.
   LowestSections Lowest;
 };
@@ -32,7 +33,7 @@ struct SmallestPairs
 /// whose correction equation is solved in single precision by conjugate gradients with V-cycles, the
 /// next pairs deflated. Residuals are in double precision.
 ///
-/// Iterations counts V-cycles on the finest level. Where the iteration stalls or they are used up:
+/// Iterations counts V-cycles on the finest level after the nested iteration. Where the iteration stalls or they are used up:
 /// the best pair so far, its Residual above Tolerance.
 /// @param lowest   filled in as in SmallestPairs
 /// @param progress called before each V-cycle with the number done; false stops

@@ -105,7 +105,7 @@ class Preconditioner
 public:
   Preconditioner(const Multigrid& hierarchy, double shift, const LowestSections* lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
-    , Lowest(lowest && lowest->Values.size() > 0 && lowest->Values[0] + shift > 0.0 ? lowest : nullptr)
+    , Lowest(lowest && lowest->Values.size() > 0 && lowest->Values.minCoeff() + shift > 0.0 ? lowest : nullptr)
   {
     if (this->Lowest)
     {
@@ -173,6 +173,16 @@ private:
   CompactSections Section;
 };
 
+/// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms of
+/// K u add up to where rounding allows no better.
+double Size(const MultigridSystem& system, const ComplexVector& u, double rest, double norm)
+{
+  return rest <= system.Tolerance * norm
+    ? norm
+    : std::max(norm,
+        RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
+}
+
 /// Conjugate gradients on K u = b.
 SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner& preconditioner,
   const ComplexVector& b, ReducedBasis& solved)
@@ -187,6 +197,13 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
   solution.Vector = solved.Closest(system.EnergyFactor, system.MassFactor, b);
   ComplexVector r = b - system.Times(solution.Vector);
   double rest = Norm(r);
+  if (!(rest < size))
+  {
+    solution.Vector.setZero();
+    r = b;
+    rest = size;
+  }
+  size = Size(system, solution.Vector, rest, size);
   solution.Residual = rest / size;
   if (solution.Residual <= system.Tolerance)
   {
@@ -236,11 +253,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
     }
     r = b - system.Times(u);
     rest = Norm(r);
-    if (rest > system.Tolerance * size)
-    {
-      size = std::max(size,
-        RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
-    }
+    size = Size(system, u, rest, size);
     const double relative = rest / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)

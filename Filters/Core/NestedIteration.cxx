@@ -284,6 +284,7 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
       return pairs;
     }
   }
+  Free(pairs.Block.Energy);
   return pairs;
 }
 }

@@ -21,10 +21,10 @@ struct ComponentReport
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
   /// rounding, relative to 1e-7 ||A||u||, or 0 if it is no more than rounding.
   double Residual = 0.0;
-  /// Solves with the factored matrix, or V-cycles; 0 where the component was small enough for a
-  /// dense solver.
+  /// Solves with the factored matrix, or V-cycles after the nested iteration; 0 where that was
+  /// enough or the component small enough for a dense solver.
   int Iterations = 0;
-  /// Multigrid or Direct: what the eigenvalue was found with.
+  /// Direct where the eigenvalue or the linear system needed a factor, else Multigrid.
   Solver SolverUsed = Solver::Direct;
   /// Vertices - edges + triangles.
   int EulerCharacteristic = 0;
@@ -47,7 +47,7 @@ struct ComponentReport
   Index Constraints = 0;
   /// The component has no boundary and no ghosts.
   bool Closed = false;
-  /// Residual <= Options::Tolerance.
+  /// Residual <= Options::Tolerance, and SystemResidual <= that or 1e-8.
   bool Converged = false;
 };
 

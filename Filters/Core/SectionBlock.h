@@ -52,12 +52,12 @@ private:
   Numbers Imaginary = Numbers::Zero();
 };
 
-/// The sections of the smallest eigenvalues, nearly, orthonormal in the mass matrix.
+/// The sections of the smallest eigenvalues, nearly, and nearly orthonormal in the mass matrix.
 struct LowestSections
 {
   /// Four sections; or empty.
   CompactSections Vectors;
-  /// Ascending.
+  /// Ascending, but for the errors of all but the first.
   Eigen::VectorXd Values;
 };
 

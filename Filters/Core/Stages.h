@@ -54,7 +54,7 @@ struct EnergyStage
   EnergyOptions Key;
   std::vector<Operators> Matrices;
   std::vector<SmallestPairs> Smoothest;
-  /// Hierarchies of what the constraints of the last call left free; null where there was none.
+  /// Hierarchies of what the constraints last solved for by multigrid left free; null before.
   std::vector<std::unique_ptr<FreeSystem>> Free;
   /// Of the solutions without constraints.
   std::vector<ReducedBasis> Solved;

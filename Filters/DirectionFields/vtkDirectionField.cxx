@@ -290,7 +290,7 @@ std::vector<std::string> vtkDirectionField::Warnings(const DirectionFields::Resu
       ++unfinished;
       exhausted += component.Iterations >= this->MaximumIterations;
     }
-    else if (!component.Converged)
+    if (component.SystemResidual > std::max(1e-8, this->Tolerance))
     {
       worstSystem = std::max(worstSystem, component.SystemResidual);
       ++unsolved;
@@ -301,7 +301,9 @@ std::vector<std::string> vtkDirectionField::Warnings(const DirectionFields::Resu
     std::ostringstream text;
     text << "The aligned or constrained system of " << unsolved << " of "
          << field.Components.size() << " connected components was solved to a relative residual of "
-         << worstSystem << " only. Remesh the surface more evenly.";
+         << worstSystem << " only. "
+         << (this->Solver == SOLVER_MULTIGRID ? "Set Solver to Automatic."
+                                              : "Remesh the surface more evenly.");
     warnings.push_back(text.str());
   }
   if (unfinished > 0)
@@ -311,8 +313,10 @@ std::vector<std::string> vtkDirectionField::Warnings(const DirectionFields::Resu
          << " connected components has not converged: the residual is " << worst << ", not "
          << this->Tolerance
          << (exhausted > 0 ? ". Raise MaximumIterations."
-                           : ". More iterations would not help: the triangles are of too different "
-                             "sizes or shapes, remesh them.");
+               : this->Solver == SOLVER_MULTIGRID
+               ? ". Multigrid does not get further here: set Solver to Automatic."
+               : ". More iterations would not help: the triangles are of too different sizes or "
+                 "shapes, remesh them.");
     warnings.push_back(text.str());
   }
   return warnings;
