@@ -120,7 +120,8 @@ def test_tensor_glyph():
     their largest eigenvector is the direction."""
     tensors = PythonCalculator(
         Input=field, ArrayName="Tensor",
-        Expression="(Direction0[:,:,None] * Direction0[:,None,:]).reshape(-1, 9)")
+        Expression="(Direction0[:,:,None] * Direction0[:,None,:] + 0.1 * numpy.eye(3))"
+                   ".reshape(-1, 9)")
     array = servermanager.Fetch(tensors).GetPointData().GetArray("Tensor")
     assert array.GetNumberOfComponents() == 9
     glyph = TensorGlyph(Input=tensors, GlyphType="Sphere", Tensors=["POINTS", "Tensor"],
@@ -132,6 +133,9 @@ def test_tensor_glyph():
         offset = shape[k] - points[k]
         longest = offset[np.argmax(np.linalg.norm(offset, axis=1))]
         assert abs(longest @ direction[k]) > 0.9 * np.linalg.norm(longest), k
+        # Glyphs without thickness are not seen.
+        extents = np.linalg.svd(offset, compute_uv=False)
+        assert extents[2] > 0.05 * extents[0], k
 
 
 test_surface_lic()
