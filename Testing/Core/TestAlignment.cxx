@@ -429,3 +429,56 @@ TEST(Alignment, ChangingTheStrengthKeepsTheEigenpair)
   const Result back = field.Compute(CurvatureAligned(4, 0.6));
   EXPECT_EQ(back.Representation, DirectionField(Potato(3)).Compute(CurvatureAligned(4, 0.6)).Representation);
 }
+
+TEST(Alignment, AnyStrengthGivesAFieldThoughTheEigenvalueIsNotKnownWell)
+{
+  // lambda_t may not come above the true lambda_1, which is less than the computed one.
+  for (const Solver solver : { Solver::Direct, Solver::Multigrid })
+  {
+    for (const double tolerance : { 1e-6, 1e-2, 5e-2 })
+    {
+      for (const double strength : { 0.0, 1e-7, 1e-4, 1e-2 })
+      {
+        Options options;
+        options.Solver = solver;
+        options.Tolerance = tolerance;
+        options.MaximumIterations = tolerance > 1e-6 ? 5 : 200;
+        options.Alignment = Alignment::PrincipalCurvature;
+        options.AlignmentStrength = strength;
+        const Result result = DirectionField(Potato(4)).Compute(options);
+        const ComponentReport& report = result.Components[0];
+        EXPECT_LE(report.SystemResidual, tolerance) << strength;
+        EXPECT_LE(report.Lambda, report.Eigenvalue);
+        EXPECT_GE(report.SmoothnessEnergy, (1.0 - tolerance) * report.Eigenvalue);
+        EXPECT_EQ(report.IndexSum, 8);
+      }
+    }
+  }
+}
+
+TEST(Alignment, NoSolverGivesAFieldOfZeros)
+{
+  // The energy of a flat square vanishes for many fields if s = 1.
+  Options options;
+  options.EnergyBias = 1.0;
+  options.AlignmentStrength = 1e-7;
+  options.Alignment = Alignment::PointVectors;
+  const Surface surface = Square(60);
+  Guidance guidance;
+  for (const Vector3& p : surface.Points)
+  {
+    guidance.Vectors.emplace_back(1.0, p[0] * p[1], 0.0);
+  }
+  for (const Solver solver : { Solver::Multigrid, Solver::Direct })
+  {
+    options.Solver = solver;
+    const Result result = DirectionField(surface).Compute(options, guidance);
+    double squares = 0.0;
+    for (const Complex& u : result.Representation)
+    {
+      squares += std::norm(u);
+    }
+    EXPECT_GT(squares, 0.1 * static_cast<double>(surface.Points.size()));
+    EXPECT_GE(result.Components[0].SmoothnessEnergy, 0.0);
+  }
+}

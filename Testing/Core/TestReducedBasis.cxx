@@ -109,6 +109,19 @@ TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
   EXPECT_LT(steps[1], steps[0]);
 }
 
+TEST(ReducedBasis, TheSameOptionsGiveTheSameBytesAlsoWhereRoundingIsReached)
+{
+  // The residual is measured by more than the right-hand side there.
+  Options options;
+  options.Solver = Solver::Multigrid;
+  options.Alignment = Alignment::PrincipalCurvature;
+  options.AlignmentStrength = 1e-7;
+  DirectionField field(Potato(6));
+  const Result once = field.Compute(options);
+  EXPECT_TRUE(once.Components[0].Converged);
+  EXPECT_EQ(field.Compute(options).Representation, once.Representation);
+}
+
 TEST(ReducedBasis, FieldsDoNotDependOnTheOnesBefore)
 {
   // Beyond the tolerance.
