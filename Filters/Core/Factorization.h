@@ -36,8 +36,9 @@ public:
   Factorization();
   ~Factorization();
 
-  /// False where the matrix is not positive definite up to rounding. Asks before it begins and
-  /// between the order of elimination and the factor, which takes the most of the time.
+  /// False where the matrix is not positive definite up to rounding. A large matrix is factored on a
+  /// thread of its own, and goOn asked several times a second; a factor that it stops is given up, and
+  /// its thread ends some time later, at the latest when the program or the library is unloaded.
   bool Compute(const SparseMatrix& matrix, const GoOnFunction& goOn = {});
   /// Needs a successful Compute.
   ComplexVector Solve(const ComplexVector& rightHandSide) const;
@@ -46,7 +47,9 @@ private:
   class Backend;
   class EigenBackend;
   class CholmodBackend;
-  std::unique_ptr<Backend> Factor;
+  static bool Watched(const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix,
+    const GoOnFunction& goOn);
+  std::shared_ptr<Backend> Factor;
 };
 }
 

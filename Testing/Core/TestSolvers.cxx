@@ -280,24 +280,29 @@ TEST(SmallestEigenpair, StopsWhenTold)
   EXPECT_EQ(calls, 3);
 }
 
-TEST(Factorization, AsksBeforeEachPart)
+TEST(Factorization, IsGivenUpWhenTold)
 {
-  const System system(Potato(3), 4, 0.0);
-  const SparseMatrix matrix = system.Matrices.Energy + system.Matrices.Mass;
-  for (const int allowed : { 0, 1, 2 })
+  // The second one is large enough to be asked about while it is factored.
+  for (const int levels : { 3, 6 })
   {
+    const System system(Potato(levels), 4, 0.0);
+    const SparseMatrix matrix = system.Matrices.Energy + system.Matrices.Mass;
+    const ComplexVector b = RandomVector(matrix.rows(), 1);
     int calls = 0;
-    const auto goOn = [&] { return calls++ < allowed; };
-    Factorization factor;
-    if (allowed < 2)
+    Factorization stopped;
+    EXPECT_THROW(stopped.Compute(matrix, [&] { return calls++ < (levels == 6 ? 1 : 0); }), Stopped);
+    EXPECT_EQ(calls, levels == 6 ? 2 : 1);
+    struct Trouble
     {
-      EXPECT_THROW(factor.Compute(matrix, goOn), Stopped);
-    }
-    else
-    {
-      EXPECT_TRUE(factor.Compute(matrix, goOn));
-    }
-    EXPECT_EQ(calls, std::min(allowed + 1, 2));
+    };
+    EXPECT_THROW(stopped.Compute(matrix, []() -> bool { throw Trouble(); }), Trouble);
+    // Others know nothing of it, and what they compute is the same as without questions.
+    Factorization asked;
+    Factorization plain;
+    ASSERT_TRUE(asked.Compute(matrix, [] { return true; }));
+    ASSERT_TRUE(plain.Compute(matrix));
+    EXPECT_EQ(asked.Solve(b), plain.Solve(b));
+    EXPECT_LT((matrix * plain.Solve(b) - b).norm(), 1e-10 * b.norm());
   }
 }
 
