@@ -27,11 +27,6 @@ constexpr double InnerReduction = 0.05;
 constexpr int MostInnerSteps = 40;
 /// How far the last step goes, in parts of the tolerance: what the projection adds is enough.
 constexpr double Margin = 1.0;
-/// At a loose tolerance a residual below it may come before a good vector: unless it is this small,
-/// there are to be a few cycles.
-constexpr double CertainResidual = 1e-6;
-constexpr int FewestCycles = 3;
-constexpr double LeastReduction = 0.5;
 /// The iteration stalls where this many steps in a row have not reduced the residual by this factor.
 constexpr int MostSlowSteps = 3;
 constexpr double SlowReduction = 0.7;
@@ -261,16 +256,13 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       best.Residual = relative;
     }
     const int left = settings.MaximumIterations - best.Iterations;
-    const bool converged = best.Residual <= settings.Tolerance &&
-      (best.Residual <= CertainResidual || best.Iterations >= FewestCycles);
-    if (converged || slow >= MostSlowSteps || left <= 0)
+    if (best.Residual <= settings.Tolerance || slow >= MostSlowSteps || left <= 0)
     {
       break;
     }
     SetFirst(u.Vector, others.Vectors);
     SetFirst(u.Mass, others.Mass);
-    const double reduction =
-      std::clamp(Margin * settings.Tolerance / relative, InnerReduction, LeastReduction);
+    const double reduction = std::max(InnerReduction, Margin * settings.Tolerance / relative);
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
       std::min(left, MostInnerSteps),

@@ -5,6 +5,7 @@
 #include "DirectionField.h"
 #include "Stages.h"
 #include "TestMeshes.h"
+#include "TestSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -481,4 +482,26 @@ TEST(Alignment, NoSolverGivesAFieldOfZeros)
     EXPECT_GT(squares, 0.1 * static_cast<double>(surface.Points.size()));
     EXPECT_GE(result.Components[0].SmoothnessEnergy, 0.0);
   }
+}
+
+TEST(Alignment, ASystemThatIsNotSolvedLeavesTheSmoothestField)
+{
+  const System system(Potato(5), 4, 0.0);
+  EigenpairSettings settings;
+  settings.Scale = system.Scale;
+  const SmallestPairs pairs =
+    FindSmallestPairs(system.Matrices, {}, Solver::Multigrid, settings, {});
+  ASSERT_TRUE(pairs.Hierarchy);
+  std::unique_ptr<FreeSystem> free;
+  ReducedBasis solved;
+  const ComponentProblem problem{ system.Matrices, pairs, free, solved, system.Scale, 1.0,
+    RandomVector(system.Matrices.Energy.rows(), 1), {}, [] { return false; } };
+  Options options;
+  options.Solver = Solver::Multigrid;
+  ComponentReport report;
+  const ComplexVector u = SolveComponent(problem, options, report);
+  EXPECT_EQ(report.SystemResidual, 1.0);
+  EXPECT_NEAR(report.SmoothnessEnergy, pairs.First.Value, 1e-9 * pairs.First.Value);
+  const Complex overlap = pairs.First.Vector.dot(system.Matrices.Mass * u);
+  EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
 }
