@@ -202,6 +202,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     if (!(products.Other > 0.0))
     {
       outcome.Indefinite = true;
+      this->Solution.swap(this->Direction);
       break;
     }
     const Coefficients out(products);
@@ -227,7 +228,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     {
       for (Index v = begin; v < end; ++v)
       {
-        solution[v] = size * Complex(t[2 * v], t[2 * v + 1]);
+        solution[v] = size * Complex(this->Solution[2 * v], this->Solution[2 * v + 1]);
       }
     });
   return outcome;

@@ -24,7 +24,8 @@ public:
   struct Outcome
   {
     int Steps = 0;
-    /// The matrix turned out not to be positive definite on the sections searched.
+    /// The matrix turned out not to be positive definite: the solution is a section on which it is
+    /// not.
     bool Indefinite = false;
     bool Stopped = false;
   };

@@ -6,11 +6,13 @@
 #include "DeflatedGradients.h"
 #include "NestedIteration.h"
 #include "OperatorProducts.h"
+#include "RitzSpace.h"
 #include "VectorOperations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace DirectionFields
@@ -24,17 +26,36 @@ constexpr Eigen::Index DirectRows = 3000;
 /// How far one Jacobi-Davidson step solves its correction equation: further is of no use before the
 /// eigenvalue in it is better known.
 constexpr double InnerReduction = 0.05;
+/// In a space that grows with each step more steps pay.
+constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 40;
 /// How far the last step goes, in parts of the tolerance: what the projection adds is enough.
 constexpr double Margin = 1.0;
-/// The iteration stalls where this many steps in a row have not reduced the residual by this factor.
-constexpr int MostSlowSteps = 3;
+/// A step that does not reduce the residual by this factor is slow. Few in a row, or a matrix that is
+/// not positive definite, show that other eigenvalues are near; the iteration stalls where so many
+/// V-cycles have gone into slow ones.
 constexpr double SlowReduction = 0.7;
+constexpr int FewSlowSteps = 2;
+constexpr int MostSlowCycles = 80;
 
 Complex Entry(const CompactSections& block, Index v, int b)
 {
   const float* x = block.data() + static_cast<std::size_t>(2 * Width) * v;
   return { x[b], x[Width + b] };
+}
+
+ComplexVector Section(const SectionBlock& block, int b)
+{
+  ComplexVector section(block.Rows());
+  ParallelFor(block.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        section[v] = Entry(block.Vectors, v, b);
+      }
+    });
+  return section;
 }
 
 /// The matrices of a basis: the sections b = 1, 2, 3 of a block of Ritz vectors, then some others.
@@ -201,19 +222,19 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
   cycle.ReleaseStorage();
   SectionBlock& others = nested.Block;
   const Index rows = others.Rows();
-  ComplexVector first(rows);
-  for (Index v = 0; v < rows; ++v)
-  {
-    first[v] = Entry(others.Vectors, v, 0);
-  }
-  SectionProducts u(operators, std::move(first));
+  SectionProducts u(operators, Section(others, 0));
   DeflatedGradients gradients(hierarchy.GetLevels().front(), cycle, others);
   const double terms = SumOfMagnitudes(operators.Energy, u.Vector) /
     std::sqrt(std::max(RealDot(u.Vector, u.Mass), std::numeric_limits<double>::min()));
   ComplexVector residual(rows);
   /// The last step.
   SectionProducts search;
+  /// Steps in a row.
   int slow = 0;
+  /// V-cycles before the first of them.
+  int goodIterations = 0;
+  /// Where one step and the last one do not suffice: all of them.
+  std::optional<RitzSpace> space;
   while (goOn())
   {
     const Figures figures = ParallelSum<Figures>(rows, PieceRows, {},
@@ -248,7 +269,15 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     {
       break;
     }
-    slow = relative < SlowReduction * best.Residual ? 0 : slow + 1;
+    if (relative < SlowReduction * best.Residual)
+    {
+      slow = 0;
+      goodIterations = best.Iterations;
+    }
+    else
+    {
+      ++slow;
+    }
     if (relative < best.Residual)
     {
       best.Value = value;
@@ -256,13 +285,15 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       best.Residual = relative;
     }
     const int left = settings.MaximumIterations - best.Iterations;
-    if (best.Residual <= settings.Tolerance || slow >= MostSlowSteps || left <= 0)
+    if (best.Residual <= settings.Tolerance || left <= 0 ||
+      best.Iterations - goodIterations >= MostSlowCycles)
     {
       break;
     }
     SetFirst(u.Vector, others.Vectors);
     SetFirst(u.Mass, others.Mass);
-    const double reduction = std::max(InnerReduction, Margin * settings.Tolerance / relative);
+    const double reduction = std::max(
+      space ? InnerReductionInSpace : InnerReduction, Margin * settings.Tolerance / relative);
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
       std::min(left, MostInnerSteps),
@@ -276,6 +307,26 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     if (outcome.Stopped)
     {
       break;
+    }
+    if (!space && (outcome.Indefinite || slow >= FewSlowSteps))
+    {
+      space.emplace(operators);
+      space->Add(std::move(u.Vector));
+      for (int b = 1; b < Width; ++b)
+      {
+        space->Add(Section(others, b));
+      }
+      if (search.Vector.size() > 0)
+      {
+        space->Add(std::move(search.Vector));
+      }
+    }
+    if (space)
+    {
+      space->Add(std::move(correction));
+      u = space->First();
+      space->WriteNext(others);
+      continue;
     }
     SectionProducts t(operators, std::move(correction));
     Sections sections{ &u, &t };

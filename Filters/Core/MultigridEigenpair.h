@@ -31,10 +31,11 @@ struct SmallestPairs
 /// level are improved from level to level; on the finest level the smallest one converges by
 /// Jacobi-Davidson steps (G. Sleijpen and H. van der Vorst, SIAM J. Matrix Anal. Appl. 17, 1996),
 /// whose correction equation is solved in single precision by conjugate gradients with V-cycles, the
-/// next pairs deflated. Residuals are in double precision.
+/// next pairs deflated. Where that is slow, since the next eigenvalues are near, the steps are kept:
+/// the space of all of them has Ritz vectors for each. Residuals are in double precision.
 ///
-/// Iterations counts V-cycles on the finest level after the nested iteration. Where the iteration stalls or they are used up:
-/// the best pair so far, its Residual above Tolerance.
+/// Iterations counts V-cycles on the finest level after the nested iteration. Where the iteration
+/// stalls or they are used up: the best pair so far, its Residual above Tolerance.
 /// @param lowest   filled in as in SmallestPairs
 /// @param progress called before each V-cycle with the number done; false stops
 Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarchy,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "DeflatedGradients.h"
 #include "DirectionField.h"
 #include "LinearSystem.h"
 #include "MultigridEigenpair.h"
@@ -224,6 +225,46 @@ TEST(Multigrid, TakesFewCyclesWhateverTheMeshAndTheDegree)
     {
       count(Cases().at("potato"), degree, bias, "potato");
     }
+  }
+}
+
+/// On a round sphere the smallest 2 n + 1 eigenvalues differ by the discretization only.
+TEST(Multigrid, SeparatesNearlyEqualEigenvalues)
+{
+  for (const int degree : { 1, 2, 3, 4, 5, 6 })
+  {
+    for (const double bias : { -0.9, 0.0, 0.9 })
+    {
+      const System system(Icosphere(5), degree, bias);
+      const Eigenpair fast = ByMultigrid(system);
+      EXPECT_LE(fast.Residual, 1e-6) << degree << ", " << bias;
+      EXPECT_LE(fast.Iterations, 170) << degree << ", " << bias;
+      const Eigenpair direct = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+        RandomVector(system.Matrices.Energy.rows(), 5), Settings(system));
+      EXPECT_NEAR(fast.Value, direct.Value, 1e-9 * direct.Value) << degree << ", " << bias;
+    }
+  }
+}
+
+TEST(Multigrid, AnIndefiniteMatrixIsShownByASection)
+{
+  const System system(Potato(5), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Cycle cycle(hierarchy, 0.0);
+  // Zero sections deflate nothing.
+  const SectionBlock none(hierarchy.GetLevels()[0].Rows());
+  DeflatedGradients gradients(hierarchy.GetLevels()[0], cycle, none);
+  const Eigenpair smallest = ByMultigrid(system);
+  for (const double part : { 0.5, 1.5 })
+  {
+    const double shift = part * smallest.Value;
+    ComplexVector solution;
+    const DeflatedGradients::Outcome outcome = gradients.Solve(
+      RandomVector(none.Rows(), 3), -shift, 1e-5, 100, [] { return true; }, solution);
+    const double form = solution.dot(system.Matrices.Energy * solution).real() -
+      shift * solution.dot(system.Matrices.Mass * solution).real();
+    EXPECT_EQ(outcome.Indefinite, part > 1.0);
+    EXPECT_EQ(form < 0.0, part > 1.0);
   }
 }
 
