@@ -462,7 +462,6 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
   const std::vector<Index> rowBegin = rows.Begin();
   LevelMatrices coarse;
   coarse.Energy.Begin.resize(n + 1);
-  coarse.Energy.Upper.resize(n);
   coarse.Energy.Diagonal.resize(n);
   coarse.MassDiagonal.resize(n);
   coarse.Energy.Begin[n] = rowBegin[n] - n;
@@ -479,7 +478,6 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
       }
       if (entry.first == row)
       {
-        coarse.Energy.Upper[row] = start + k;
         coarse.Energy.Diagonal[row] = entry.second.Energy.real();
         coarse.MassDiagonal[row] = entry.second.Mass.real();
         return;
@@ -489,6 +487,7 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
       coarse.Energy.Value[at] = entry.second.Energy;
       coarse.MassValue[at] = entry.second.Mass;
     });
+  coarse.Energy.OrderByBlocks(&coarse.MassValue);
   return coarse;
 }
 }

@@ -6,6 +6,7 @@
 #include "Threads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace DirectionFields
@@ -15,7 +16,6 @@ CompactMatrix::CompactMatrix(const SparseMatrix& matrix)
   const auto rows = static_cast<Index>(matrix.cols());
   const auto entries = static_cast<std::size_t>(matrix.nonZeros()) - rows;
   this->Begin.resize(rows + 1);
-  this->Upper.resize(rows);
   this->Diagonal.resize(rows);
   this->Column.resize(entries);
   this->Value.resize(entries);
@@ -35,7 +35,6 @@ CompactMatrix::CompactMatrix(const SparseMatrix& matrix)
         {
           if (inner[k] == v)
           {
-            this->Upper[v] = at;
             this->Diagonal[v] = static_cast<float>(values[k].real());
             continue;
           }
@@ -45,103 +44,228 @@ CompactMatrix::CompactMatrix(const SparseMatrix& matrix)
         }
       }
     });
+  this->OrderByBlocks();
+}
+
+void CompactMatrix::OrderByBlocks(std::vector<CompactComplex>* other)
+{
+  const Index rows = this->Rows();
+  this->Inside.resize(rows);
+  std::vector<std::vector<Index>> boundary(NumberOfPieces(rows, BlockRows));
+  ParallelFor(rows, BlockRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const Index first = this->Begin[v];
+        const Index last = this->Begin[v + 1];
+        Index in = first;
+        while (in < last && this->Column[in] < begin)
+        {
+          ++in;
+        }
+        Index out = in;
+        while (out < last && this->Column[out] < end)
+        {
+          ++out;
+        }
+        this->Inside[v] = first + (out - in);
+        if (out - in == last - first)
+        {
+          continue;
+        }
+        boundary[begin / BlockRows].push_back(v);
+        const auto moveLeft = [&](auto& values)
+        { std::rotate(values.begin() + first, values.begin() + in, values.begin() + last); };
+        moveLeft(this->Column);
+        moveLeft(this->Value);
+        if (other)
+        {
+          moveLeft(*other);
+        }
+      }
+    });
+  for (const std::vector<Index>& piece : boundary)
+  {
+    this->Boundary.insert(this->Boundary.end(), piece.begin(), piece.end());
+  }
 }
 
 SweepDiagonal::SweepDiagonal(const CompactMatrix& matrix, const std::vector<float>& m, float shift)
-  : Inverse(matrix.Rows())
-  , Extra(matrix.Rows())
+  : Diagonal(matrix.Diagonal)
+  , Inverse(matrix.Rows())
+  , Extra(matrix.Boundary.size())
 {
-  ParallelFor(matrix.Rows(), CompactMatrix::BlockRows,
+  ParallelFor(matrix.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
-        float extra = 0.0f;
-        for (Index k = matrix.Begin[v]; k < matrix.Begin[v + 1]; ++k)
-        {
-          if (matrix.Column[k] < begin || matrix.Column[k] >= end)
-          {
-            extra += Modulus(matrix.Value[k]);
-          }
-        }
-        this->Extra[v] = extra;
-        this->Inverse[v] = 1.0f / (matrix.Diagonal[v] + shift * m[v] + extra);
+        this->Diagonal[v] += shift * m[v];
+        this->Inverse[v] = 1.0f / this->Diagonal[v];
       }
+    });
+  for (std::size_t j = 0; j < matrix.Boundary.size(); ++j)
+  {
+    const Index v = matrix.Boundary[j];
+    for (Index k = matrix.Inside[v]; k < matrix.Begin[v + 1]; ++k)
+    {
+      this->Extra[j] += Modulus(matrix.Value[k]);
+    }
+    this->Inverse[v] = 1.0f / (this->Diagonal[v] + this->Extra[j]);
+  }
+}
+
+namespace
+{
+constexpr Index BlockRows = CompactMatrix::BlockRows;
+
+/// The first row of the boundary, counted in it, from a row on.
+Index BoundaryFrom(const CompactMatrix& matrix, Index row)
+{
+  const std::vector<Index>& boundary = matrix.Boundary;
+  return static_cast<Index>(
+    std::lower_bound(boundary.begin(), boundary.end(), row) - boundary.begin());
+}
+
+/// Calls body(v, half) for the rows of a block. The two halves take turns, so that a row does not wait
+/// for the one before.
+template <typename Body>
+void ForBlockRows(Index begin, Index middle, Index end, SweepOrder order, const Body& body)
+{
+  const Index half = middle - begin;
+  if (order == SweepOrder::Down)
+  {
+    for (Index i = 0; i < half; ++i)
+    {
+      body(begin + i, 0);
+      body(middle + i, 1);
+    }
+  }
+  // The second half may have one more.
+  if (middle + half < end)
+  {
+    body(middle + half, 1);
+  }
+  if (order == SweepOrder::Up)
+  {
+    for (Index i = half; i-- > 0;)
+    {
+      body(middle + i, 1);
+      body(begin + i, 0);
+    }
+  }
+}
+
+/// Sweeps the rows of a block.
+/// @param outside what the rows of the boundary get from other blocks; or null
+template <int B>
+void SweepBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
+  const float* b, const float* outside, Index begin, Index end, float* x)
+{
+  const Index middle = begin + (end - begin) / 2;
+  const auto sweep = [&](Index v, CompactValues<B>& sum)
+  {
+    AddManyProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Begin[v],
+      matrix.Inside[v], x, sum);
+    sum.AddReal(-1.0f, b, v);
+    sum.Scale(-diagonal.Inverse[v]);
+    sum.Store(x, v);
+  };
+  if (!outside)
+  {
+    ForBlockRows(begin, middle, end, order,
+      [&](Index v, int)
+      {
+        CompactValues<B> sum;
+        sweep(v, sum);
+      });
+    return;
+  }
+  const bool isDown = order == SweepOrder::Down;
+  // Of the next row of the boundary in each half; upwards, of the one before.
+  std::array<Index, 2> next{ BoundaryFrom(matrix, isDown ? begin : middle),
+    BoundaryFrom(matrix, isDown ? middle : end) };
+  ForBlockRows(begin, middle, end, order,
+    [&](Index v, int half)
+    {
+      CompactValues<B> sum;
+      if (matrix.Inside[v] < matrix.Begin[v + 1])
+      {
+        sum.AddReal(1.0f, outside, isDown ? next[half]++ : --next[half]);
+      }
+      sweep(v, sum);
+    });
+}
+}
+
+template <int B>
+void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
+  const float* b, float* x)
+{
+  ParallelFor(matrix.Rows(), BlockRows,
+    [&](Index begin, Index end)
+    {
+      // Products with zeros take less time than to tell which rows come first.
+      std::fill(x + static_cast<std::size_t>(2 * B) * begin,
+        x + static_cast<std::size_t>(2 * B) * end, 0.0f);
+      SweepBlock<B>(matrix, diagonal, order, b, nullptr, begin, end, x);
     });
 }
 
 template <int B>
-void SweepDown(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b, float* x,
-  float* r)
+void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
+  const float* b, float* x)
 {
-  ParallelFor(matrix.Rows(), CompactMatrix::BlockRows,
+  CompactSections outside(2 * B * matrix.Boundary.size());
+  ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index j = begin; j < end; ++j)
+      {
+        const Index v = matrix.Boundary[j];
+        CompactValues<B> sum;
+        AddProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Inside[v],
+          matrix.Begin[v + 1], x, sum);
+        sum.AddReal(-diagonal.Extra[j], x, v);
+        sum.Store(outside.data(), j);
+      }
+    });
+  ParallelFor(matrix.Rows(), BlockRows,
+    [&](Index begin, Index end)
+    { SweepBlock<B>(matrix, diagonal, order, b, outside.data(), begin, end, x); });
+}
+
+template <int B>
+void Rest(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+  const float* x, float* r)
+{
+  ParallelFor(matrix.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum;
-        Index k = matrix.Begin[v];
-        while (k < matrix.Upper[v] && matrix.Column[k] < begin)
-        {
-          ++k;
-        }
-        matrix.AddTimes<B>(k, matrix.Upper[v], x, sum);
+        sum.AddReal(diagonal.Diagonal[v], x, v);
+        AddManyProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Begin[v],
+          matrix.Begin[v + 1], x, sum);
         sum.AddReal(-1.0f, b, v);
-        sum.Scale(-diagonal.Inverse[v]);
-        sum.Store(x, v);
-      }
-    });
-  // The sweep has solved for the diagonal and what is left of it within the block.
-  ParallelFor(matrix.Rows(), CompactMatrix::BlockRows,
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        CompactValues<B> rest;
-        for (Index k = matrix.Begin[v]; k < matrix.Upper[v] && matrix.Column[k] < begin; ++k)
-        {
-          rest.Add(matrix.Value[k], x, matrix.Column[k]);
-        }
-        matrix.AddTimes<B>(matrix.Upper[v], matrix.Begin[v + 1], x, rest);
-        rest.AddReal(-diagonal.Extra[v], x, v);
-        rest.Scale(-1.0f);
-        rest.Store(r, v);
+        sum.Scale(-1.0f);
+        sum.Store(r, v);
       }
     });
 }
 
-template <int B>
-void SweepUp(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  const float* x, float* y)
-{
-  ParallelFor(matrix.Rows(), CompactMatrix::BlockRows,
-    [&](Index begin, Index end)
-    {
-      for (Index v = end; v-- > begin;)
-      {
-        CompactValues<B> sum;
-        // What is old does not wait for the row below.
-        matrix.AddTimes<B>(matrix.Begin[v], matrix.Upper[v], x, sum);
-        Index outside = matrix.Begin[v + 1];
-        for (; outside > matrix.Upper[v] && matrix.Column[outside - 1] >= end; --outside)
-        {
-          sum.Add(matrix.Value[outside - 1], x, matrix.Column[outside - 1]);
-        }
-        matrix.AddTimes<B>(matrix.Upper[v], outside, y, sum);
-        sum.AddReal(-diagonal.Extra[v], x, v);
-        sum.AddReal(-1.0f, b, v);
-        sum.Scale(-diagonal.Inverse[v]);
-        sum.Store(y, v);
-      }
-    });
-}
-
-template void SweepDown<1>(
-  const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
-template void SweepDown<4>(
-  const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
-template void SweepUp<1>(
+template void Sweep<1>(
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+template void Sweep<4>(
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+template void SweepFromZero<1>(
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+template void SweepFromZero<4>(
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+template void Rest<1>(
   const CompactMatrix&, const SweepDiagonal&, const float*, const float*, float*);
-template void SweepUp<4>(
+template void Rest<4>(
   const CompactMatrix&, const SweepDiagonal&, const float*, const float*, float*);
 }

@@ -10,8 +10,8 @@
 
 namespace DirectionFields
 {
-/// Hermitian matrix in single precision with the sweeps of a smoother. Compressed rows, columns
-/// ascending; the diagonal stands apart.
+/// Hermitian matrix in single precision with the sweeps of a smoother. Compressed rows; the diagonal
+/// stands apart.
 ///
 /// Sweeps are Gauss-Seidel within blocks of BlockRows rows and Jacobi between them, so that blocks
 /// run at once and results do not depend on the number of threads. What couples a row with other
@@ -23,25 +23,25 @@ struct CompactMatrix
   /// Rows of a piece where rows do not depend on each other.
   static constexpr Index PieceRows = 2048;
 
-  /// Entries of row v: Begin[v] to Upper[v] left of the diagonal, Upper[v] to Begin[v + 1] right of it.
+  /// Entries of row v: Begin[v] to Inside[v] in columns of its block, Inside[v] to Begin[v + 1] in
+  /// others.
   std::vector<Index> Begin;
-  std::vector<Index> Upper;
+  std::vector<Index> Inside;
   std::vector<Index> Column;
   std::vector<CompactComplex> Value;
   std::vector<float> Diagonal;
+  /// The rows with entries in columns of other blocks, ascending.
+  std::vector<Index> Boundary;
 
   CompactMatrix() = default;
   /// Rounds a Hermitian matrix.
   explicit CompactMatrix(const SparseMatrix& matrix);
 
-  Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
+  /// Brings the entries of rows with ascending columns in order, and fills in Inside and Boundary.
+  /// @param other has the same pattern, and gets the same order
+  void OrderByBlocks(std::vector<CompactComplex>* other = nullptr);
 
-  /// Adds entries begin ... end - 1 of a row times x.
-  template <int B>
-  void AddTimes(Index begin, Index end, const float* x, CompactValues<B>& sum) const
-  {
-    AddProducts<B>(this->Value.data(), this->Column.data(), begin, end, x, sum);
-  }
+  Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
 
   /// Row v of A x.
   template <int B>
@@ -55,29 +55,42 @@ struct CompactMatrix
   }
 };
 
-/// What a sweep divides by.
+/// The matrix A + shift m that is swept, but for its entries.
 struct SweepDiagonal
 {
   SweepDiagonal() = default;
-  /// @param m, shift the matrix swept is A + shift m
+  /// @param m, shift as above
   SweepDiagonal(const CompactMatrix& matrix, const std::vector<float>& m, float shift);
 
-  /// Of A + shift m with the couplings to other blocks.
+  std::vector<float> Diagonal;
+  /// Of the diagonal and the couplings to other blocks.
   std::vector<float> Inverse;
-  /// The couplings to other blocks.
+  /// The couplings to other blocks of each row of the boundary.
   std::vector<float> Extra;
 };
 
-/// One sweep downwards that starts from zero: x; and what it leaves of b: r = b - (A + shift m) x.
-/// @param x, r B sections each
-template <int B>
-void SweepDown(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  float* x, float* r);
+/// In the order of the rows, or in the opposite one: sweeps adjoint to each other.
+enum class SweepOrder
+{
+  Down,
+  Up
+};
 
-/// One sweep upwards that goes on from x: y.
+/// One sweep for (A + shift m) x = b that goes on from x.
+/// @param b, x B sections each
 template <int B>
-void SweepUp(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  const float* x, float* y);
+void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
+  const float* b, float* x);
+
+/// One sweep that starts from zero.
+template <int B>
+void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
+  const float* b, float* x);
+
+/// r = b - (A + shift m) x
+template <int B>
+void Rest(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+  const float* x, float* r);
 }
 
 #endif

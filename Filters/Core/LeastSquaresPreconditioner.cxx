@@ -5,15 +5,15 @@
 
 #include "VectorOperations.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace DirectionFields
 {
 namespace
 {
-/// Sweeps of a cycle before and after the correction of the coarser level.
-constexpr int SweepsBefore = 1;
-constexpr int SweepsAfter = 4;
+/// Sweeps of a cycle on each level.
+constexpr int Sweeps = 4;
 /// Unknowns of the coarse level: more of them save steps, but cost more in each.
 constexpr Index MostCoarseRows = 30000;
 /// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
@@ -58,18 +58,6 @@ ComplexVector AdjointTimes(const SparseMatrix& w, const ComplexVector& y)
   return products;
 }
 
-void Add(const CompactSections& what, CompactSections& to)
-{
-  ParallelFor(static_cast<Index>(to.size()), VectorPiece,
-    [&](Index begin, Index end)
-    {
-      for (Index k = begin; k < end; ++k)
-      {
-        to[k] += what[k];
-      }
-    });
-}
-
 /// P y
 ComplexVector Prolonged(const Prolongator& p, const ComplexVector& y)
 {
@@ -102,8 +90,7 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matri
     Workspace own;
     own.Diagonal = SweepDiagonal(level.Matrices.Energy, level.LumpedMass,
       static_cast<float>(shift));
-    for (CompactSections* section :
-      { &own.Right, &own.Correction, &own.Sum, &own.Next, &own.Rest })
+    for (CompactSections* section : { &own.Right, &own.Sum, &own.Rest })
     {
       section->resize(2 * static_cast<std::size_t>(level.Rows()));
     }
@@ -145,7 +132,7 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
   }
 }
 
-void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, const Counts& counts)
+void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
 {
   Workspace& own = this->Levels[level];
   if (level + 1 == this->Levels.size())
@@ -155,21 +142,29 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, const Counts& cou
   }
   const Multigrid::Level& matrices = this->Hierarchy.GetLevels()[level];
   const CompactMatrix& matrix = matrices.Matrices.Energy;
-  SweepDown<1>(matrix, own.Diagonal, own.Right.data(), own.Sum.data(), own.Rest.data());
-  for (int sweep = 1; sweep < counts.Down; ++sweep)
-  {
-    SweepDown<1>(matrix, own.Diagonal, own.Rest.data(), own.Next.data(), own.Correction.data());
-    own.Rest.swap(own.Correction);
-    Add(own.Next, own.Sum);
-  }
+  const float* const right = own.Right.data();
+  float* const x = own.Sum.data();
   Workspace& coarser = this->Levels[level + 1];
-  matrices.FromCoarser.Restrict<1>(own.Rest.data(), coarser.Right.data());
-  this->ApplyCycle(level + 1, counts);
-  matrices.FromCoarser.AddTo<1>(own.Sum.data(), coarser.Sum.data());
-  for (int sweep = 0; sweep < counts.Up; ++sweep)
+  if (after)
   {
-    SweepUp<1>(matrix, own.Diagonal, own.Right.data(), own.Sum.data(), own.Next.data());
-    own.Sum.swap(own.Next);
+    std::fill(own.Sum.begin(), own.Sum.end(), 0.0f);
+    matrices.FromCoarser.Restrict<1>(right, coarser.Right.data());
+  }
+  else
+  {
+    SweepFromZero<1>(matrix, own.Diagonal, SweepOrder::Down, right, x);
+    for (int sweep = 1; sweep < Sweeps; ++sweep)
+    {
+      Sweep<1>(matrix, own.Diagonal, SweepOrder::Down, right, x);
+    }
+    Rest<1>(matrix, own.Diagonal, right, x, own.Rest.data());
+    matrices.FromCoarser.Restrict<1>(own.Rest.data(), coarser.Right.data());
+  }
+  this->ApplyCycle(level + 1, after);
+  matrices.FromCoarser.AddTo<1>(x, coarser.Sum.data());
+  for (int sweep = 0; after && sweep < Sweeps; ++sweep)
+  {
+    Sweep<1>(matrix, own.Diagonal, SweepOrder::Up, right, x);
   }
 }
 
@@ -193,9 +188,9 @@ void LeastSquaresPreconditioner::Apply(const ComplexVector& r, ComplexVector& z)
         finest.Right[2 * k + 1] = static_cast<float>(value.imag());
       }
     });
-  this->ApplyCycle(0, { SweepsAfter, SweepsBefore });
+  this->ApplyCycle(0, false);
   finest.Right.swap(finest.Sum);
-  this->ApplyCycle(0, { SweepsBefore, SweepsAfter });
+  this->ApplyCycle(0, true);
   ParallelFor(count, VectorPiece,
     [&](Index begin, Index end)
     {

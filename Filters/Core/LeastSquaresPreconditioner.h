@@ -16,10 +16,10 @@ namespace DirectionFields
 ///
 /// A V-cycle inverts K_ff up to a factor in the energy norm. In the norm of least squares it does
 /// not: interpolated sections leave a rough residual that grows with the mesh. A cycle B with
-/// several sweeps after each correction takes most of that away; B B^* inverts K_ff^2. What remains
-/// are sections that are smooth along curves of given vertices and bend across them: a coarse level
-/// of the hierarchy holds them, and they are deflated, solved for exactly there (R. Nicolaides,
-/// SIAM J. Numer. Anal. 24, 1987).
+/// several sweeps after each correction, and none before, takes most of that away; B B^* inverts
+/// K_ff^2. What remains are sections that are smooth along curves of given vertices and bend across
+/// them: a coarse level of the hierarchy holds them, and they are deflated, solved for exactly there
+/// (R. Nicolaides, SIAM J. Numer. Anal. 24, 1987).
 class LeastSquaresPreconditioner
 {
 public:
@@ -46,21 +46,14 @@ private:
   {
     SweepDiagonal Diagonal;
     CompactSections Right;
-    CompactSections Correction;
     CompactSections Sum;
-    CompactSections Next;
     CompactSections Rest;
-  };
-  /// How often a cycle sweeps before and after the correction of the coarser level; swapped for the
-  /// adjoint.
-  struct Counts
-  {
-    int Down;
-    int Up;
   };
   void MakeCoarse(const SparseMatrix& matrix);
   /// Sum of the level from its Right.
-  void ApplyCycle(std::size_t level, const Counts& counts);
+  /// @param after whether the cycle sweeps after the correction of the coarser level, or, its
+  ///              adjoint, before
+  void ApplyCycle(std::size_t level, bool after);
 
   const std::vector<Index>& Free;
   const Multigrid& Hierarchy;

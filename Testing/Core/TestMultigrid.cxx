@@ -141,6 +141,46 @@ TEST(Multigrid, InterpolatesParallelSectionsExactly)
   EXPECT_LT((nearest - parallel).norm(), 1e-3 * parallel.norm());
 }
 
+/// Of several blocks of rows.
+TEST(Multigrid, SweepsInOppositeOrdersAreAdjoint)
+{
+  const System system(Potato(5), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Multigrid::Level& finest = hierarchy.GetLevels()[0];
+  const CompactMatrix& matrix = finest.Matrices.Energy;
+  const auto rows = static_cast<std::size_t>(matrix.Rows());
+  ASSERT_GT(matrix.Rows(), 2 * CompactMatrix::BlockRows);
+  EXPECT_GT(matrix.Boundary.size(), 10u);
+  EXPECT_LT(matrix.Boundary.size(), rows / 4);
+  const double shift = 3.0 * system.Scale;
+  const SweepDiagonal diagonal(matrix, finest.LumpedMass, static_cast<float>(shift));
+  const ComplexVector b = RandomVector(matrix.Rows(), 1);
+  const ComplexVector c = RandomVector(matrix.Rows(), 2);
+  CompactSections down(2 * rows);
+  CompactSections up(2 * rows);
+  SweepFromZero<1>(matrix, diagonal, SweepOrder::Down, Compact(b).data(), down.data());
+  SweepFromZero<1>(matrix, diagonal, SweepOrder::Up, Compact(c).data(), up.data());
+  const Complex one = c.dot(Widened(down));
+  const Complex other = Widened(up).dot(b);
+  EXPECT_LT(std::abs(one - other), 1e-5 * b.norm() * Widened(up).norm());
+
+  CompactSections rest(2 * rows);
+  Rest<1>(matrix, diagonal, Compact(b).data(), up.data(), rest.data());
+  ComplexVector expected = b - system.Matrices.Energy * Widened(up);
+  for (Index v = 0; v < matrix.Rows(); ++v)
+  {
+    expected[v] -= shift * finest.LumpedMass[v] * Widened(up)[v];
+  }
+  EXPECT_LT((Widened(rest) - expected).norm(), 1e-5 * expected.norm());
+
+  // To go on from x is to add what a sweep finds for the rest.
+  CompactSections correction(2 * rows);
+  SweepFromZero<1>(matrix, diagonal, SweepOrder::Down, rest.data(), correction.data());
+  const ComplexVector sum = Widened(up) + Widened(correction);
+  Sweep<1>(matrix, diagonal, SweepOrder::Down, Compact(b).data(), up.data());
+  EXPECT_LT((Widened(up) - sum).norm(), 1e-5 * sum.norm());
+}
+
 TEST(Multigrid, CyclesAreSymmetricAndPositive)
 {
   for (const double shift : { 0.0, 0.05 })
