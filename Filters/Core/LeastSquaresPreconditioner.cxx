@@ -18,6 +18,9 @@ constexpr int Sweeps = 4;
 constexpr Index MostCoarseRows = 30000;
 /// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
 constexpr double DensestCouplings = 100.0;
+/// Sections of the coarse level that reach given vertices are deflated, and those that reach what so
+/// many layers of them reach.
+constexpr int Layers = 1;
 constexpr Index ColumnPiece = 1024;
 
 /// P, or P with its rows moved to the free vertices among all.
@@ -36,6 +39,74 @@ SparseMatrix ToSparse(const Prolongator& p, Index rows, const std::vector<Index>
   }
   matrix.finalize();
   return matrix;
+}
+
+/// A matrix made of columns.
+/// @param makeColumns those of begin ... end - 1
+template <typename MakeColumns>
+SparseMatrix Joined(Index rows, Index columns, const MakeColumns& makeColumns)
+{
+  std::vector<SparseMatrix> pieces(NumberOfPieces(columns, ColumnPiece));
+  ParallelFor(columns, ColumnPiece,
+    [&](Index begin, Index end) { pieces[begin / ColumnPiece] = makeColumns(begin, end); });
+  Eigen::Index entries = 0;
+  for (const SparseMatrix& piece : pieces)
+  {
+    entries += piece.nonZeros();
+  }
+  SparseMatrix joined(rows, columns);
+  joined.reserve(entries);
+  Index column = 0;
+  for (const SparseMatrix& piece : pieces)
+  {
+    for (Index k = 0; k < piece.cols(); ++k)
+    {
+      joined.startVec(column);
+      for (SparseMatrix::InnerIterator it(piece, k); it; ++it)
+      {
+        joined.insertBack(it.row(), column) = it.value();
+      }
+      ++column;
+    }
+  }
+  joined.finalize();
+  return joined;
+}
+
+SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
+{
+  return Joined(static_cast<Index>(a.rows()), static_cast<Index>(b.cols()),
+    [&](Index begin, Index end) { return SparseMatrix(a * b.middleCols(begin, end - begin)); });
+}
+
+/// Which columns reach rows that are marked, or, so many layers on, those that such columns reach.
+std::vector<Index> ColumnsNear(const SparseMatrix& columns, std::vector<char> rows)
+{
+  std::vector<Index> near;
+  for (int layer = 0; layer <= Layers; ++layer)
+  {
+    near.clear();
+    for (Index column = 0; column < columns.cols(); ++column)
+    {
+      bool reaches = false;
+      for (SparseMatrix::InnerIterator it(columns, column); it && !reaches; ++it)
+      {
+        reaches = rows[it.row()] != 0;
+      }
+      if (reaches)
+      {
+        near.push_back(column);
+      }
+    }
+    for (const Index column : near)
+    {
+      for (SparseMatrix::InnerIterator it(columns, column); it; ++it)
+      {
+        rows[it.row()] = 1;
+      }
+    }
+  }
+  return near;
 }
 
 /// W^* y, W in compressed columns.
@@ -111,13 +182,34 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
   {
     return;
   }
-  SparseMatrix columns = matrix *
-    ToSparse(levels[0].FromCoarser, static_cast<Index>(matrix.cols()), &this->Free);
+  SparseMatrix columns = Product(
+    matrix, ToSparse(levels[0].FromCoarser, static_cast<Index>(matrix.cols()), &this->Free));
   for (std::size_t l = 1; l < level; ++l)
   {
-    columns = SparseMatrix(columns * ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
+    columns = Product(columns, ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
   }
-  const SparseMatrix adjoint = columns.adjoint();
+  std::vector<char> isGiven(matrix.cols(), 1);
+  for (const Index v : this->Free)
+  {
+    isGiven[v] = 0;
+  }
+  this->Chosen = ColumnsNear(columns, std::move(isGiven));
+  columns = Joined(static_cast<Index>(columns.rows()), static_cast<Index>(this->Chosen.size()),
+    [&](Index begin, Index end)
+    {
+      SparseMatrix some(columns.rows(), end - begin);
+      for (Index k = begin; k < end; ++k)
+      {
+        some.startVec(k - begin);
+        for (SparseMatrix::InnerIterator it(columns, this->Chosen[k]); it; ++it)
+        {
+          some.insertBack(it.row(), k - begin) = it.value();
+        }
+      }
+      some.finalize();
+      return some;
+    });
+  SparseMatrix adjoint = columns.adjoint();
   double couplings = 0.0;
   for (Eigen::Index row = 0; row < adjoint.outerSize(); ++row)
   {
@@ -125,9 +217,10 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
     couplings += unknowns * unknowns;
   }
   if (couplings <= DensestCouplings * static_cast<double>(adjoint.nonZeros()) &&
-    this->CoarseFactor.Compute(adjoint * columns))
+    this->CoarseFactor.Compute(Product(adjoint, columns)))
   {
     this->CoarseColumns = std::move(columns);
+    this->CoarseRows = std::move(adjoint);
     this->CoarseLevel = level;
   }
 }
@@ -201,23 +294,40 @@ void LeastSquaresPreconditioner::Apply(const ComplexVector& r, ComplexVector& z)
     });
 }
 
-void LeastSquaresPreconditioner::AddCoarse(double factor, const ComplexVector& y, ComplexVector& x)
+void LeastSquaresPreconditioner::Deflate(ComplexVector& x, ComplexVector& y)
 {
   if (this->CoarseLevel == 0)
   {
     return;
   }
-  ComplexVector section = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
+  const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
+  const ComplexVector c = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
+  ComplexVector section = ComplexVector::Zero(levels[this->CoarseLevel].Rows());
+  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
+  {
+    section[this->Chosen[k]] = c[static_cast<Eigen::Index>(k)];
+  }
   for (std::size_t level = this->CoarseLevel; level-- > 0;)
   {
-    section = Prolonged(this->Hierarchy.GetLevels()[level].FromCoarser, section);
+    section = Prolonged(levels[level].FromCoarser, section);
   }
   ParallelFor(static_cast<Index>(this->Free.size()), VectorPiece,
     [&](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
       {
-        x[this->Free[k]] += factor * section[k];
+        x[this->Free[k]] -= section[k];
+      }
+    });
+  ForRows(y,
+    [&](Index begin, Index end)
+    {
+      for (Index row = begin; row < end; ++row)
+      {
+        for (SparseMatrix::InnerIterator it(this->CoarseRows, row); it; ++it)
+        {
+          y[row] -= std::conj(it.value()) * c[it.row()];
+        }
       }
     });
 }

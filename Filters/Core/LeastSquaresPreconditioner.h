@@ -18,8 +18,8 @@ namespace DirectionFields
 /// not: interpolated sections leave a rough residual that grows with the mesh. A cycle B with
 /// several sweeps after each correction, and none before, takes most of that away; B B^* inverts
 /// K_ff^2. What remains are sections that are smooth along curves of given vertices and bend across
-/// them: a coarse level of the hierarchy holds them, and they are deflated, solved for exactly there
-/// (R. Nicolaides, SIAM J. Numer. Anal. 24, 1987).
+/// them: those sections of a coarse level of the hierarchy that are near given vertices hold them, and
+/// are deflated, solved for exactly (R. Nicolaides, SIAM J. Numer. Anal. 24, 1987).
 class LeastSquaresPreconditioner
 {
 public:
@@ -35,10 +35,10 @@ public:
   /// z = B B^* r; what r is at given vertices does not matter.
   void Apply(const ComplexVector& r, ComplexVector& z);
 
-  /// x += factor Z (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, Z the sections of the coarse level: with
-  /// y = K_f x and -1 the deflation of x, with the residual and 1 the best change of x among those
-  /// sections.
-  void AddCoarse(double factor, const ComplexVector& y, ComplexVector& x);
+  /// x -= Z c and y -= K_f Z c, the sections Z of the coarse level as far as they are near given
+  /// vertices, c = (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y: with y = K_f x the deflation of x, with
+  /// y = K_f x - b the best change of x among those sections.
+  void Deflate(ComplexVector& x, ComplexVector& y);
 
 private:
   /// Storage of one level.
@@ -60,8 +60,11 @@ private:
   /// Solves on the coarsest level.
   Cycle Coarsest;
   std::vector<Workspace> Levels;
-  /// K_f Z
+  /// Z: sections of the coarse level.
+  std::vector<Index> Chosen;
+  /// K_f Z by its columns, and by its rows: the adjoint's columns.
   SparseMatrix CoarseColumns;
+  SparseMatrix CoarseRows;
   Factorization CoarseFactor;
   /// Prolongations from the coarse level to the finest; 0 where nothing is deflated.
   std::size_t CoarseLevel = 0;

@@ -17,7 +17,7 @@ namespace
 constexpr int Width = SectionBlock::Width;
 /// Steps go on until the residual that they keep is below this part of the tolerance, and start again
 /// from the true residual while that is above the tolerance.
-constexpr double Margin = 0.5;
+constexpr double Margin = 0.9;
 constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 /// In 1 / unit^2; above it the mass matrix is all that counts.
@@ -377,27 +377,32 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
        preconditioner.IsUsable() && restart < MostRestarts && steps < MostSteps; ++restart)
   {
     ComplexVector better = x;
-    preconditioner.AddCoarse(1.0, b - times(better), better);
-    ComplexVector r = b - times(better);
+    ComplexVector r = times(better) - b;
+    preconditioner.Deflate(better, r);
+    r = -r;
     ComplexVector gradient = gradientOf(r);
     ComplexVector z;
     ComplexVector direction;
+    // K_f direction
+    ComplexVector q;
     double previous = 0.0;
     for (bool first = true; steps < MostSteps && this->GoOn(); ++steps, first = false)
     {
       preconditioner.Apply(gradient, z);
       const double product = RealDot(gradient, z);
-      preconditioner.AddCoarse(-1.0, times(z), z);
+      ComplexVector y = times(z);
+      preconditioner.Deflate(z, y);
       if (first)
       {
         direction = z;
+        q = std::move(y);
       }
       else
       {
         Combine(1.0, z, product / previous, direction);
+        Combine(1.0, y, product / previous, q);
       }
       previous = product;
-      const ComplexVector q = times(direction);
       const double step = product / RealDot(q, q);
       if (!(step > 0.0) || !std::isfinite(step))
       {
