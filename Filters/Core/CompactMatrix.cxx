@@ -91,8 +91,10 @@ void CompactMatrix::OrderByBlocks(std::vector<CompactComplex>* other)
   }
 }
 
-SweepDiagonal::SweepDiagonal(const CompactMatrix& matrix, const std::vector<float>& m, float shift)
-  : Diagonal(matrix.Diagonal)
+SweepDiagonal::SweepDiagonal(
+  const CompactMatrix& matrix, const std::vector<float>& m, float shift, float relaxation)
+  : Relaxation(relaxation)
+  , Diagonal(matrix.Diagonal)
   , Inverse(matrix.Rows())
   , Extra(matrix.Boundary.size())
 {
@@ -102,7 +104,7 @@ SweepDiagonal::SweepDiagonal(const CompactMatrix& matrix, const std::vector<floa
       for (Index v = begin; v < end; ++v)
       {
         this->Diagonal[v] += shift * m[v];
-        this->Inverse[v] = 1.0f / this->Diagonal[v];
+        this->Inverse[v] = relaxation / this->Diagonal[v];
       }
     });
   for (std::size_t j = 0; j < matrix.Boundary.size(); ++j)
@@ -112,7 +114,7 @@ SweepDiagonal::SweepDiagonal(const CompactMatrix& matrix, const std::vector<floa
     {
       this->Extra[j] += Modulus(matrix.Value[k]);
     }
-    this->Inverse[v] = 1.0f / (this->Diagonal[v] + this->Extra[j]);
+    this->Inverse[v] = relaxation / (this->Diagonal[v] + this->Extra[j]);
   }
 }
 
@@ -164,12 +166,14 @@ void SweepBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal, Swee
   const float* b, const float* outside, Index begin, Index end, float* x)
 {
   const Index middle = begin + (end - begin) / 2;
+  const float kept = 1.0f - diagonal.Relaxation;
   const auto sweep = [&](Index v, CompactValues<B>& sum)
   {
     AddManyProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Begin[v],
       matrix.Inside[v], x, sum);
     sum.AddReal(-1.0f, b, v);
     sum.Scale(-diagonal.Inverse[v]);
+    sum.AddReal(kept, x, v);
     sum.Store(x, v);
   };
   if (!outside)

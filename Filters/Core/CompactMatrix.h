@@ -59,11 +59,14 @@ struct CompactMatrix
 struct SweepDiagonal
 {
   SweepDiagonal() = default;
-  /// @param m, shift as above
-  SweepDiagonal(const CompactMatrix& matrix, const std::vector<float>& m, float shift);
+  /// @param m, shift   as above
+  /// @param relaxation how far a sweep goes towards each row's solution, above 0 and below 2
+  SweepDiagonal(const CompactMatrix& matrix, const std::vector<float>& m, float shift,
+    float relaxation = 1.0f);
 
+  float Relaxation = 1.0f;
   std::vector<float> Diagonal;
-  /// Of the diagonal and the couplings to other blocks.
+  /// The relaxation over the diagonal and the couplings to other blocks.
   std::vector<float> Inverse;
   /// The couplings to other blocks of each row of the boundary.
   std::vector<float> Extra;

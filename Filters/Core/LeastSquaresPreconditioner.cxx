@@ -12,15 +12,16 @@ namespace DirectionFields
 {
 namespace
 {
-/// Sweeps of a cycle on each level.
+/// Sweeps of a cycle on each level, and how far they go.
 constexpr int Sweeps = 4;
+constexpr float Relaxation = 1.12f;
 /// Unknowns of the coarse level: more of them save steps, but cost more in each.
 constexpr Index MostCoarseRows = 30000;
 /// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
 constexpr double DensestCouplings = 100.0;
 /// Sections of the coarse level that reach given vertices are deflated, and those that reach what so
 /// many layers of them reach.
-constexpr int Layers = 1;
+constexpr int Layers = 2;
 constexpr Index ColumnPiece = 1024;
 
 /// P, or P with its rows moved to the free vertices among all.
@@ -160,7 +161,7 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matri
   {
     Workspace own;
     own.Diagonal = SweepDiagonal(level.Matrices.Energy, level.LumpedMass,
-      static_cast<float>(shift));
+      static_cast<float>(shift), Relaxation);
     for (CompactSections* section : { &own.Right, &own.Sum, &own.Rest })
     {
       section->resize(2 * static_cast<std::size_t>(level.Rows()));

@@ -26,6 +26,9 @@ constexpr double CoarsestShift = 0.01;
 /// would lose much, and it costs next to nothing.
 constexpr std::size_t FirstTwice = 2;
 
+/// Of the sweeps.
+constexpr float Relaxation = 1.15f;
+
 std::vector<float> Lumped(const LevelMatrices& matrices)
 {
   const CompactMatrix& energy = matrices.Energy;
@@ -108,7 +111,7 @@ Cycle::Cycle(const Multigrid& hierarchy, double shift)
   for (std::size_t l = 0; l + 1 < levels.size(); ++l)
   {
     this->Diagonals.emplace_back(
-      levels[l].Matrices.Energy, levels[l].LumpedMass, this->Shift);
+      levels[l].Matrices.Energy, levels[l].LumpedMass, this->Shift, Relaxation);
   }
   this->Workspaces.resize(levels.size());
 

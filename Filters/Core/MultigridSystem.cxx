@@ -394,22 +394,32 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
       preconditioner.Deflate(z, y);
       if (first)
       {
-        direction = z;
-        q = std::move(y);
+        direction.setZero(z.size());
+        q.setZero(y.size());
       }
-      else
-      {
-        Combine(1.0, z, product / previous, direction);
-        Combine(1.0, y, product / previous, q);
-      }
+      const double keep = first ? 0.0 : product / previous;
+      const double squares = ParallelSum<double>(static_cast<Index>(q.size()), VectorPiece, 0.0,
+        [&](Index begin, Index end)
+        {
+          const Index length = end - begin;
+          direction.segment(begin, length) =
+            z.segment(begin, length) + keep * direction.segment(begin, length);
+          q.segment(begin, length) = y.segment(begin, length) + keep * q.segment(begin, length);
+          return q.segment(begin, length).squaredNorm();
+        });
       previous = product;
-      const double step = product / RealDot(q, q);
+      const double step = product / squares;
       if (!(step > 0.0) || !std::isfinite(step))
       {
         break;
       }
-      Combine(step, direction, 1.0, better);
-      Combine(-step, q, 1.0, r);
+      ForRows(r,
+        [&](Index begin, Index end)
+        {
+          const Index length = end - begin;
+          better.segment(begin, length) += step * direction.segment(begin, length);
+          r.segment(begin, length) -= step * q.segment(begin, length);
+        });
       gradient = gradientOf(r);
       if (Norm(gradient) <= Margin * this->Tolerance * size)
       {
