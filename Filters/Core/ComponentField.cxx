@@ -178,7 +178,10 @@ SystemSolution SolveDirectly(const ComponentProblem& problem, const Options& opt
   }
   catch (const Stopped&)
   {
-    return { ComplexVector::Zero(b.size()), 1.0 };
+    SystemSolution none;
+    none.Vector = ComplexVector::Zero(b.size());
+    none.Residual = 1.0;
+    return none;
   }
 }
 
@@ -266,6 +269,8 @@ ComplexVector SolveComponent(
   SystemSolution solution;
   const auto takeSmoothest = [&]
   {
+    solution.Energy.resize(0);
+    solution.Mass.resize(0);
     solution.Vector = problem.Smoothest.First.Vector;
     if (guided)
     {
@@ -305,7 +310,17 @@ ComplexVector SolveComponent(
       takeSmoothest();
     }
   }
-  SectionProducts u(matrices, std::move(solution.Vector));
+  SectionProducts u;
+  if (solution.Energy.size() > 0)
+  {
+    u.Vector = std::move(solution.Vector);
+    u.Energy = std::move(solution.Energy);
+    u.Mass = std::move(solution.Mass);
+  }
+  else
+  {
+    u.Set(matrices, std::move(solution.Vector));
+  }
   const double size = RealDot(u.Vector, u.Mass);
   report.SmoothnessEnergy =
     size > 0.0 ? PerSquare(std::max(0.0, RealDot(u.Vector, u.Energy) / size), unit) : 0.0;

@@ -20,6 +20,9 @@ struct SystemSolution
   /// ‖K u - b‖ / ‖b‖ of what was solved (for least squares: the normal equations), or over
   /// 1e-6 ‖|K| |u|‖ where rounding allows no better; 0 where nothing was left to solve.
   double Residual = 0.0;
+  /// A u and M u where they came along; or empty.
+  ComplexVector Energy;
+  ComplexVector Mass;
 };
 
 /// Vertices with given representation vectors.

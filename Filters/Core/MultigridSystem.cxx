@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace DirectionFields
 {
@@ -22,6 +24,8 @@ constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 /// In 1 / unit^2; above it the mass matrix is all that counts.
 constexpr double LargestShift = 1e8;
+/// What a residual is measured by is looked at, too, where so many steps have not been enough.
+constexpr int ManySteps = 16;
 /// Where the right-hand side is smaller than this part of ‖|K| |u|‖, that takes its place.
 constexpr double RoundingScale = 1e-6;
 
@@ -183,40 +187,62 @@ double Size(const MultigridSystem& system, const ComplexVector& u, double rest, 
         RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
 }
 
+/// b - K u
+ComplexVector RestOf(const MultigridSystem& system, const SectionProducts& u, const ComplexVector& b)
+{
+  ComplexVector rest(b.size());
+  ForRows(rest,
+    [&](Index begin, Index end)
+    {
+      const Index length = end - begin;
+      rest.segment(begin, length) = b.segment(begin, length) -
+        system.EnergyFactor * u.Energy.segment(begin, length) -
+        system.MassFactor * u.Mass.segment(begin, length);
+    });
+  return rest;
+}
+
 /// Conjugate gradients on K u = b.
 SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner& preconditioner,
   const ComplexVector& b, ReducedBasis& solved)
 {
   SystemSolution solution;
-  double size = Norm(b);
-  if (!(size > 0.0))
+  const double norm = Norm(b);
+  if (!(norm > 0.0))
   {
     solution.Vector = ComplexVector::Zero(b.size());
     return solution;
   }
-  solution.Vector = solved.Closest(system.EnergyFactor, system.MassFactor, b);
-  ComplexVector r = b - system.Times(solution.Vector);
+  ReducedBasis::Guess guess = solved.Closest(system.EnergyFactor, system.MassFactor, b);
+  solution.Vector = std::move(guess.Vector);
+  if (guess.IsSolution)
+  {
+    solution.Residual = guess.Residual;
+    return solution;
+  }
+  const CombinedMatrix matrix(system.Matrices, system.EnergyFactor, system.MassFactor);
+  ComplexVector r = b - matrix * solution.Vector;
   double rest = Norm(r);
-  if (!(rest < size))
+  if (!(rest < norm))
   {
     solution.Vector.setZero();
     r = b;
-    rest = size;
+    rest = norm;
   }
-  size = Size(system, solution.Vector, rest, size);
-  solution.Residual = rest / size;
-  if (solution.Residual <= system.Tolerance)
-  {
-    return solution;
-  }
+  double size = norm;
+  SectionProducts best;
+  best.Vector = std::move(solution.Vector);
+  solution.Residual = std::numeric_limits<double>::infinity();
   ComplexVector z;
   ComplexVector p;
   int steps = 0;
   for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
   {
-    ComplexVector u = solution.Vector;
+    ComplexVector u = best.Vector;
     double previous = 0.0;
-    for (bool first = true; steps < MostSteps && system.GoOn(); ++steps, first = false)
+    for (bool first = true; rest > Margin * system.Tolerance * size && steps < MostSteps &&
+         system.GoOn();
+         ++steps, first = false)
     {
       const double product = preconditioner.Apply(r, rest, z);
       if (first)
@@ -228,7 +254,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
         Combine(1.0, z, product / previous, p);
       }
       previous = product;
-      const ComplexVector q = system.Times(p);
+      const ComplexVector q = matrix * p;
       const double step = product / RealDot(p, q);
       if (!(step > 0.0) || !std::isfinite(step))
       {
@@ -246,20 +272,21 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
           }
           return squares;
         }));
-      if (rest <= Margin * system.Tolerance * size)
+      if (steps == ManySteps)
       {
-        break;
+        size = Size(system, u, rest, norm);
       }
     }
-    r = b - system.Times(u);
+    SectionProducts products(system.Matrices, std::move(u));
+    r = RestOf(system, products, b);
     rest = Norm(r);
-    size = Size(system, u, rest, size);
+    size = Size(system, products.Vector, rest, norm);
     const double relative = rest / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
     {
       solution.Residual = relative;
-      solution.Vector = std::move(u);
+      best = std::move(products);
     }
     if (stalls || solution.Residual <= system.Tolerance)
     {
@@ -268,9 +295,11 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
   }
   if (solution.Residual <= system.Tolerance)
   {
-    solved.Add(
-      system.Matrices, system.EnergyFactor, system.MassFactor, b, solution.Vector);
+    solved.Add(best, system.EnergyFactor, system.MassFactor, b, solution.Residual);
   }
+  solution.Vector = std::move(best.Vector);
+  solution.Energy = std::move(best.Energy);
+  solution.Mass = std::move(best.Mass);
   return solution;
 }
 }
@@ -331,8 +360,9 @@ SystemSolution MultigridSystem::SolveConstrainedEnergy(FreeSystem& freeSystem,
   {
     const MultigridSystem inner{ freeSystem.Matrices, this->EnergyFactor, this->MassFactor,
       this->Tolerance, this->GoOn };
-    solution = ConjugateGradients(inner, preconditioner, b, freeSystem.Solved);
-    u += Scattered(solution.Vector, freeSystem.Free, count);
+    const SystemSolution free = ConjugateGradients(inner, preconditioner, b, freeSystem.Solved);
+    solution.Residual = free.Residual;
+    u += Scattered(free.Vector, freeSystem.Free, count);
   }
   solution.Vector = std::move(u);
   return solution;

@@ -96,6 +96,37 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
   return y;
 }
 
+CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
+  : Pattern(operators.Energy)
+  , Values(operators.Energy.nonZeros())
+{
+  const Complex* energy = operators.Energy.valuePtr();
+  const Complex* mass = operators.Mass.valuePtr();
+  ParallelFor(static_cast<Index>(this->Values.size()), 8 * PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        this->Values[k] = a * energy[k] + m * mass[k];
+      }
+    });
+}
+
+ComplexVector CombinedMatrix::operator*(const ComplexVector& x) const
+{
+  ComplexVector y(x.size());
+  ForEachRow(this->Pattern,
+    [&](Index row)
+    {
+      ConjugateSum sum;
+      ForEachEntry(this->Pattern, row,
+        [&](Index column, const Complex&, Index k)
+        { sum.Add(this->Values[k].real(), this->Values[k].imag(), x[column]); });
+      y[row] = sum.Value();
+    });
+  return y;
+}
+
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
 {
   Eigen::VectorXd size(u.size());

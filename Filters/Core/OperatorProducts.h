@@ -14,6 +14,20 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x);
 /// (a A + m M) x
 ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x);
 
+/// a A + m M, which takes less time to multiply with than the two.
+class CombinedMatrix
+{
+public:
+  /// @param operators must outlive the matrix
+  CombinedMatrix(const Operators& operators, double a, double m);
+
+  ComplexVector operator*(const ComplexVector& x) const;
+
+private:
+  const SparseMatrix& Pattern;
+  ComplexVector Values;
+};
+
 /// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
 

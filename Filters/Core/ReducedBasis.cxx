@@ -47,12 +47,13 @@ void Extend(Eigen::MatrixXcd& matrix, const Eigen::VectorXcd& column, bool forge
 }
 }
 
-ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) const
+ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVector& b) const
 {
-  ComplexVector sum = ComplexVector::Zero(b.size());
+  Guess guess{ ComplexVector::Zero(b.size()) };
+  ComplexVector& sum = guess.Vector;
   if (this->Vectors.empty())
   {
-    return sum;
+    return guess;
   }
   const Eigen::VectorXcd products = Products(this->Vectors, b);
   for (std::size_t k = 0; k < this->Systems.size(); ++k)
@@ -61,7 +62,7 @@ ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) 
     if (system.Energy == a && system.Mass == m &&
       system.Product == products[static_cast<Eigen::Index>(k)])
     {
-      return this->Vectors[k];
+      return { this->Vectors[k], true, system.Residual };
     }
   }
   const Eigen::MatrixXcd matrix = a * this->Energy + m * this->Mass;
@@ -70,7 +71,7 @@ ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) 
     perLength.asDiagonal() * matrix * perLength.asDiagonal());
   if (!perLength.allFinite() || spectrum.info() != Eigen::Success)
   {
-    return sum;
+    return guess;
   }
   const Eigen::VectorXd& values = spectrum.eigenvalues();
   const Eigen::VectorXd inverse =
@@ -89,11 +90,11 @@ ComplexVector ReducedBasis::Closest(double a, double m, const ComplexVector& b) 
           coefficients[static_cast<Eigen::Index>(k)] * this->Vectors[k].segment(begin, end - begin);
       }
     });
-  return sum;
+  return guess;
 }
 
-void ReducedBasis::Add(const Operators& operators, double a, double m, const ComplexVector& b,
-  const ComplexVector& u)
+void ReducedBasis::Add(
+  const SectionProducts& u, double a, double m, const ComplexVector& b, double residual)
 {
   const bool forget = static_cast<int>(this->Vectors.size()) == MostVectors;
   if (forget)
@@ -101,10 +102,9 @@ void ReducedBasis::Add(const Operators& operators, double a, double m, const Com
     this->Vectors.erase(this->Vectors.begin());
     this->Systems.erase(this->Systems.begin());
   }
-  const SectionProducts products(operators, u);
-  this->Vectors.push_back(u);
-  this->Systems.push_back({ a, m, Products({ u }, b)[0] });
-  Extend(this->Energy, Products(this->Vectors, products.Energy), forget);
-  Extend(this->Mass, Products(this->Vectors, products.Mass), forget);
+  this->Vectors.push_back(u.Vector);
+  this->Systems.push_back({ a, m, Products({ u.Vector }, b)[0], residual });
+  Extend(this->Energy, Products(this->Vectors, u.Energy), forget);
+  Extend(this->Mass, Products(this->Vectors, u.Mass), forget);
 }
 }

@@ -19,14 +19,19 @@ public:
   /// When there are more, the oldest is forgotten.
   static constexpr int MostVectors = 6;
 
+  struct Guess
+  {
+    ComplexVector Vector;
+    /// Where the very system has been solved before: with the Residual of Add.
+    bool IsSolution = false;
+    double Residual = 0.0;
+  };
   /// Of the combinations of the basis the one closest to the solution of (a A + m M) u = b in the norm
-  /// of that matrix, which is to be positive definite; zero where there is none. For a system that
-  /// has been solved before, the solution itself.
-  ComplexVector Closest(double a, double m, const ComplexVector& b) const;
+  /// of that matrix, which is to be positive definite; zero where there is none.
+  Guess Closest(double a, double m, const ComplexVector& b) const;
 
   /// Adds the solution u of (a A + m M) u = b.
-  void Add(const Operators& operators, double a, double m, const ComplexVector& b,
-    const ComplexVector& u);
+  void Add(const SectionProducts& u, double a, double m, const ComplexVector& b, double residual);
 
 private:
   /// What tells a system from others.
@@ -36,6 +41,7 @@ private:
     double Mass;
     /// u^* b
     Complex Product;
+    double Residual;
   };
 
   std::vector<ComplexVector> Vectors;

@@ -29,19 +29,19 @@ TEST(ReducedBasis, IsClosestInTheNormOfTheMatrix)
   const Eigen::Index n = system.Matrices.Energy.rows();
   const ComplexVector b = RandomVector(n, 1);
   ReducedBasis basis;
-  EXPECT_EQ(basis.Closest(1.0, 2.0, b).norm(), 0.0);
-  EXPECT_EQ(basis.Closest(1.0, 2.0, b).size(), n);
+  EXPECT_EQ(basis.Closest(1.0, 2.0, b).Vector.norm(), 0.0);
+  EXPECT_EQ(basis.Closest(1.0, 2.0, b).Vector.size(), n);
   std::vector<ComplexVector> vectors;
   for (unsigned seed = 2; seed < 6; ++seed)
   {
     vectors.push_back(RandomVector(n, seed));
-    basis.Add(system.Matrices, 1.0, 0.0, b, vectors.back());
+    basis.Add({ system.Matrices, vectors.back() }, 1.0, 0.0, b, 0.0);
   }
   // What is left is orthogonal to the basis.
   for (const double m : { 0.0, 0.3, 1e6 })
   {
     const SparseMatrix k = 2.0 * system.Matrices.Energy + m * system.Matrices.Mass;
-    const ComplexVector rest = b - k * basis.Closest(2.0, m, b);
+    const ComplexVector rest = b - k * basis.Closest(2.0, m, b).Vector;
     for (const ComplexVector& v : vectors)
     {
       EXPECT_LT(std::abs(v.dot(rest)), 1e-10 * v.norm() * b.norm());
@@ -49,9 +49,9 @@ TEST(ReducedBasis, IsClosestInTheNormOfTheMatrix)
   }
   // A vector of the span is found, and a dependent one does not disturb.
   const ComplexVector wanted = vectors[0] - Complex(0.0, 2.0) * vectors[3];
-  basis.Add(system.Matrices, 1.0, 0.0, b, vectors[1] + 1e-9 * vectors[2]);
+  basis.Add({ system.Matrices, vectors[1] + 1e-9 * vectors[2] }, 1.0, 0.0, b, 0.0);
   const SparseMatrix k = system.Matrices.Energy + system.Matrices.Mass;
-  EXPECT_LT((basis.Closest(1.0, 1.0, k * wanted) - wanted).norm(), 1e-6 * wanted.norm());
+  EXPECT_LT((basis.Closest(1.0, 1.0, k * wanted).Vector - wanted).norm(), 1e-6 * wanted.norm());
 }
 
 TEST(ReducedBasis, ForgetsTheOldest)
@@ -63,11 +63,11 @@ TEST(ReducedBasis, ForgetsTheOldest)
   const auto distance = [&](unsigned seed)
   {
     const ComplexVector v = RandomVector(n, seed);
-    return (basis.Closest(1.0, 1.0, k * v) - v).norm() / v.norm();
+    return (basis.Closest(1.0, 1.0, k * v).Vector - v).norm() / v.norm();
   };
   for (unsigned seed = 0; seed <= ReducedBasis::MostVectors; ++seed)
   {
-    basis.Add(system.Matrices, 1.0, 0.0, RandomVector(n, 100), RandomVector(n, seed));
+    basis.Add({ system.Matrices, RandomVector(n, seed) }, 1.0, 0.0, RandomVector(n, 100), 0.0);
   }
   EXPECT_GT(distance(0), 0.1);
   for (unsigned seed = 1; seed <= ReducedBasis::MostVectors; ++seed)
