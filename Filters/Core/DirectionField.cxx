@@ -397,7 +397,7 @@ Result DirectionField::Compute(
     result.ConstraintDirection =
       points.Spread(InSpace(stages.GetFrames(), constraints.Value, options.Degree), zero);
   }
-  if (usesCurvature)
+  if (usesCurvature && options.ReportCurvature)
   {
     result.Curvature = ReportCurvature(stages, points);
   }

@@ -3,6 +3,10 @@
 
 #include "DirectionFieldCache.h"
 
+#include "FieldToPolyData.h"
+
+#include "vtkPointData.h"
+
 #include <cstring>
 #include <utility>
 
@@ -42,6 +46,7 @@ bool DirectionFieldCache::SetInput(
     surface->FirstCell == this->Surface->FirstCell;
   // What belongs to the old surface goes before the stages of the new one need memory.
   this->Stages.reset();
+  this->Curvature.clear();
   this->Surface = std::move(surface);
   this->Stages.emplace(
     std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
@@ -64,6 +69,27 @@ void DirectionFieldCache::SetField(const Result& field)
     {
       this->Directions[i] =
         std::abs(field.Representation[i]) * field.Direction(static_cast<int>(i), 0);
+    }
+  }
+}
+
+std::vector<vtkSmartPointer<vtkDataArray>> DirectionFieldCache::GetCurvature(
+  bool mergePoints, int dataType) const
+{
+  const bool has = !this->Curvature.empty() && this->CurvatureMerges == mergePoints &&
+    this->Curvature.front()->GetDataType() == dataType;
+  return has ? this->Curvature : std::vector<vtkSmartPointer<vtkDataArray>>{};
+}
+
+void DirectionFieldCache::KeepCurvature(bool mergePoints, vtkPointData* output)
+{
+  this->Curvature.clear();
+  this->CurvatureMerges = mergePoints;
+  for (const char* name : CurvatureArrays)
+  {
+    if (vtkDataArray* array = output->GetArray(name))
+    {
+      this->Curvature.push_back(Copied(array));
     }
   }
 }

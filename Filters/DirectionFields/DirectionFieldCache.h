@@ -7,10 +7,14 @@
 #include "DirectionField.h"
 #include "PolyDataToSurface.h"
 
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
 #include <memory>
 #include <optional>
 #include <vector>
 
+class vtkPointData;
 class vtkPolyData;
 
 namespace DirectionFields
@@ -33,6 +37,13 @@ public:
   /// The field that was computed of the input.
   void SetField(const Result& field);
 
+  /// The arrays that KeepCurvature was given for the same surface and these; or none. Not to be
+  /// given away: outputs get copies.
+  /// @param dataType of the arrays
+  std::vector<vtkSmartPointer<vtkDataArray>> GetCurvature(bool mergePoints, int dataType) const;
+  /// Copies the arrays of the curvature from an output.
+  void KeepCurvature(bool mergePoints, vtkPointData* output);
+
   const TriangulatedPolyData& GetSurface() const { return *this->Surface; }
   DirectionField& GetStages() { return *this->Stages; }
 
@@ -44,6 +55,8 @@ private:
   std::optional<double> Time;
   std::vector<Vector3> Directions;
   int Degree = 0;
+  std::vector<vtkSmartPointer<vtkDataArray>> Curvature;
+  bool CurvatureMerges = false;
 };
 }
 

@@ -107,10 +107,15 @@ void AddScalars(const char* name, const std::vector<Value>& values, vtkPointData
   if (!values.empty())
   {
     auto array = MakeArray<ArrayT>(name, 1, values.size());
-    for (size_t i = 0; i < values.size(); ++i)
-    {
-      array->SetValue(static_cast<vtkIdType>(i), Narrowed<typename ArrayT::ValueType>(values[i]));
-    }
+    auto* const narrowed = array->GetPointer(0);
+    ParallelFor(static_cast<Index>(values.size()), PieceSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          narrowed[i] = Narrowed<typename ArrayT::ValueType>(values[i]);
+        }
+      });
     data->AddArray(array);
   }
 }
@@ -230,17 +235,23 @@ bool IsOfTheField(const char* name, int degree)
 }
 
 template <typename ArrayT>
-bool AddPointArrays(const Result& field, vtkPointData* data, const ProgressFunction& progress)
+bool AddPointArrays(const Result& field,
+  const std::vector<vtkSmartPointer<vtkDataArray>>& curvature, vtkPointData* data,
+  const ProgressFunction& progress)
 {
   using Value = typename ArrayT::ValueType;
   const size_t points = field.Representation.size();
   auto magnitude = MakeArray<ArrayT>("RepresentationMagnitude", 1, points);
   data->AddArray(magnitude);
   AddVectors<ArrayT>("ConstraintDirection", field.ConstraintDirection, data);
-  AddVectors<ArrayT>("PrincipalDirection0", field.Curvature.PrincipalDirection0, data);
-  AddVectors<ArrayT>("PrincipalDirection1", field.Curvature.PrincipalDirection1, data);
-  AddScalars<ArrayT>("MeanCurvature", field.Curvature.Mean, data);
-  AddScalars<ArrayT>("GaussianCurvature", field.Curvature.Gaussian, data);
+  AddVectors<ArrayT>(CurvatureArrays[0], field.Curvature.PrincipalDirection0, data);
+  AddVectors<ArrayT>(CurvatureArrays[1], field.Curvature.PrincipalDirection1, data);
+  AddScalars<ArrayT>(CurvatureArrays[2], field.Curvature.Mean, data);
+  AddScalars<ArrayT>(CurvatureArrays[3], field.Curvature.Gaussian, data);
+  for (vtkDataArray* array : curvature)
+  {
+    data->AddArray(Copied(array));
+  }
 
   Value* const moduli = magnitude->GetPointer(0);
   std::vector<Value*> tuples;
@@ -324,8 +335,15 @@ Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
 }
 }
 
+vtkSmartPointer<vtkDataArray> Copied(vtkDataArray* array)
+{
+  auto copy = vtk::TakeSmartPointer(array->NewInstance());
+  copy->DeepCopy(array);
+  return copy;
+}
+
 bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
-  const ProgressFunction& progress)
+  const ProgressFunction& progress, const std::vector<vtkSmartPointer<vtkDataArray>>& curvature)
 {
   output->GetPointData()->RemoveArray("OriginalPointIds");
   std::vector<vtkIdType> unused;
@@ -337,8 +355,9 @@ bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   AddScalars<vtkIntArray>("ConstraintKind", field.Constraint, output->GetPointData());
   const bool areDouble =
     output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE;
-  if (!(areDouble ? AddPointArrays<vtkDoubleArray>(field, output->GetPointData(), progress)
-                  : AddPointArrays<vtkFloatArray>(field, output->GetPointData(), progress)))
+  vtkPointData* data = output->GetPointData();
+  if (!(areDouble ? AddPointArrays<vtkDoubleArray>(field, curvature, data, progress)
+                  : AddPointArrays<vtkFloatArray>(field, curvature, data, progress)))
   {
     return false;
   }
@@ -359,19 +378,19 @@ bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   }
   AddCellArrays(input, field, output);
 
-  vtkFieldData* data = output->GetFieldData();
-  AddComponentArray<vtkDoubleArray>("Eigenvalue", field, &ComponentReport::Eigenvalue, data);
-  AddComponentArray<vtkDoubleArray>("Residual", field, &ComponentReport::Residual, data);
-  AddComponentArray<vtkIntArray>("Iterations", field, &ComponentReport::Iterations, data);
-  AddComponentArray<vtkIntArray>("SolverUsed", field, &ComponentReport::SolverUsed, data);
+  vtkFieldData* report = output->GetFieldData();
+  AddComponentArray<vtkDoubleArray>("Eigenvalue", field, &ComponentReport::Eigenvalue, report);
+  AddComponentArray<vtkDoubleArray>("Residual", field, &ComponentReport::Residual, report);
+  AddComponentArray<vtkIntArray>("Iterations", field, &ComponentReport::Iterations, report);
+  AddComponentArray<vtkIntArray>("SolverUsed", field, &ComponentReport::SolverUsed, report);
   AddComponentArray<vtkIntArray>(
-    "EulerCharacteristic", field, &ComponentReport::EulerCharacteristic, data);
-  AddComponentArray<vtkIntArray>("IndexSum", field, &ComponentReport::IndexSum, data);
-  AddComponentArray<vtkDoubleArray>("Lambda", field, &ComponentReport::Lambda, data);
+    "EulerCharacteristic", field, &ComponentReport::EulerCharacteristic, report);
+  AddComponentArray<vtkIntArray>("IndexSum", field, &ComponentReport::IndexSum, report);
+  AddComponentArray<vtkDoubleArray>("Lambda", field, &ComponentReport::Lambda, report);
   AddComponentArray<vtkDoubleArray>(
-    "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, data);
+    "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, report);
   AddComponentArray<vtkDoubleArray>(
-    "SystemResidual", field, &ComponentReport::SystemResidual, data);
+    "SystemResidual", field, &ComponentReport::SystemResidual, report);
   return true;
 }
 

@@ -18,6 +18,7 @@
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <cmath>
 #include <cstring>
@@ -260,7 +261,23 @@ inline bool IsSame(vtkFieldData* one, vtkFieldData* other)
   }
   for (int i = 0; i < one->GetNumberOfArrays(); ++i)
   {
-    if (!IsSame(one->GetArray(i), other->GetArray(one->GetArrayName(i))))
+    vtkAbstractArray* a = one->GetAbstractArray(i);
+    vtkAbstractArray* b = other->GetAbstractArray(a->GetName());
+    bool same = false;
+    if (auto* text = vtkStringArray::SafeDownCast(a))
+    {
+      auto* otherText = vtkStringArray::SafeDownCast(b);
+      same = otherText && text->GetNumberOfValues() == otherText->GetNumberOfValues();
+      for (vtkIdType k = 0; same && k < text->GetNumberOfValues(); ++k)
+      {
+        same = text->GetValue(k) == otherText->GetValue(k);
+      }
+    }
+    else
+    {
+      same = IsSame(vtkDataArray::SafeDownCast(a), vtkDataArray::SafeDownCast(b));
+    }
+    if (!same)
     {
       return false;
     }

@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <functional>
+#include <map>
 
 using namespace TestChecks;
 
@@ -271,6 +272,73 @@ void TestInput()
   CheckAsNew(filter, mesh);
 }
 
+/// The curvature is computed once, and outputs do not share it.
+void TestCurvature()
+{
+  // Cut along an equator, where the points are there twice, so that MergePoints counts; of that the
+  // filters warn.
+  vtkObject::GlobalWarningDisplayOff();
+  auto mesh = TestMeshes::Pebble(2, VTK_FLOAT);
+  std::map<vtkIdType, vtkIdType> twins;
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    double bounds[6];
+    mesh->GetCellBounds(cell, bounds);
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; bounds[4] + bounds[5] > 0.0 && k < ids->GetNumberOfIds(); ++k)
+    {
+      double p[3];
+      mesh->GetPoint(ids->GetId(k), p);
+      const auto twin = twins.find(ids->GetId(k));
+      ids->SetId(k, twin != twins.end() ? twin->second
+          : (twins[ids->GetId(k)] = mesh->GetPoints()->InsertNextPoint(p)));
+    }
+    polys->InsertNextCell(ids);
+  }
+  mesh->SetPolys(polys);
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+  const auto check = [&]
+  {
+    filter->Update();
+    CheckAsNew(filter, mesh);
+    for (const char* name :
+      { "PrincipalDirection0", "PrincipalDirection1", "MeanCurvature", "GaussianCurvature" })
+    {
+      vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray(name);
+      REQUIRE(array);
+      array->Fill(7.0);
+    }
+  };
+  check();
+  filter->SetAlignmentStrength(0.7);
+  check();
+  filter->SetDegree(2);
+  check();
+  filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
+  filter->Update();
+  CHECK(!filter->GetOutput()->GetPointData()->GetArray("MeanCurvature"));
+  filter->ConstrainCurvatureOn();
+  filter->SetCurvatureTolerance(0.4);
+  check();
+  filter->MergePointsOn();
+  check();
+  filter->MergePointsOff();
+  check();
+
+  // The same places in double precision.
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(mesh->GetPoints());
+  mesh->SetPoints(points);
+  REQUIRE(mesh->GetPoints()->GetDataType() == VTK_DOUBLE);
+  check();
+  vtkObject::GlobalWarningDisplayOn();
+}
+
 /// Filters that take turns do not disturb each other.
 void TestTwoFilters()
 {
@@ -351,6 +419,7 @@ int TestDirectionFieldCache(int, char*[])
 {
   TestSettings();
   TestInput();
+  TestCurvature();
   TestTwoFilters();
   TestSaving();
   return Result();
