@@ -195,6 +195,10 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
     isGiven[v] = 0;
   }
   this->Chosen = ColumnsNear(columns, std::move(isGiven));
+  if (this->Chosen.empty())
+  {
+    return;
+  }
   columns = Joined(static_cast<Index>(columns.rows()), static_cast<Index>(this->Chosen.size()),
     [&](Index begin, Index end)
     {

@@ -178,10 +178,6 @@ void Cycle::Apply(const float* b, float* y, std::size_t level) const
   Workspace& coarser = this->Workspaces[level + 1];
   const std::size_t fine = static_cast<std::size_t>(2 * B) * matrix.Rows();
   const std::size_t coarse = static_cast<std::size_t>(2 * B) * fromCoarser.CoarseRows();
-  if (b == y && own.Down.size() < fine)
-  {
-    own.Down.resize(fine);
-  }
   if (own.Rest.size() < fine)
   {
     own.Rest.resize(fine);
@@ -191,21 +187,16 @@ void Cycle::Apply(const float* b, float* y, std::size_t level) const
     coarser.Right.resize(coarse);
     coarser.Up.resize(coarse);
   }
-  float* const x = b == y ? own.Down.data() : y;
-  SweepFromZero<B>(matrix, this->Diagonals[level], SweepOrder::Down, b, x);
-  DirectionFields::Rest<B>(matrix, this->Diagonals[level], b, x, own.Rest.data());
+  SweepFromZero<B>(matrix, this->Diagonals[level], SweepOrder::Down, b, y);
+  DirectionFields::Rest<B>(matrix, this->Diagonals[level], b, y, own.Rest.data());
   fromCoarser.Restrict<B>(own.Rest.data(), coarser.Right.data());
   this->Apply<B>(coarser.Right.data(), coarser.Up.data(), level + 1);
   if (level + 1 >= FirstTwice && level + 2 < levels.size())
   {
     this->ApplyAgain<B>(level + 1);
   }
-  fromCoarser.AddTo<B>(x, coarser.Up.data());
-  Sweep<B>(matrix, this->Diagonals[level], SweepOrder::Up, b, x);
-  if (x != y)
-  {
-    std::copy_n(x, fine, y);
-  }
+  fromCoarser.AddTo<B>(y, coarser.Up.data());
+  Sweep<B>(matrix, this->Diagonals[level], SweepOrder::Up, b, y);
 }
 
 template <int B>

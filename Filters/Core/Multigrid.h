@@ -57,7 +57,7 @@ public:
   bool IsUsable() const { return this->Usable; }
 
   /// y = B b on the given level.
-  /// @param b, y B sections each; may be the same
+  /// @param b, y B sections each, not the same
   template <int B>
   void Apply(const float* b, float* y, std::size_t level = 0) const;
 
@@ -69,7 +69,6 @@ private:
   struct Workspace
   {
     CompactSections Right;
-    CompactSections Down;
     CompactSections Rest;
     CompactSections Up;
     CompactSections Once;

@@ -326,6 +326,8 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       space->Add(std::move(correction));
       u = space->First();
       space->WriteNext(others);
+      const int known = std::min(space->Size(), Width);
+      nested.Values.head(known) = space->GetValues().head(known);
       continue;
     }
     SectionProducts t(operators, std::move(correction));

@@ -109,7 +109,9 @@ class Preconditioner
 public:
   Preconditioner(const Multigrid& hierarchy, double shift, const LowestSections* lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
-    , Lowest(lowest && lowest->Values.size() > 0 && lowest->Values.minCoeff() + shift > 0.0 ? lowest : nullptr)
+    , Lowest(lowest && lowest->Values.size() > 0 && lowest->Values.minCoeff() + shift > 0.0
+          ? lowest
+          : nullptr)
   {
     if (this->Lowest)
     {
@@ -140,7 +142,8 @@ public:
         }
         return sum;
       });
-    this->Cycles.Apply<1>(this->Section.data(), this->Section.data());
+    this->Corrected.resize(this->Section.size());
+    this->Cycles.Apply<1>(this->Section.data(), this->Corrected.data());
     Eigen::Array<double, Width, 1> real;
     Eigen::Array<double, Width, 1> imaginary;
     for (int b = 0; this->Lowest && b < Width; ++b)
@@ -154,7 +157,7 @@ public:
         double product = 0.0;
         for (Index v = begin; v < end; ++v)
         {
-          z[v] = size * Complex(this->Section[2 * v], this->Section[2 * v + 1]);
+          z[v] = size * Complex(this->Corrected[2 * v], this->Corrected[2 * v + 1]);
           if (this->Lowest)
           {
             const CompactValues<Width> x(this->Lowest->Vectors.data(), v);
@@ -175,10 +178,11 @@ private:
   /// Of the projection of K^-1 to the lowest sections.
   Eigen::ArrayXd PerValue;
   CompactSections Section;
+  CompactSections Corrected;
 };
 
-/// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms of
-/// K u add up to where rounding allows no better.
+/// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms
+/// of K u add up to where rounding allows no better.
 double Size(const MultigridSystem& system, const ComplexVector& u, double rest, double norm)
 {
   return rest <= system.Tolerance * norm

@@ -121,7 +121,9 @@ public:
     SectionBlock& w = this->Correction;
     SectionBlock& s = this->Search;
     const bool searched = s.Rows() > 0;
-    cycle.Apply<Width>(w.Vectors.data(), w.Vectors.data(), level);
+    // Storage that will be written to next.
+    cycle.Apply<Width>(w.Vectors.data(), w.Mass.data(), level);
+    w.Vectors.swap(w.Mass);
     this->Multiply(w);
 
     std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{
