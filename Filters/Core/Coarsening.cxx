@@ -3,10 +3,10 @@
 
 #include "Coarsening.h"
 
+#include "Aggregation.h"
 #include "Threads.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace DirectionFields
@@ -14,144 +14,10 @@ namespace DirectionFields
 namespace
 {
 constexpr Index PieceRows = CompactMatrix::PieceRows;
-/// A coupling is strong above this part of the mean of the two diagonal entries; on each coarser
-/// level by the second factor less.
-constexpr float StrongPart = 0.02f;
-constexpr float StrongPartDecay = 0.7f;
-/// The diagonal of the matrix without weak couplings is at least this part of the diagonal.
-constexpr float LeastFilteredDiagonal = 0.3f;
 /// Damping of the prolongator's smoothing, over the largest eigenvalue.
 constexpr float Damping = 4.0f / 3.0f;
-
-/// Takes a value of the column's vertex to the row's.
-CompactComplex Transport(const CompactComplex& mass)
-{
-  const float size = Modulus(mass);
-  return size > 0.0f ? mass / size : CompactComplex(1.0f);
-}
-
-/// How much each entry couples after transport, the diagonal's unit taken out of it; 0 if weakly.
-struct Couplings
-{
-  std::vector<float> Strength;
-  /// Diagonal of the energy with the weak couplings lumped into it.
-  std::vector<float> Diagonal;
-};
-
-Couplings FindCouplings(const LevelMatrices& matrices, int level)
-{
-  const CompactMatrix& energy = matrices.Energy;
-  const float part = StrongPart * std::pow(StrongPartDecay, static_cast<float>(level));
-  Couplings couplings{ std::vector<float>(energy.Value.size()), energy.Diagonal };
-  ParallelFor(energy.Rows(), PieceRows,
-    [&](Index begin, Index end)
-    {
-      for (Index i = begin; i < end; ++i)
-      {
-        float lumped = energy.Diagonal[i];
-        for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
-        {
-          const float along =
-            (energy.Value[k] * std::conj(Transport(matrices.MassValue[k]))).real();
-          const float bound =
-            part * part * energy.Diagonal[i] * energy.Diagonal[energy.Column[k]];
-          const bool strong = along < 0.0f && along * along > bound;
-          couplings.Strength[k] = strong ? -along : 0.0f;
-          lumped += strong ? 0.0f : along;
-        }
-        couplings.Diagonal[i] = std::max(lumped, LeastFilteredDiagonal * energy.Diagonal[i]);
-      }
-    });
-  return couplings;
-}
-
-/// The aggregate of each vertex and its value where the aggregate's root has 1.
-struct Aggregates
-{
-  std::vector<Index> Number;
-  std::vector<CompactComplex> Phase;
-  Index Count = 0;
-};
-
-Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
-{
-  const CompactMatrix& energy = matrices.Energy;
-  const Index n = energy.Rows();
-  Aggregates aggregates{ std::vector<Index>(n, None), std::vector<CompactComplex>(n, 1.0f), 0 };
-  // Whole neighbourhoods of strong couplings.
-  for (Index root = 0; root < n; ++root)
-  {
-    if (aggregates.Number[root] != None)
-    {
-      continue;
-    }
-    bool free = true;
-    bool coupled = false;
-    for (Index k = energy.Begin[root]; free && k < energy.Begin[root + 1]; ++k)
-    {
-      coupled = coupled || couplings.Strength[k] > 0.0f;
-      free = couplings.Strength[k] == 0.0f || aggregates.Number[energy.Column[k]] == None;
-    }
-    if (!free || !coupled)
-    {
-      continue;
-    }
-    aggregates.Number[root] = aggregates.Count;
-    for (Index k = energy.Begin[root]; k < energy.Begin[root + 1]; ++k)
-    {
-      if (couplings.Strength[k] > 0.0f)
-      {
-        const Index v = energy.Column[k];
-        aggregates.Number[v] = aggregates.Count;
-        aggregates.Phase[v] = std::conj(Transport(matrices.MassValue[k]));
-      }
-    }
-    ++aggregates.Count;
-  }
-  // The others join their strongest neighbour among those, or among the others before.
-  std::vector<Index> joined;
-  const auto join = [&](Index v, const std::vector<Index>& number)
-  {
-    Index best = None;
-    float strongest = 0.0f;
-    for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
-    {
-      if (couplings.Strength[k] > strongest && number[energy.Column[k]] != None)
-      {
-        strongest = couplings.Strength[k];
-        best = k;
-      }
-    }
-    if (best != None)
-    {
-      const Index neighbour = energy.Column[best];
-      aggregates.Phase[v] = Transport(matrices.MassValue[best]) * aggregates.Phase[neighbour];
-    }
-    return best == None ? None : number[energy.Column[best]];
-  };
-  const std::vector<Index> roots = aggregates.Number;
-  for (Index v = 0; v < n; ++v)
-  {
-    if (roots[v] == None)
-    {
-      aggregates.Number[v] = join(v, roots);
-    }
-  }
-  for (Index v = 0; v < n; ++v)
-  {
-    if (aggregates.Number[v] == None)
-    {
-      aggregates.Number[v] = join(v, aggregates.Number);
-    }
-    if (aggregates.Number[v] == None)
-    {
-      // Coupled with nothing but itself: the sweeps solve for it. Yet a coarse level must be able
-      // to hold any section.
-      aggregates.Number[v] = aggregates.Count++;
-    }
-  }
-  return aggregates;
-}
+/// Parts of the rows of a prolongator that are transposed at once.
+constexpr Index AdjointParts = 8;
 
 /// Adds up the entries of one row by column.
 template <typename Entry>
@@ -290,24 +156,49 @@ struct Rows
 /// P^*, its rows in ascending order of the fine vertices.
 void AddAdjoint(Prolongator& p, Index coarse)
 {
-  p.AdjointBegin.assign(coarse + 1, 0);
-  for (const Index column : p.Column)
-  {
-    ++p.AdjointBegin[column + 1];
-  }
-  std::partial_sum(p.AdjointBegin.begin(), p.AdjointBegin.end(), p.AdjointBegin.begin());
-  p.AdjointColumn.resize(p.Column.size());
-  p.AdjointValue.resize(p.Column.size());
-  std::vector<Index> at(p.AdjointBegin.begin(), p.AdjointBegin.end() - 1);
-  for (Index row = 0; row < p.FineRows(); ++row)
-  {
-    for (Index k = p.Begin[row]; k < p.Begin[row + 1]; ++k)
+  // Each of some parts of the rows counts its entries in each column, then knows where they go.
+  const Index rows = p.FineRows();
+  const Index partRows = std::max(PieceRows, rows / AdjointParts + 1);
+  std::vector<std::vector<Index>> at(NumberOfPieces(rows, partRows));
+  ParallelFor(rows, partRows,
+    [&](Index begin, Index end)
     {
-      const Index place = at[p.Column[k]]++;
-      p.AdjointColumn[place] = row;
-      p.AdjointValue[place] = std::conj(p.Value[k]);
+      std::vector<Index>& counts = at[begin / partRows];
+      counts.assign(coarse, 0);
+      for (Index k = p.Begin[begin]; k < p.Begin[end]; ++k)
+      {
+        ++counts[p.Column[k]];
+      }
+    });
+  p.AdjointBegin.resize(coarse + 1);
+  Index place = 0;
+  for (Index column = 0; column < coarse; ++column)
+  {
+    p.AdjointBegin[column] = place;
+    for (std::vector<Index>& counts : at)
+    {
+      const Index count = counts[column];
+      counts[column] = place;
+      place += count;
     }
   }
+  p.AdjointBegin[coarse] = place;
+  p.AdjointColumn.resize(p.Column.size());
+  p.AdjointValue.resize(p.Column.size());
+  ParallelFor(rows, partRows,
+    [&](Index begin, Index end)
+    {
+      std::vector<Index>& places = at[begin / partRows];
+      for (Index row = begin; row < end; ++row)
+      {
+        for (Index k = p.Begin[row]; k < p.Begin[row + 1]; ++k)
+        {
+          const Index to = places[p.Column[k]]++;
+          p.AdjointColumn[to] = row;
+          p.AdjointValue[to] = std::conj(p.Value[k]);
+        }
+      }
+    });
 }
 
 struct TwoEntries
