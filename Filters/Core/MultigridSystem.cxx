@@ -225,7 +225,9 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
     return solution;
   }
   const CombinedMatrix matrix(system.Matrices, system.EnergyFactor, system.MassFactor);
-  ComplexVector r = b - matrix * solution.Vector;
+  ComplexVector q;
+  matrix.Multiply(solution.Vector, q);
+  ComplexVector r = b - q;
   double rest = Norm(r);
   if (!(rest < norm))
   {
@@ -258,7 +260,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
         Combine(1.0, z, product / previous, p);
       }
       previous = product;
-      const ComplexVector q = matrix * p;
+      matrix.Multiply(p, q);
       const double step = product / RealDot(p, q);
       if (!(step > 0.0) || !std::isfinite(step))
       {

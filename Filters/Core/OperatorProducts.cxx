@@ -112,9 +112,9 @@ CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
     });
 }
 
-ComplexVector CombinedMatrix::operator*(const ComplexVector& x) const
+void CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
 {
-  ComplexVector y(x.size());
+  y.resize(x.size());
   ForEachRow(this->Pattern,
     [&](Index row)
     {
@@ -124,7 +124,6 @@ ComplexVector CombinedMatrix::operator*(const ComplexVector& x) const
         { sum.Add(this->Values[k].real(), this->Values[k].imag(), x[column]); });
       y[row] = sum.Value();
     });
-  return y;
 }
 
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)

@@ -21,7 +21,8 @@ public:
   /// @param operators must outlive the matrix
   CombinedMatrix(const Operators& operators, double a, double m);
 
-  ComplexVector operator*(const ComplexVector& x) const;
+  /// y = K x, in the storage that there is.
+  void Multiply(const ComplexVector& x, ComplexVector& y) const;
 
 private:
   const SparseMatrix& Pattern;
