@@ -21,7 +21,7 @@ constexpr Index FewestRows = 16;
 /// Rows that the factor of the coarsest level may have where coarsening ends early.
 constexpr Index MostCoarsestRows = 1500;
 /// Added to the coarsest energy, relative to the scale of its smallest eigenvalue: that may be 0.
-constexpr double CoarsestShift = 0.01;
+constexpr double AddedShift = 0.01;
 /// From this level on cycles correct twice: they lose little there, where a hierarchy of many levels
 /// would lose much, and it costs next to nothing.
 constexpr std::size_t FirstTwice = 2;
@@ -106,6 +106,7 @@ double Multigrid::OperatorComplexity() const
 Cycle::Cycle(const Multigrid& hierarchy, double shift)
   : Hierarchy(hierarchy)
   , Shift(static_cast<float>(shift))
+  , CoarsestShift(shift + AddedShift * hierarchy.GetScale())
 {
   const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
   for (std::size_t l = 0; l + 1 < levels.size(); ++l)
@@ -122,15 +123,14 @@ Cycle::Cycle(const Multigrid& hierarchy, double shift)
   {
     return;
   }
-  const double added = shift + CoarsestShift * hierarchy.GetScale();
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(n, n);
   for (Index i = 0; i < n; ++i)
   {
-    matrix(i, i) = energy.Diagonal[i] + added * coarsest.MassDiagonal[i];
+    matrix(i, i) = energy.Diagonal[i] + this->CoarsestShift * coarsest.MassDiagonal[i];
     for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
     {
       matrix(i, energy.Column[k]) =
-        Complex(energy.Value[k]) + added * Complex(coarsest.MassValue[k]);
+        Complex(energy.Value[k]) + this->CoarsestShift * Complex(coarsest.MassValue[k]);
     }
   }
   const Eigen::LLT<Eigen::MatrixXcd> factor(matrix);

@@ -55,6 +55,8 @@ public:
 
   /// False where the coarsest matrix could not be factored.
   bool IsUsable() const { return this->Usable; }
+  /// What the coarsest level adds to A instead of shift M is this times M: a little more.
+  double GetCoarsestShift() const { return this->CoarsestShift; }
 
   /// y = B b on the given level.
   /// @param b, y B sections each, not the same
@@ -81,6 +83,7 @@ private:
 
   const Multigrid& Hierarchy;
   float Shift;
+  double CoarsestShift;
   std::vector<SweepDiagonal> Diagonals;
   Eigen::MatrixXcd CoarsestFactor;
   bool Usable = false;

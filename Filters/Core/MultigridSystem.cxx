@@ -28,6 +28,8 @@ constexpr double LargestShift = 1e8;
 constexpr int ManySteps = 16;
 /// Where the right-hand side is smaller than this part of ‖|K| |u|‖, that takes its place.
 constexpr double RoundingScale = 1e-6;
+/// Part of the inverse on the lowest sections that V-cycles may lack.
+constexpr double NegligibleLack = 0.1;
 
 std::vector<Index> Complement(const std::vector<Index>& given, Index count)
 {
@@ -103,19 +105,25 @@ ComplexVector Scattered(
   return all;
 }
 
-/// V-cycles in single precision for vectors in double precision, and what the lowest sections add.
+/// V-cycles in single precision for vectors in double precision, and what they lack of the inverse on
+/// the lowest sections.
 class Preconditioner
 {
 public:
   Preconditioner(const Multigrid& hierarchy, double shift, const LowestSections* lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
-    , Lowest(lowest && lowest->Values.size() > 0 && lowest->Values.minCoeff() + shift > 0.0
-          ? lowest
-          : nullptr)
   {
-    if (this->Lowest)
+    if (!lowest || lowest->Values.size() == 0 || !(lowest->Values.minCoeff() + shift > 0.0))
     {
-      this->PerValue = (lowest->Values.array() + shift).inverse();
+      return;
+    }
+    const Eigen::ArrayXd value = lowest->Values.array() + shift;
+    const Eigen::ArrayXd lack =
+      1.0 - value / (lowest->Values.array() + this->Cycles.GetCoarsestShift());
+    if (lack.maxCoeff() > NegligibleLack)
+    {
+      this->Lowest = lowest;
+      this->PerValue = lack / value;
     }
   }
   bool IsUsable() const { return this->Cycles.IsUsable(); }
@@ -174,8 +182,8 @@ public:
 
 private:
   Cycle Cycles;
-  const LowestSections* Lowest;
-  /// Of the projection of K^-1 to the lowest sections.
+  const LowestSections* Lowest = nullptr;
+  /// What is added for each of the lowest sections.
   Eigen::ArrayXd PerValue;
   CompactSections Section;
   CompactSections Corrected;

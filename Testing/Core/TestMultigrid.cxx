@@ -389,6 +389,32 @@ TEST(Multigrid, StopsWhenTold)
   EXPECT_EQ(calls, 20);
 }
 
+TEST(Multigrid, StepsOfAlignedSystemsDoNotDependOnTheStrength)
+{
+  const System system(Potato(6), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  LowestSections lowest;
+  const double smallest =
+    SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest).Value;
+  const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
+  for (const auto& [shift, most] : { std::pair(-0.99999, 15), std::pair(-0.99, 15),
+         std::pair(-0.5, 13), std::pair(0.0, 13), std::pair(1.0, 13), std::pair(100.0, 11) })
+  {
+    ReducedBasis solved;
+    int steps = 0;
+    const MultigridSystem multigrid{ system.Matrices, 1.0, shift * smallest, 1e-6,
+      [&]
+      {
+        ++steps;
+        return true;
+      } };
+    const SystemSolution solution = multigrid.Solve(hierarchy, lowest, b, solved);
+    const ComplexVector rest = multigrid.Times(solution.Vector) - b;
+    EXPECT_LE(rest.norm(), 1e-6 * b.norm()) << shift;
+    EXPECT_LE(steps, most) << shift;
+  }
+}
+
 TEST(Multigrid, LeastSquaresAreThoseOfTheDirectSolverInFewSteps)
 {
   for (const auto& [levels, most] : { std::pair(4, 16), std::pair(5, 24) })
