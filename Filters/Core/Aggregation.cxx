@@ -32,7 +32,7 @@ Couplings FindCouplings(const LevelMatrices& matrices, int level)
 {
   const CompactMatrix& energy = matrices.Energy;
   const float part = StrongPart * std::pow(StrongPartDecay, static_cast<float>(level));
-  Couplings couplings{ std::vector<float>(energy.Value.size()), energy.Diagonal };
+  Couplings couplings{ LargeArray<float>(energy.Value.size()), energy.Diagonal };
   ParallelFor(energy.Rows(), PieceRows,
     [&](Index begin, Index end)
     {
@@ -59,7 +59,7 @@ Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
 {
   const CompactMatrix& energy = matrices.Energy;
   const Index n = energy.Rows();
-  Aggregates aggregates{ std::vector<Index>(n, None), std::vector<CompactComplex>(n, 1.0f), 0 };
+  Aggregates aggregates{ LargeArray<Index>(n, None), LargeArray<CompactComplex>(n, 1.0f), 0 };
   // Whole neighbourhoods of strong couplings.
   for (Index root = 0; root < n; ++root)
   {
@@ -91,7 +91,7 @@ Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
     ++aggregates.Count;
   }
   // The others join their strongest neighbour among those, or among the others before.
-  const auto join = [&](Index v, const std::vector<Index>& number)
+  const auto join = [&](Index v, const LargeArray<Index>& number)
   {
     Index best = None;
     float strongest = 0.0f;
@@ -110,7 +110,7 @@ Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
     }
     return best == None ? None : number[energy.Column[best]];
   };
-  const std::vector<Index> roots = aggregates.Number;
+  const LargeArray<Index> roots = aggregates.Number;
   std::vector<std::vector<Index>> left(NumberOfPieces(n, PieceRows));
   ParallelFor(n, PieceRows,
     [&](Index begin, Index end)

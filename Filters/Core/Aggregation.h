@@ -13,9 +13,9 @@ namespace DirectionFields
 /// How much each entry couples after transport, the diagonal's unit taken out of it; 0 if weakly.
 struct Couplings
 {
-  std::vector<float> Strength;
+  LargeArray<float> Strength;
   /// Diagonal of the energy with the weak couplings lumped into it.
-  std::vector<float> Diagonal;
+  LargeArray<float> Diagonal;
 };
 
 /// @param level 0 for the finest
@@ -24,8 +24,8 @@ Couplings FindCouplings(const LevelMatrices& matrices, int level);
 /// The aggregate of each vertex and its value where the aggregate's root has 1.
 struct Aggregates
 {
-  std::vector<Index> Number;
-  std::vector<CompactComplex> Phase;
+  LargeArray<Index> Number;
+  LargeArray<CompactComplex> Phase;
   Index Count = 0;
 };
 

@@ -101,7 +101,7 @@ private:
 template <typename Entry>
 struct Rows
 {
-  std::vector<Index> Size;
+  LargeArray<Index> Size;
   std::vector<std::vector<std::pair<Index, Entry>>> Pieces;
 
   /// @param sorted whether the entries of a row are in the order of their columns
@@ -127,9 +127,10 @@ struct Rows
   }
 
   /// begin[row], begin of the first row 0.
-  std::vector<Index> Begin() const
+  LargeArray<Index> Begin() const
   {
-    std::vector<Index> begin(this->Size.size() + 1, 0);
+    LargeArray<Index> begin(this->Size.size() + 1);
+    begin[0] = 0;
     std::partial_sum(this->Size.begin(), this->Size.end(), begin.begin() + 1);
     return begin;
   }
@@ -235,6 +236,22 @@ void LevelMatrices::Multiply(const float* x, float* ax, float* mx) const
 template void LevelMatrices::Multiply<4>(const float*, float*, float*) const;
 
 template <int B>
+void Prolongator::Prolong(const float* y, float* x) const
+{
+  ParallelFor(this->FineRows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> sum;
+        AddProducts<B>(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
+          y, sum);
+        sum.Store(x, v);
+      }
+    });
+}
+
+template <int B>
 void Prolongator::AddTo(float* x, const float* y) const
 {
   ParallelFor(this->FineRows(), PieceRows,
@@ -266,6 +283,8 @@ void Prolongator::Restrict(const float* x, float* y) const
     });
 }
 
+template void Prolongator::Prolong<1>(const float*, float*) const;
+template void Prolongator::Prolong<4>(const float*, float*) const;
 template void Prolongator::AddTo<1>(float*, const float*) const;
 template void Prolongator::AddTo<4>(float*, const float*) const;
 template void Prolongator::Restrict<1>(const float*, float*) const;
@@ -332,7 +351,7 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
         add(energy.Column[k], energy.Value[k], matrices.MassValue[k]);
       }
     });
-  const std::vector<Index> begin = products.Begin();
+  const LargeArray<Index> begin = products.Begin();
   const Rows<TwoEntries> rows(prolongator.CoarseRows(), true,
     [&](Index row, RowSum<TwoEntries>& sum)
     {
@@ -350,7 +369,7 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
       }
     });
   const Index n = prolongator.CoarseRows();
-  const std::vector<Index> rowBegin = rows.Begin();
+  const LargeArray<Index> rowBegin = rows.Begin();
   LevelMatrices coarse;
   coarse.Energy.Begin.resize(n + 1);
   coarse.Energy.Diagonal.resize(n);

@@ -13,8 +13,8 @@ struct LevelMatrices
 {
   CompactMatrix Energy;
   /// Off-diagonal entries at the places of Energy's.
-  std::vector<CompactComplex> MassValue;
-  std::vector<float> MassDiagonal;
+  LargeArray<CompactComplex> MassValue;
+  LargeArray<float> MassDiagonal;
 
   /// ax = A x and mx = M x in one pass.
   template <int B>
@@ -24,16 +24,19 @@ struct LevelMatrices
 /// Interpolates a section of the next coarser level, row by row, and its adjoint.
 struct Prolongator
 {
-  std::vector<Index> Begin;
-  std::vector<Index> Column;
-  std::vector<CompactComplex> Value;
-  std::vector<Index> AdjointBegin;
-  std::vector<Index> AdjointColumn;
-  std::vector<CompactComplex> AdjointValue;
+  LargeArray<Index> Begin;
+  LargeArray<Index> Column;
+  LargeArray<CompactComplex> Value;
+  LargeArray<Index> AdjointBegin;
+  LargeArray<Index> AdjointColumn;
+  LargeArray<CompactComplex> AdjointValue;
 
   Index FineRows() const { return static_cast<Index>(this->Begin.size()) - 1; }
   Index CoarseRows() const { return static_cast<Index>(this->AdjointBegin.size()) - 1; }
 
+  /// x = P y
+  template <int B>
+  void Prolong(const float* y, float* x) const;
   /// x += P y
   template <int B>
   void AddTo(float* x, const float* y) const;

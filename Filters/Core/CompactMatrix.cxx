@@ -47,7 +47,7 @@ CompactMatrix::CompactMatrix(const SparseMatrix& matrix)
   this->OrderByBlocks();
 }
 
-void CompactMatrix::OrderByBlocks(std::vector<CompactComplex>* other)
+void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
 {
   const Index rows = this->Rows();
   this->Inside.resize(rows);
@@ -92,11 +92,11 @@ void CompactMatrix::OrderByBlocks(std::vector<CompactComplex>* other)
 }
 
 SweepDiagonal::SweepDiagonal(
-  const CompactMatrix& matrix, const std::vector<float>& m, float shift, float relaxation)
+  const CompactMatrix& matrix, const LargeArray<float>& m, float shift, float relaxation)
   : Relaxation(relaxation)
   , Diagonal(matrix.Diagonal)
   , Inverse(matrix.Rows())
-  , Extra(matrix.Boundary.size())
+  , Extra(matrix.Boundary.size(), 0.0f)
 {
   ParallelFor(matrix.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)
@@ -125,7 +125,7 @@ constexpr Index BlockRows = CompactMatrix::BlockRows;
 /// The first row of the boundary, counted in it, from a row on.
 Index BoundaryFrom(const CompactMatrix& matrix, Index row)
 {
-  const std::vector<Index>& boundary = matrix.Boundary;
+  const LargeArray<Index>& boundary = matrix.Boundary;
   return static_cast<Index>(
     std::lower_bound(boundary.begin(), boundary.end(), row) - boundary.begin());
 }

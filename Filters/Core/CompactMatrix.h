@@ -25,13 +25,13 @@ struct CompactMatrix
 
   /// Entries of row v: Begin[v] to Inside[v] in columns of its block, Inside[v] to Begin[v + 1] in
   /// others.
-  std::vector<Index> Begin;
-  std::vector<Index> Inside;
-  std::vector<Index> Column;
-  std::vector<CompactComplex> Value;
-  std::vector<float> Diagonal;
+  LargeArray<Index> Begin;
+  LargeArray<Index> Inside;
+  LargeArray<Index> Column;
+  LargeArray<CompactComplex> Value;
+  LargeArray<float> Diagonal;
   /// The rows with entries in columns of other blocks, ascending.
-  std::vector<Index> Boundary;
+  LargeArray<Index> Boundary;
 
   CompactMatrix() = default;
   /// Rounds a Hermitian matrix.
@@ -39,7 +39,7 @@ struct CompactMatrix
 
   /// Brings the entries of rows with ascending columns in order, and fills in Inside and Boundary.
   /// @param other has the same pattern, and gets the same order
-  void OrderByBlocks(std::vector<CompactComplex>* other = nullptr);
+  void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
 
@@ -61,15 +61,15 @@ struct SweepDiagonal
   SweepDiagonal() = default;
   /// @param m, shift   as above
   /// @param relaxation how far a sweep goes towards each row's solution, above 0 and below 2
-  SweepDiagonal(const CompactMatrix& matrix, const std::vector<float>& m, float shift,
+  SweepDiagonal(const CompactMatrix& matrix, const LargeArray<float>& m, float shift,
     float relaxation = 1.0f);
 
   float Relaxation = 1.0f;
-  std::vector<float> Diagonal;
+  LargeArray<float> Diagonal;
   /// The relaxation over the diagonal and the couplings to other blocks.
-  std::vector<float> Inverse;
+  LargeArray<float> Inverse;
   /// The couplings to other blocks of each row of the boundary.
-  std::vector<float> Extra;
+  LargeArray<float> Extra;
 };
 
 /// In the order of the rows, or in the opposite one: sweeps adjoint to each other.

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_CompactValues_h
 #define DirectionFields_CompactValues_h
 
+#include "LargeArray.h"
 #include "Types.h"
 
 #include <cmath>
@@ -25,7 +26,7 @@ inline float Modulus(const CompactComplex& z)
 
 /// B sections side by side: for each vertex B real parts, then B imaginary parts. One section is an
 /// array of CompactComplex.
-using CompactSections = std::vector<float>;
+using CompactSections = LargeArray<float>;
 
 /// The B values of a vertex.
 template <int B>

@@ -245,7 +245,6 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
   Workspace& coarser = this->Levels[level + 1];
   if (after)
   {
-    std::fill(own.Sum.begin(), own.Sum.end(), 0.0f);
     matrices.FromCoarser.Restrict<1>(right, coarser.Right.data());
   }
   else
@@ -259,8 +258,13 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
     matrices.FromCoarser.Restrict<1>(own.Rest.data(), coarser.Right.data());
   }
   this->ApplyCycle(level + 1, after);
-  matrices.FromCoarser.AddTo<1>(x, coarser.Sum.data());
-  for (int sweep = 0; after && sweep < Sweeps; ++sweep)
+  if (!after)
+  {
+    matrices.FromCoarser.AddTo<1>(x, coarser.Sum.data());
+    return;
+  }
+  matrices.FromCoarser.Prolong<1>(coarser.Sum.data(), x);
+  for (int sweep = 0; sweep < Sweeps; ++sweep)
   {
     Sweep<1>(matrix, own.Diagonal, SweepOrder::Up, right, x);
   }

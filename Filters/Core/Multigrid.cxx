@@ -29,10 +29,10 @@ constexpr std::size_t FirstTwice = 2;
 /// Of the sweeps.
 constexpr float Relaxation = 1.15f;
 
-std::vector<float> Lumped(const LevelMatrices& matrices)
+LargeArray<float> Lumped(const LevelMatrices& matrices)
 {
   const CompactMatrix& energy = matrices.Energy;
-  std::vector<float> lumped(matrices.MassDiagonal);
+  LargeArray<float> lumped(matrices.MassDiagonal);
   ParallelFor(energy.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)
     {

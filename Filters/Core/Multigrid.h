@@ -24,7 +24,7 @@ public:
   {
     LevelMatrices Matrices;
     /// Mass of each vertex' surroundings, sum of |M_ij| over j: what M does to smooth sections.
-    std::vector<float> LumpedMass;
+    LargeArray<float> LumpedMass;
     /// From the next coarser level; empty on the coarsest.
     Prolongator FromCoarser;
 

@@ -260,8 +260,8 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
     if (level + 1 < levels.size())
     {
       SectionBlock finer(levels[level].Rows());
-      levels[level].FromCoarser.AddTo<Width>(
-        finer.Vectors.data(), pairs.Block.Vectors.data());
+      levels[level].FromCoarser.Prolong<Width>(
+        pairs.Block.Vectors.data(), finer.Vectors.data());
       pairs.Block = std::move(finer);
     }
     BlockIteration iteration(level == 0 ? &operators : nullptr, levels[level],

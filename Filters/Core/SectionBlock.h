@@ -23,6 +23,7 @@ struct SectionBlock
   CompactSections Mass;
 
   SectionBlock() = default;
+  /// The values are undefined.
   explicit SectionBlock(Index rows);
   Index Rows() const { return static_cast<Index>(this->Vectors.size() / (2 * Width)); }
 };

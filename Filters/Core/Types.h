@@ -49,10 +49,10 @@ inline double PerSquare(double value, double unit)
 }
 
 /// Empties a vector and frees its memory, which neither clear nor the assignment of {} does.
-template <typename T>
-void Free(std::vector<T>& vector)
+template <typename T, typename Allocator>
+void Free(std::vector<T, Allocator>& vector)
 {
-  std::vector<T>().swap(vector);
+  std::vector<T, Allocator>().swap(vector);
 }
 
 /// The order of points that stands for numbers where results must not depend on numbering.

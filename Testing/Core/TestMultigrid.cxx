@@ -308,7 +308,11 @@ TEST(Multigrid, AnIndefiniteMatrixIsShownByASection)
   const Multigrid hierarchy(system.Matrices, system.Scale);
   const Cycle cycle(hierarchy, 0.0);
   // Zero sections deflate nothing.
-  const SectionBlock none(hierarchy.GetLevels()[0].Rows());
+  SectionBlock none(hierarchy.GetLevels()[0].Rows());
+  for (CompactSections* sections : { &none.Vectors, &none.Mass })
+  {
+    sections->assign(sections->size(), 0.0f);
+  }
   DeflatedGradients gradients(hierarchy.GetLevels()[0], cycle, none);
   const Eigenpair smallest = ByMultigrid(system);
   for (const double part : { 0.5, 1.5 })

@@ -43,6 +43,9 @@ TEST(RitzSpace, HasTheRitzPairsOfItsSections)
   EXPECT_LT((sections.adjoint() * rest).norm(), 1e-10 * sections.norm() * first.Energy.norm());
 
   SectionBlock block(static_cast<Index>(n));
+  // All but the first section are written.
+  block.Vectors.assign(block.Vectors.size(), 0.0f);
+  block.Mass.assign(block.Mass.size(), 0.0f);
   space.WriteNext(block);
   const SmallMatrix products = Products(block.Rows(), { { &block.Vectors, &block.Mass } })[0];
   SmallMatrix unit = SmallMatrix::Identity(4, 4);
