@@ -12,8 +12,11 @@
 #include "Singularities.h"
 #include "Stages.h"
 #include "Threads.h"
+#include "VectorMath.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -148,34 +151,66 @@ void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::v
 }
 }
 
-double Result::FirstAngle(Index point) const
+void Result::FirstAngles(Index begin, Index end, double* angles) const
 {
-  const Vector3& n = this->Normal[point];
-  const Vector3& x = this->XAxis[point];
+  assert(end - begin <= FewPoints);
   const double period = 2.0 * Pi / this->Degree;
-  const double phase = std::arg(this->Representation[point]) / this->Degree;
-  // Where the first axis of space is nearly normal, the second.
-  const int axis = std::abs(n[0]) < 1.0 - 1e-6 ? 0 : 1;
-  const double nearest = std::round((std::atan2(n.cross(x)[axis], x[axis]) - phase) / period);
-  return phase + nearest * period;
+  const Index count = end - begin;
+  std::array<double, FewPoints> x{};
+  std::array<double, FewPoints> y{};
+  std::array<double, FewPoints> wanted;
+  for (Index i = 0; i < count; ++i)
+  {
+    const Vector3& normal = this->Normal[begin + i];
+    // Where the first axis of space is nearly normal, the second.
+    const int axis = std::abs(normal[0]) < 1.0 - 1e-6 ? 0 : 1;
+    x[i] = this->XAxis[begin + i][axis];
+    y[i] = normal.cross(this->XAxis[begin + i])[axis];
+  }
+  Arguments(x.data(), y.data(), count, wanted.data());
+  for (Index i = 0; i < count; ++i)
+  {
+    x[i] = this->Representation[begin + i].real();
+    y[i] = this->Representation[begin + i].imag();
+  }
+  Arguments(x.data(), y.data(), count, angles);
+  for (Index i = 0; i < count; ++i)
+  {
+    angles[i] /= this->Degree;
+    angles[i] += period * std::round((wanted[i] - angles[i]) / period);
+  }
 }
 
 Vector3 Result::Direction(Index point, int k) const
 {
+  double angle;
+  this->FirstAngles(point, point + 1, &angle);
+  angle += k * (2.0 * Pi / this->Degree);
   const Vector3& x = this->XAxis[point];
-  const double angle = this->FirstAngle(point) + k * (2.0 * Pi / this->Degree);
   return std::cos(angle) * x + std::sin(angle) * this->Normal[point].cross(x);
 }
 
-void Result::Directions(Index point, Vector3* directions) const
+void Result::Directions(Index begin, Index end, Vector3* directions) const
 {
-  const Vector3& x = this->XAxis[point];
-  const Vector3 y = this->Normal[point].cross(x);
   const Complex turn = std::polar(1.0, 2.0 * Pi / this->Degree);
-  Complex z = std::polar(1.0, this->FirstAngle(point));
-  for (int k = 0; k < this->Degree; ++k, z *= turn)
+  for (Index first = begin; first < end; first += FewPoints)
   {
-    directions[k] = z.real() * x + z.imag() * y;
+    const Index last = std::min(end, first + FewPoints);
+    std::array<double, FewPoints> angle;
+    this->FirstAngles(first, last, angle.data());
+    std::array<double, FewPoints> cosine;
+    std::array<double, FewPoints> sine;
+    CosinesAndSines(angle.data(), last - first, cosine.data(), sine.data());
+    for (Index i = first; i < last; ++i)
+    {
+      const Vector3& x = this->XAxis[i];
+      const Vector3 y = this->Normal[i].cross(x);
+      Complex z(cosine[i - first], sine[i - first]);
+      for (int k = 0; k < this->Degree; ++k, z *= turn)
+      {
+        *directions++ = z.real() * x + z.imag() * y;
+      }
+    }
   }
 }
 

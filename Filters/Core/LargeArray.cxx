@@ -3,24 +3,28 @@
 
 #include "LargeArray.h"
 
+#include <cstdint>
 #include <cstdlib>
 
 #ifdef __linux__
 #include <sys/mman.h>
+#ifdef MADV_HUGEPAGE
+#define DIRECTIONFIELDS_LARGE_PAGES
+#endif
 #endif
 
 namespace DirectionFields
 {
 namespace
 {
-/// Of large pages; no storage is worth one that is not several times as large.
-constexpr std::size_t PageBytes = std::size_t(1) << 21;
-constexpr std::size_t FewestPages = 2;
+/// Of large pages; storage for fewer of them keeps small ones.
+[[maybe_unused]] constexpr std::size_t PageBytes = std::size_t(1) << 21;
+[[maybe_unused]] constexpr std::size_t FewestPages = 2;
 }
 
 void* AllocateLarge(std::size_t bytes)
 {
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
+#ifdef DIRECTIONFIELDS_LARGE_PAGES
   if (bytes >= FewestPages * PageBytes)
   {
     void* storage = nullptr;
@@ -28,9 +32,7 @@ void* AllocateLarge(std::size_t bytes)
     {
       throw std::bad_alloc();
     }
-    // No more than advice: where it is not taken, pages are small. The rest, less than a page, stays
-    // out, or it would take the memory of one.
-    madvise(storage, bytes / PageBytes * PageBytes, MADV_HUGEPAGE);
+    PreferLargePages(storage, bytes);
     return storage;
   }
 #endif
@@ -40,6 +42,22 @@ void* AllocateLarge(std::size_t bytes)
     throw std::bad_alloc();
   }
   return storage;
+}
+
+void PreferLargePages([[maybe_unused]] void* storage, [[maybe_unused]] std::size_t bytes) noexcept
+{
+#ifdef DIRECTIONFIELDS_LARGE_PAGES
+  if (bytes < FewestPages * PageBytes)
+  {
+    return;
+  }
+  const std::size_t before = reinterpret_cast<std::uintptr_t>(storage) % PageBytes;
+  const std::size_t skipped = before > 0 ? PageBytes - before : 0;
+  // Whole pages only: what is left over would take the memory of one. No more than advice: where it
+  // is not taken, pages are small.
+  madvise(static_cast<char*>(storage) + skipped, (bytes - skipped) / PageBytes * PageBytes,
+    MADV_HUGEPAGE);
+#endif
 }
 
 void ReleaseLarge(void* storage) noexcept

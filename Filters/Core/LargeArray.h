@@ -18,6 +18,8 @@ namespace DirectionFields
 /// @throw std::bad_alloc
 void* AllocateLarge(std::size_t bytes);
 void ReleaseLarge(void* storage) noexcept;
+/// Asks for large pages for storage of another kind, which is best not written to yet.
+void PreferLargePages(void* storage, std::size_t bytes) noexcept;
 
 /// Leaves values that are not given uninitialized: the loop that fills an array in is to touch its
 /// pages first, on all threads.

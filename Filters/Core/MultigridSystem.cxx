@@ -134,7 +134,7 @@ public:
   {
     const auto rows = static_cast<Index>(r.size());
     this->Section.resize(2 * static_cast<std::size_t>(rows));
-    z.resize(rows);
+    Resize(z, rows);
     const WideSum products = ParallelSum<WideSum>(rows, VectorPiece, {},
       [&](Index begin, Index end)
       {
@@ -202,7 +202,7 @@ double Size(const MultigridSystem& system, const ComplexVector& u, double rest, 
 /// b - K u
 ComplexVector RestOf(const MultigridSystem& system, const SectionProducts& u, const ComplexVector& b)
 {
-  ComplexVector rest(b.size());
+  ComplexVector rest = Uninitialized(b.size());
   ForRows(rest,
     [&](Index begin, Index end)
     {
@@ -235,7 +235,12 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
   const CombinedMatrix matrix(system.Matrices, system.EnergyFactor, system.MassFactor);
   ComplexVector q;
   matrix.Multiply(solution.Vector, q);
-  ComplexVector r = b - q;
+  ComplexVector r = Uninitialized(b.size());
+  ForRows(r,
+    [&](Index begin, Index end)
+    {
+      r.segment(begin, end - begin) = b.segment(begin, end - begin) - q.segment(begin, end - begin);
+    });
   double rest = Norm(r);
   if (!(rest < norm))
   {
@@ -261,15 +266,14 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
       const double product = preconditioner.Apply(r, rest, z);
       if (first)
       {
-        p = z;
+        p.swap(z);
       }
       else
       {
         Combine(1.0, z, product / previous, p);
       }
       previous = product;
-      matrix.Multiply(p, q);
-      const double step = product / RealDot(p, q);
+      const double step = product / matrix.Multiply(p, q);
       if (!(step > 0.0) || !std::isfinite(step))
       {
         break;

@@ -5,6 +5,7 @@
 
 #include "SectionBlock.h"
 #include "Threads.h"
+#include "VectorOperations.h"
 
 #include <cmath>
 #include <utility>
@@ -64,7 +65,7 @@ void ForEachRow(const SparseMatrix& matrix, const Body& body)
 
 ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
 {
-  ComplexVector y(x.size());
+  ComplexVector y = Uninitialized(x.size());
   ForEachRow(matrix,
     [&](Index row)
     {
@@ -79,7 +80,7 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
 
 ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x)
 {
-  ComplexVector y(x.size());
+  ComplexVector y = Uninitialized(x.size());
   const Complex* mass = operators.Mass.valuePtr();
   ForEachRow(operators.Energy,
     [&](Index row)
@@ -112,17 +113,23 @@ CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
     });
 }
 
-void CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
+double CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
 {
-  y.resize(x.size());
-  ForEachRow(this->Pattern,
-    [&](Index row)
+  Resize(y, x.size());
+  return ParallelSum<double>(static_cast<Index>(x.size()), PieceRows, 0.0,
+    [&](Index begin, Index end)
     {
-      ConjugateSum sum;
-      ForEachEntry(this->Pattern, row,
-        [&](Index column, const Complex&, Index k)
-        { sum.Add(this->Values[k].real(), this->Values[k].imag(), x[column]); });
-      y[row] = sum.Value();
+      double product = 0.0;
+      for (Index row = begin; row < end; ++row)
+      {
+        ConjugateSum sum;
+        ForEachEntry(this->Pattern, row,
+          [&](Index column, const Complex&, Index k)
+          { sum.Add(this->Values[k].real(), this->Values[k].imag(), x[column]); });
+        y[row] = sum.Value();
+        product += x[row].real() * y[row].real() + x[row].imag() * y[row].imag();
+      }
+      return product;
     });
 }
 
@@ -156,8 +163,8 @@ SectionProducts::SectionProducts(const Operators& operators, ComplexVector vecto
 void SectionProducts::Set(const Operators& operators, ComplexVector vector)
 {
   this->Vector = std::move(vector);
-  this->Energy.resize(this->Vector.size());
-  this->Mass.resize(this->Vector.size());
+  Resize(this->Energy, this->Vector.size());
+  Resize(this->Mass, this->Vector.size());
   const Complex* mass = operators.Mass.valuePtr();
   ForEachRow(operators.Energy,
     [&](Index row)

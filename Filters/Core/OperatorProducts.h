@@ -4,6 +4,7 @@
 #ifndef DirectionFields_OperatorProducts_h
 #define DirectionFields_OperatorProducts_h
 
+#include "LargeArray.h"
 #include "Operators.h"
 
 namespace DirectionFields
@@ -21,12 +22,12 @@ public:
   /// @param operators must outlive the matrix
   CombinedMatrix(const Operators& operators, double a, double m);
 
-  /// y = K x, in the storage that there is.
-  void Multiply(const ComplexVector& x, ComplexVector& y) const;
+  /// y = K x, in the storage that there is; returns Re x^* y.
+  double Multiply(const ComplexVector& x, ComplexVector& y) const;
 
 private:
   const SparseMatrix& Pattern;
-  ComplexVector Values;
+  LargeArray<Complex> Values;
 };
 
 /// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.

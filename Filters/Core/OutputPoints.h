@@ -4,6 +4,7 @@
 #ifndef DirectionFields_OutputPoints_h
 #define DirectionFields_OutputPoints_h
 
+#include "LargeArray.h"
 #include "Threads.h"
 #include "TriangleMesh.h"
 
@@ -26,16 +27,15 @@ public:
   template <typename T>
   std::vector<T> Spread(const std::vector<T>& values, const T& zero) const
   {
-    std::vector<T> spread(this->Vertex.size(), zero);
+    // Vectors of Eigen are not set to anything here, which saves a pass.
+    std::vector<T> spread(this->Vertex.size());
+    PreferLargePages(spread.data(), spread.size() * sizeof(T));
     ParallelFor(static_cast<Index>(spread.size()), 1 << 13,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
         {
-          if (this->Vertex[i] != None)
-          {
-            spread[i] = values[this->Vertex[i]];
-          }
+          spread[i] = this->Vertex[i] != None ? values[this->Vertex[i]] : zero;
         }
       });
     return spread;

@@ -17,18 +17,24 @@ namespace
 /// rounding.
 constexpr double Independent = 1e-12;
 
-/// v^* x for each of the vectors.
-Eigen::VectorXcd Products(const std::vector<ComplexVector>& vectors, const ComplexVector& x)
+/// v^* x for each of the vectors v and each of the others, a column for each x.
+Eigen::MatrixXcd Products(
+  const std::vector<ComplexVector>& vectors, const std::vector<const ComplexVector*>& others)
 {
-  const auto count = static_cast<Eigen::Index>(vectors.size());
-  return ParallelSum<Eigen::VectorXcd>(static_cast<Index>(x.size()), VectorPiece,
-    Eigen::VectorXcd::Zero(count),
+  const auto rows = static_cast<Eigen::Index>(vectors.size());
+  const auto columns = static_cast<Eigen::Index>(others.size());
+  return ParallelSum<Eigen::MatrixXcd>(static_cast<Index>(others.front()->size()), VectorPiece,
+    Eigen::MatrixXcd::Zero(rows, columns),
     [&](Index begin, Index end)
     {
-      Eigen::VectorXcd part(count);
-      for (Eigen::Index k = 0; k < count; ++k)
+      Eigen::MatrixXcd part(rows, columns);
+      for (Eigen::Index i = 0; i < rows; ++i)
       {
-        part[k] = vectors[k].segment(begin, end - begin).dot(x.segment(begin, end - begin));
+        for (Eigen::Index k = 0; k < columns; ++k)
+        {
+          part(i, k) =
+            vectors[i].segment(begin, end - begin).dot(others[k]->segment(begin, end - begin));
+        }
       }
       return part;
     });
@@ -55,7 +61,7 @@ ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVecto
   {
     return guess;
   }
-  const Eigen::VectorXcd products = Products(this->Vectors, b);
+  const Eigen::VectorXcd products = Products(this->Vectors, { &b });
   for (std::size_t k = 0; k < this->Systems.size(); ++k)
   {
     const System& system = this->Systems[k];
@@ -102,9 +108,14 @@ void ReducedBasis::Add(
     this->Vectors.erase(this->Vectors.begin());
     this->Systems.erase(this->Systems.begin());
   }
-  this->Vectors.push_back(u.Vector);
-  this->Systems.push_back({ a, m, Products({ u.Vector }, b)[0], residual });
-  Extend(this->Energy, Products(this->Vectors, u.Energy), forget);
-  Extend(this->Mass, Products(this->Vectors, u.Mass), forget);
+  ComplexVector copy = Uninitialized(u.Vector.size());
+  ForRows(copy,
+    [&](Index begin, Index end)
+    { copy.segment(begin, end - begin) = u.Vector.segment(begin, end - begin); });
+  this->Vectors.push_back(std::move(copy));
+  const Eigen::MatrixXcd products = Products(this->Vectors, { &u.Energy, &u.Mass, &b });
+  this->Systems.push_back({ a, m, products(products.rows() - 1, 2), residual });
+  Extend(this->Energy, products.col(0), forget);
+  Extend(this->Mass, products.col(1), forget);
 }
 }

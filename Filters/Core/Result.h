@@ -119,12 +119,13 @@ struct Result
   /// Direction 0 is the one closest to the x axis of space (the y axis where the normal is x), so
   /// that neighbours mostly agree on it. Zero at points that no triangle uses.
   Vector3 Direction(Index point, int k) const;
-  /// All directions at a point, Degree of them, in less time.
-  void Directions(Index point, Vector3* directions) const;
+  /// All directions at points begin ... end - 1, Degree of them for each, in less time.
+  void Directions(Index begin, Index end, Vector3* directions) const;
 
 private:
-  /// The angle of direction 0 from XAxis.
-  double FirstAngle(Index point) const;
+  static constexpr Index FewPoints = 64;
+  /// The angles of direction 0 from XAxis at no more than a few points.
+  void FirstAngles(Index begin, Index end, double* angles) const;
 };
 }
 

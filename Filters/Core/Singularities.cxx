@@ -3,8 +3,12 @@
 
 #include "Singularities.h"
 
+#include "LargeArray.h"
 #include "Threads.h"
+#include "VectorMath.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace DirectionFields
@@ -17,13 +21,22 @@ constexpr Index PieceSize = 1 << 13;
 std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& connection,
   int degree, const std::vector<Complex>& field)
 {
-  std::vector<double> phase(mesh.GetNumberOfVertices());
+  LargeArray<double> phase(mesh.GetNumberOfVertices());
   ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)
     {
-      for (Index v = begin; v < end; ++v)
+      constexpr Index most = 64;
+      std::array<double, most> x;
+      std::array<double, most> y;
+      for (Index first = begin; first < end; first += most)
       {
-        phase[v] = std::arg(field[v]);
+        const Index count = std::min(most, end - first);
+        for (Index k = 0; k < count; ++k)
+        {
+          x[k] = field[first + k].real();
+          y[k] = field[first + k].imag();
+        }
+        Arguments(x.data(), y.data(), count, phase.data() + first);
       }
     });
   // Computed in the direction of the edge for both its triangles, and where the edge is seen from two

@@ -31,4 +31,13 @@ void Arctangents(const double* __restrict values, Index count, double* __restric
     angles[k] = std::atan(values[k]);
   }
 }
+
+void Arguments(const double* __restrict x, const double* __restrict y, Index count,
+  double* __restrict angles)
+{
+  for (Index k = 0; k < count; ++k)
+  {
+    angles[k] = std::atan2(y[k], x[k]);
+  }
+}
 }

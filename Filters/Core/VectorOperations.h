@@ -4,6 +4,7 @@
 #ifndef DirectionFields_VectorOperations_h
 #define DirectionFields_VectorOperations_h
 
+#include "LargeArray.h"
 #include "Threads.h"
 
 #include <cmath>
@@ -12,6 +13,23 @@
 namespace DirectionFields
 {
 constexpr Index VectorPiece = 4096;
+
+/// Makes the vector that long, with undefined values, which are to be written on all threads.
+inline void Resize(ComplexVector& vector, Eigen::Index size)
+{
+  if (vector.size() != size)
+  {
+    vector.resize(size);
+    PreferLargePages(vector.data(), static_cast<std::size_t>(size) * sizeof(Complex));
+  }
+}
+
+inline ComplexVector Uninitialized(Eigen::Index size)
+{
+  ComplexVector vector;
+  Resize(vector, size);
+  return vector;
+}
 
 /// body(begin, end) for pieces of the rows.
 template <typename Body>

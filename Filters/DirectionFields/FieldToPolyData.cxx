@@ -3,6 +3,7 @@
 
 #include "FieldToPolyData.h"
 
+#include "LargeArray.h"
 #include "Threads.h"
 
 #include "vtkCellArray.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -38,6 +40,8 @@ namespace
 constexpr int MostDirections = 16;
 /// Points that a thread takes at a time.
 constexpr Index PieceSize = 1 << 13;
+/// Points whose directions stay in the cache.
+constexpr Index FewPoints = 256;
 
 std::string DirectionName(int k)
 {
@@ -51,6 +55,7 @@ vtkNew<ArrayT> MakeArray(const char* name, int components, size_t tuples)
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  PreferLargePages(array->GetPointer(0), array->GetDataTypeSize() * components * tuples);
   return array;
 }
 
@@ -268,14 +273,19 @@ bool AddPointArrays(const Result& field,
   ParallelFor(static_cast<Index>(points), PieceSize,
     [&](Index begin, Index end)
     {
-      std::vector<Vector3> directions(tuples.size());
-      for (Index i = begin; i < end; ++i)
+      std::vector<Vector3> directions(FewPoints * tuples.size());
+      for (Index first = begin; first < end; first += FewPoints)
       {
-        moduli[i] = static_cast<Value>(std::abs(field.Representation[i]));
-        field.Directions(i, directions.data());
-        for (size_t k = 0; k < directions.size(); ++k)
+        const Index last = std::min(end, first + FewPoints);
+        field.Directions(first, last, directions.data());
+        const Vector3* direction = directions.data();
+        for (Index i = first; i < last; ++i)
         {
-          WriteVector(directions[k], tuples[k], i);
+          moduli[i] = static_cast<Value>(std::abs(field.Representation[i]));
+          for (Value* const values : tuples)
+          {
+            WriteVector(*direction++, values, i);
+          }
         }
       }
     });
@@ -338,7 +348,17 @@ Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
 vtkSmartPointer<vtkDataArray> Copied(vtkDataArray* array)
 {
   auto copy = vtk::TakeSmartPointer(array->NewInstance());
-  copy->DeepCopy(array);
+  copy->SetName(array->GetName());
+  copy->SetNumberOfComponents(array->GetNumberOfComponents());
+  copy->SetNumberOfTuples(array->GetNumberOfTuples());
+  const size_t tuple =
+    static_cast<size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
+  const auto* const from = static_cast<const char*>(array->GetVoidPointer(0));
+  auto* const to = static_cast<char*>(copy->GetVoidPointer(0));
+  PreferLargePages(to, tuple * array->GetNumberOfTuples());
+  ParallelFor(static_cast<Index>(array->GetNumberOfTuples()), PieceSize,
+    [&](Index begin, Index end)
+    { std::memcpy(to + tuple * begin, from + tuple * begin, tuple * (end - begin)); });
   return copy;
 }
 

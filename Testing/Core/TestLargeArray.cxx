@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 using namespace DirectionFields;
 
@@ -36,6 +37,17 @@ TEST(LargeArray, StorageIsAlignedForEveryType)
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(storage) % alignof(std::max_align_t), 0u);
     ReleaseLarge(storage);
   }
+}
+
+TEST(LargeArray, AdviceLeavesValuesAlone)
+{
+  std::vector<int> values((std::size_t(5) << 20) + 3);
+  std::iota(values.begin(), values.end(), 0);
+  const std::vector<int> before = values;
+  // From any place on, for any length.
+  PreferLargePages(values.data() + 1, (values.size() - 1) * sizeof(int));
+  PreferLargePages(values.data() + 1, 5);
+  EXPECT_EQ(values, before);
 }
 
 TEST(LargeArray, WhatCannotBeAllocatedIsABadAllocation)
