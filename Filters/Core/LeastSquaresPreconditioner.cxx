@@ -74,23 +74,63 @@ SparseMatrix Joined(Index rows, Index columns, const MakeColumns& makeColumns)
   return joined;
 }
 
-SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
+template <typename Matrix>
+SparseMatrix Product(const Matrix& a, const SparseMatrix& b)
 {
   return Joined(static_cast<Index>(a.rows()), static_cast<Index>(b.cols()),
     [&](Index begin, Index end) { return SparseMatrix(a * b.middleCols(begin, end - begin)); });
 }
 
-/// Which columns reach rows that are marked, or, so many layers on, those that such columns reach.
-std::vector<Index> ColumnsNear(const SparseMatrix& columns, std::vector<char> rows)
+SparseMatrix Columns(const SparseMatrix& matrix, const std::vector<Index>& chosen)
+{
+  return Joined(static_cast<Index>(matrix.rows()), static_cast<Index>(chosen.size()),
+    [&](Index begin, Index end)
+    {
+      SparseMatrix some(matrix.rows(), end - begin);
+      for (Index k = begin; k < end; ++k)
+      {
+        some.startVec(k - begin);
+        for (SparseMatrix::InnerIterator it(matrix, chosen[k]); it; ++it)
+        {
+          some.insertBack(it.row(), k - begin) = it.value();
+        }
+      }
+      some.finalize();
+      return some;
+    });
+}
+
+/// Marks the rows, too, that a matrix couples with marked ones.
+void Widen(const CombinedMatrix::View& matrix, std::vector<char>& rows)
+{
+  const std::vector<char> before = rows;
+  for (Index v = 0; v < static_cast<Index>(before.size()); ++v)
+  {
+    if (before[v])
+    {
+      for (CombinedMatrix::View::InnerIterator it(matrix, v); it; ++it)
+      {
+        rows[it.row()] = 1;
+      }
+    }
+  }
+}
+
+/// Which columns of K Z reach rows that are marked, or, so many layers on, those that such columns
+/// reach.
+std::vector<Index> ColumnsNear(
+  const CombinedMatrix::View& matrix, const SparseMatrix& sections, std::vector<char> rows)
 {
   std::vector<Index> near;
   for (int layer = 0; layer <= Layers; ++layer)
   {
+    // K Z reaches them where Z reaches these.
+    Widen(matrix, rows);
     near.clear();
-    for (Index column = 0; column < columns.cols(); ++column)
+    for (Index column = 0; column < sections.cols(); ++column)
     {
       bool reaches = false;
-      for (SparseMatrix::InnerIterator it(columns, column); it && !reaches; ++it)
+      for (SparseMatrix::InnerIterator it(sections, column); it && !reaches; ++it)
       {
         reaches = rows[it.row()] != 0;
       }
@@ -101,11 +141,12 @@ std::vector<Index> ColumnsNear(const SparseMatrix& columns, std::vector<char> ro
     }
     for (const Index column : near)
     {
-      for (SparseMatrix::InnerIterator it(columns, column); it; ++it)
+      for (SparseMatrix::InnerIterator it(sections, column); it; ++it)
       {
         rows[it.row()] = 1;
       }
     }
+    Widen(matrix, rows);
   }
   return near;
 }
@@ -129,29 +170,39 @@ ComplexVector AdjointTimes(const SparseMatrix& w, const ComplexVector& y)
     });
   return products;
 }
+}
 
-/// P y
-ComplexVector Prolonged(const Prolongator& p, const ComplexVector& y)
+LeastSquaresPreconditioner::SparseRows::SparseRows(const SparseMatrix& matrix)
+  : Adjoint(matrix.adjoint())
 {
-  ComplexVector x(p.FineRows());
-  ForRows(x,
+  for (Index row = 0; row < this->Adjoint.cols(); ++row)
+  {
+    if (this->Adjoint.outerIndexPtr()[row] < this->Adjoint.outerIndexPtr()[row + 1])
+    {
+      this->Filled.push_back(row);
+    }
+  }
+}
+
+void LeastSquaresPreconditioner::SparseRows::SubtractProduct(
+  const ComplexVector& c, ComplexVector& y) const
+{
+  ParallelFor(static_cast<Index>(this->Filled.size()), ColumnPiece,
     [&](Index begin, Index end)
     {
-      for (Index row = begin; row < end; ++row)
+      for (Index k = begin; k < end; ++k)
       {
         Complex sum = 0.0;
-        for (Index k = p.Begin[row]; k < p.Begin[row + 1]; ++k)
+        for (SparseMatrix::InnerIterator it(this->Adjoint, this->Filled[k]); it; ++it)
         {
-          sum += Complex(p.Value[k]) * y[p.Column[k]];
+          sum += std::conj(it.value()) * c[it.row()];
         }
-        x[row] = sum;
+        y[this->Filled[k]] -= sum;
       }
     });
-  return x;
-}
 }
 
-LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matrix,
+LeastSquaresPreconditioner::LeastSquaresPreconditioner(const CombinedMatrix& matrix,
   const std::vector<Index>& free, const Multigrid& hierarchy, double shift)
   : Free(free)
   , Hierarchy(hierarchy)
@@ -168,10 +219,10 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matri
     }
     this->Levels.push_back(std::move(own));
   }
-  this->MakeCoarse(matrix);
+  this->MakeCoarse(matrix.AsSparse());
 }
 
-void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
+void LeastSquaresPreconditioner::MakeCoarse(const CombinedMatrix::View& matrix)
 {
   const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
   std::size_t level = 1;
@@ -183,50 +234,38 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
   {
     return;
   }
-  SparseMatrix columns = Product(
-    matrix, ToSparse(levels[0].FromCoarser, static_cast<Index>(matrix.cols()), &this->Free));
+  const auto count = static_cast<Index>(matrix.cols());
+  SparseMatrix sections = ToSparse(levels[0].FromCoarser, count, &this->Free);
   for (std::size_t l = 1; l < level; ++l)
   {
-    columns = Product(columns, ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
+    sections = Product(sections, ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
   }
-  std::vector<char> isGiven(matrix.cols(), 1);
+  std::vector<char> isGiven(count, 1);
   for (const Index v : this->Free)
   {
     isGiven[v] = 0;
   }
-  this->Chosen = ColumnsNear(columns, std::move(isGiven));
-  if (this->Chosen.empty())
+  sections = Columns(sections, ColumnsNear(matrix, sections, std::move(isGiven)));
+  if (sections.cols() == 0)
   {
     return;
   }
-  columns = Joined(static_cast<Index>(columns.rows()), static_cast<Index>(this->Chosen.size()),
-    [&](Index begin, Index end)
-    {
-      SparseMatrix some(columns.rows(), end - begin);
-      for (Index k = begin; k < end; ++k)
-      {
-        some.startVec(k - begin);
-        for (SparseMatrix::InnerIterator it(columns, this->Chosen[k]); it; ++it)
-        {
-          some.insertBack(it.row(), k - begin) = it.value();
-        }
-      }
-      some.finalize();
-      return some;
-    });
-  SparseMatrix adjoint = columns.adjoint();
+  SparseMatrix columns = Product(matrix, sections);
+  SparseRows rows(columns);
   double couplings = 0.0;
-  for (Eigen::Index row = 0; row < adjoint.outerSize(); ++row)
+  for (const Index row : rows.Filled)
   {
-    const double unknowns = adjoint.outerIndexPtr()[row + 1] - adjoint.outerIndexPtr()[row];
+    const double unknowns =
+      rows.Adjoint.outerIndexPtr()[row + 1] - rows.Adjoint.outerIndexPtr()[row];
     couplings += unknowns * unknowns;
   }
-  if (couplings <= DensestCouplings * static_cast<double>(adjoint.nonZeros()) &&
-    this->CoarseFactor.Compute(Product(adjoint, columns)))
+  if (couplings <= DensestCouplings * static_cast<double>(columns.nonZeros()) &&
+    this->CoarseFactor.Compute(Product(rows.Adjoint, columns)))
   {
     this->CoarseColumns = std::move(columns);
-    this->CoarseRows = std::move(adjoint);
-    this->CoarseLevel = level;
+    this->CoarseRows = std::move(rows);
+    this->Sections = SparseRows(sections);
+    this->Deflates = true;
   }
 }
 
@@ -270,15 +309,14 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
   }
 }
 
-void LeastSquaresPreconditioner::Apply(const ComplexVector& r, ComplexVector& z)
+double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size, ComplexVector& z)
 {
   const auto count = static_cast<Index>(this->Free.size());
   Workspace& finest = this->Levels.front();
-  z = ComplexVector::Zero(r.size());
-  const double size = Norm(r);
+  z.setZero(r.size());
   if (!(size > 0.0))
   {
-    return;
+    return 0.0;
   }
   ParallelFor(count, VectorPiece,
     [&](Index begin, Index end)
@@ -293,51 +331,28 @@ void LeastSquaresPreconditioner::Apply(const ComplexVector& r, ComplexVector& z)
   this->ApplyCycle(0, false);
   finest.Right.swap(finest.Sum);
   this->ApplyCycle(0, true);
-  ParallelFor(count, VectorPiece,
+  return ParallelSum<double>(count, VectorPiece, 0.0,
     [&](Index begin, Index end)
     {
+      double product = 0.0;
       for (Index k = begin; k < end; ++k)
       {
-        z[this->Free[k]] = size * Complex(finest.Sum[2 * k], finest.Sum[2 * k + 1]);
+        const Complex value = size * Complex(finest.Sum[2 * k], finest.Sum[2 * k + 1]);
+        const Complex& other = r[this->Free[k]];
+        z[this->Free[k]] = value;
+        product += other.real() * value.real() + other.imag() * value.imag();
       }
+      return product;
     });
 }
 
 void LeastSquaresPreconditioner::Deflate(ComplexVector& x, ComplexVector& y)
 {
-  if (this->CoarseLevel == 0)
+  if (this->Deflates)
   {
-    return;
+    const ComplexVector c = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
+    this->Sections.SubtractProduct(c, x);
+    this->CoarseRows.SubtractProduct(c, y);
   }
-  const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
-  const ComplexVector c = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
-  ComplexVector section = ComplexVector::Zero(levels[this->CoarseLevel].Rows());
-  for (std::size_t k = 0; k < this->Chosen.size(); ++k)
-  {
-    section[this->Chosen[k]] = c[static_cast<Eigen::Index>(k)];
-  }
-  for (std::size_t level = this->CoarseLevel; level-- > 0;)
-  {
-    section = Prolonged(levels[level].FromCoarser, section);
-  }
-  ParallelFor(static_cast<Index>(this->Free.size()), VectorPiece,
-    [&](Index begin, Index end)
-    {
-      for (Index k = begin; k < end; ++k)
-      {
-        x[this->Free[k]] -= section[k];
-      }
-    });
-  ForRows(y,
-    [&](Index begin, Index end)
-    {
-      for (Index row = begin; row < end; ++row)
-      {
-        for (SparseMatrix::InnerIterator it(this->CoarseRows, row); it; ++it)
-        {
-          y[row] -= std::conj(it.value()) * c[it.row()];
-        }
-      }
-    });
 }
 }

@@ -6,6 +6,7 @@
 
 #include "Factorization.h"
 #include "Multigrid.h"
+#include "OperatorProducts.h"
 
 #include <vector>
 
@@ -27,13 +28,14 @@ public:
   /// @param free      the free vertices, ascending
   /// @param hierarchy that of K_ff; must outlive this
   /// @param shift     m / a, at least 0
-  LeastSquaresPreconditioner(const SparseMatrix& matrix, const std::vector<Index>& free,
+  LeastSquaresPreconditioner(const CombinedMatrix& matrix, const std::vector<Index>& free,
     const Multigrid& hierarchy, double shift);
 
   bool IsUsable() const { return this->Coarsest.IsUsable(); }
 
-  /// z = B B^* r; what r is at given vertices does not matter.
-  void Apply(const ComplexVector& r, ComplexVector& z);
+  /// z = B B^* r; what r is at given vertices does not matter. Returns Re r^* z.
+  /// @param size ‖r‖
+  double Apply(const ComplexVector& r, double size, ComplexVector& z);
 
   /// x -= Z c and y -= K_f Z c, the sections Z of the coarse level as far as they are near given
   /// vertices, c = (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y: with y = K_f x the deflation of x, with
@@ -49,7 +51,18 @@ private:
     CompactSections Sum;
     CompactSections Rest;
   };
-  void MakeCoarse(const SparseMatrix& matrix);
+  /// A sparse matrix by its rows: the columns of the adjoint, and which of them are not empty.
+  struct SparseRows
+  {
+    explicit SparseRows(const SparseMatrix& matrix);
+    SparseRows() = default;
+    /// y -= W c
+    void SubtractProduct(const ComplexVector& c, ComplexVector& y) const;
+
+    SparseMatrix Adjoint;
+    std::vector<Index> Filled;
+  };
+  void MakeCoarse(const CombinedMatrix::View& matrix);
   /// Sum of the level from its Right.
   /// @param after whether the cycle sweeps after the correction of the coarser level, or, its
   ///              adjoint, before
@@ -60,14 +73,14 @@ private:
   /// Solves on the coarsest level.
   Cycle Coarsest;
   std::vector<Workspace> Levels;
-  /// Z: sections of the coarse level.
-  std::vector<Index> Chosen;
-  /// K_f Z by its columns, and by its rows: the adjoint's columns.
+  /// Whether anything is deflated.
+  bool Deflates = false;
+  /// Z
+  SparseRows Sections;
+  /// K_f Z by its columns, and by its rows.
   SparseMatrix CoarseColumns;
-  SparseMatrix CoarseRows;
+  SparseRows CoarseRows;
   Factorization CoarseFactor;
-  /// Prolongations from the coarse level to the finest; 0 where nothing is deflated.
-  std::size_t CoarseLevel = 0;
 };
 }
 

@@ -396,22 +396,22 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
   {
     return solution;
   }
-  // Half of the memory traffic of the two.
-  const SparseMatrix matrix =
-    this->EnergyFactor * this->Matrices.Energy + this->MassFactor * this->Matrices.Mass;
-  const auto times = [&](const ComplexVector& x) { return Product(matrix, x); };
-  const ComplexVector b = rightHandSide - times(solution.Vector);
-  // The gradient is K_f^* r: K r but at given vertices.
-  const auto gradientOf = [&](const ComplexVector& r)
+  const CombinedMatrix matrix(this->Matrices, this->EnergyFactor, this->MassFactor);
+  ComplexVector q;
+  matrix.Multiply(solution.Vector, q);
+  const ComplexVector b = rightHandSide - q;
+  // The gradient is K_f^* r: K r but at given vertices. Returns its norm.
+  const auto findGradient = [&](const ComplexVector& r, ComplexVector& gradient)
   {
-    ComplexVector gradient = times(r);
+    matrix.Multiply(r, gradient);
     for (const Index v : given.Vertices)
     {
       gradient[v] = 0.0;
     }
-    return gradient;
+    return Norm(gradient);
   };
-  const double size = Norm(gradientOf(b));
+  ComplexVector gradient;
+  const double size = findGradient(b, gradient);
   if (!(size > 0.0))
   {
     return solution;
@@ -425,20 +425,21 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
        preconditioner.IsUsable() && restart < MostRestarts && steps < MostSteps; ++restart)
   {
     ComplexVector better = x;
-    ComplexVector r = times(better) - b;
+    ComplexVector r;
+    matrix.Multiply(better, r);
+    r -= b;
     preconditioner.Deflate(better, r);
     r = -r;
-    ComplexVector gradient = gradientOf(r);
+    double slope = findGradient(r, gradient);
     ComplexVector z;
+    ComplexVector y;
     ComplexVector direction;
-    // K_f direction
-    ComplexVector q;
+    // q = K_f direction
     double previous = 0.0;
     for (bool first = true; steps < MostSteps && this->GoOn(); ++steps, first = false)
     {
-      preconditioner.Apply(gradient, z);
-      const double product = RealDot(gradient, z);
-      ComplexVector y = times(z);
+      const double product = preconditioner.Apply(gradient, slope, z);
+      matrix.Multiply(z, y);
       preconditioner.Deflate(z, y);
       if (first)
       {
@@ -468,13 +469,15 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
           better.segment(begin, length) += step * direction.segment(begin, length);
           r.segment(begin, length) -= step * q.segment(begin, length);
         });
-      gradient = gradientOf(r);
-      if (Norm(gradient) <= Margin * this->Tolerance * size)
+      slope = findGradient(r, gradient);
+      if (slope <= Margin * this->Tolerance * size)
       {
         break;
       }
     }
-    const double relative = Norm(gradientOf(b - times(better))) / size;
+    matrix.Multiply(better, q);
+    r = b - q;
+    const double relative = findGradient(r, gradient) / size;
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
     {

@@ -16,18 +16,19 @@ namespace
 {
 constexpr Index PieceRows = 2048;
 
-/// Calls visit(column, value, k) for the entries of a column of a Hermitian matrix: the row's are
-/// the conjugates.
-template <typename Visit>
-void ForEachEntry(const SparseMatrix& matrix, Index row, const Visit& visit)
+/// The arrays of a sparse matrix. Loops capture them by value, or each row would look them up anew.
+struct Entries
 {
-  const Index* inner = matrix.innerIndexPtr();
-  const Complex* values = matrix.valuePtr();
-  for (Index k = matrix.outerIndexPtr()[row]; k < matrix.outerIndexPtr()[row + 1]; ++k)
+  explicit Entries(const SparseMatrix& matrix)
+    : Begin(matrix.outerIndexPtr())
+    , Row(matrix.innerIndexPtr())
+    , Value(matrix.valuePtr())
   {
-    visit(inner[k], values[k], k);
   }
-}
+  const Index* Begin;
+  const Index* Row;
+  const Complex* Value;
+};
 
 /// Adds up conj(a) x; real and imaginary part at once.
 class ConjugateSum
@@ -49,15 +50,18 @@ private:
   Eigen::Array2d ByImaginary = Eigen::Array2d::Zero();
 };
 
+/// Calls body(v) for each row. A row of a Hermitian matrix is the conjugate of the column.
 template <typename Body>
-void ForEachRow(const SparseMatrix& matrix, const Body& body)
+void ForEachRow(Eigen::Index rows, const Body& body)
 {
-  ParallelFor(static_cast<Index>(matrix.cols()), PieceRows,
+  ParallelFor(static_cast<Index>(rows), PieceRows,
     [&](Index begin, Index end)
     {
-      for (Index row = begin; row < end; ++row)
+      // A copy of its own, which nothing that it writes can change.
+      const Body local = body;
+      for (Index v = begin; v < end; ++v)
       {
-        body(row);
+        local(v);
       }
     });
 }
@@ -66,14 +70,15 @@ void ForEachRow(const SparseMatrix& matrix, const Body& body)
 ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
 {
   ComplexVector y = Uninitialized(x.size());
-  ForEachRow(matrix,
-    [&](Index row)
+  ForEachRow(x.size(),
+    [a = Entries(matrix), from = x.data(), to = y.data()](Index v)
     {
       ConjugateSum sum;
-      ForEachEntry(matrix, row,
-        [&](Index column, const Complex& value, Index)
-        { sum.Add(value.real(), value.imag(), x[column]); });
-      y[row] = sum.Value();
+      for (Index k = a.Begin[v]; k < a.Begin[v + 1]; ++k)
+      {
+        sum.Add(a.Value[k].real(), a.Value[k].imag(), from[a.Row[k]]);
+      }
+      to[v] = sum.Value();
     });
   return y;
 }
@@ -81,18 +86,17 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
 ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x)
 {
   ComplexVector y = Uninitialized(x.size());
-  const Complex* mass = operators.Mass.valuePtr();
-  ForEachRow(operators.Energy,
-    [&](Index row)
+  ForEachRow(x.size(),
+    [a, m, energy = Entries(operators.Energy), mass = operators.Mass.valuePtr(), from = x.data(),
+      to = y.data()](Index v)
     {
       ConjugateSum sum;
-      ForEachEntry(operators.Energy, row,
-        [&](Index column, const Complex& value, Index k)
-        {
-          sum.Add(a * value.real() + m * mass[k].real(), a * value.imag() + m * mass[k].imag(),
-            x[column]);
-        });
-      y[row] = sum.Value();
+      for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+      {
+        sum.Add(a * energy.Value[k].real() + m * mass[k].real(),
+          a * energy.Value[k].imag() + m * mass[k].imag(), from[energy.Row[k]]);
+      }
+      to[v] = sum.Value();
     });
   return y;
 }
@@ -117,17 +121,20 @@ double CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
 {
   Resize(y, x.size());
   return ParallelSum<double>(static_cast<Index>(x.size()), PieceRows, 0.0,
-    [&](Index begin, Index end)
+    [a = Entries(this->Pattern), values = this->Values.data(), from = x.data(), to = y.data()](
+      Index begin, Index end)
     {
       double product = 0.0;
-      for (Index row = begin; row < end; ++row)
+      for (Index v = begin; v < end; ++v)
       {
         ConjugateSum sum;
-        ForEachEntry(this->Pattern, row,
-          [&](Index column, const Complex&, Index k)
-          { sum.Add(this->Values[k].real(), this->Values[k].imag(), x[column]); });
-        y[row] = sum.Value();
-        product += x[row].real() * y[row].real() + x[row].imag() * y[row].imag();
+        for (Index k = a.Begin[v]; k < a.Begin[v + 1]; ++k)
+        {
+          sum.Add(values[k].real(), values[k].imag(), from[a.Row[k]]);
+        }
+        const Complex value = sum.Value();
+        to[v] = value;
+        product += from[v].real() * value.real() + from[v].imag() * value.imag();
       }
       return product;
     });
@@ -140,15 +147,16 @@ double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
     [&](Index begin, Index end)
     { size.segment(begin, end - begin) = u.segment(begin, end - begin).cwiseAbs2().cwiseSqrt(); });
   return std::sqrt(ParallelSum<double>(static_cast<Index>(matrix.cols()), PieceRows, 0.0,
-    [&](Index begin, Index end)
+    [a = Entries(matrix), from = size.data()](Index begin, Index end)
     {
       double squares = 0.0;
-      for (Index row = begin; row < end; ++row)
+      for (Index v = begin; v < end; ++v)
       {
         double sum = 0.0;
-        ForEachEntry(matrix, row,
-          [&](Index column, const Complex& value, Index)
-          { sum += std::sqrt(std::norm(value)) * size[column]; });
+        for (Index k = a.Begin[v]; k < a.Begin[v + 1]; ++k)
+        {
+          sum += std::sqrt(std::norm(a.Value[k])) * from[a.Row[k]];
+        }
         squares += sum * sum;
       }
       return squares;
@@ -165,49 +173,48 @@ void SectionProducts::Set(const Operators& operators, ComplexVector vector)
   this->Vector = std::move(vector);
   Resize(this->Energy, this->Vector.size());
   Resize(this->Mass, this->Vector.size());
-  const Complex* mass = operators.Mass.valuePtr();
-  ForEachRow(operators.Energy,
-    [&](Index row)
+  ForEachRow(this->Vector.size(),
+    [energy = Entries(operators.Energy), mass = operators.Mass.valuePtr(),
+      from = this->Vector.data(), toEnergy = this->Energy.data(), toMass = this->Mass.data()](Index v)
     {
       ConjugateSum a;
       ConjugateSum m;
-      ForEachEntry(operators.Energy, row,
-        [&](Index column, const Complex& value, Index k)
-        {
-          a.Add(value.real(), value.imag(), this->Vector[column]);
-          m.Add(mass[k].real(), mass[k].imag(), this->Vector[column]);
-        });
-      this->Energy[row] = a.Value();
-      this->Mass[row] = m.Value();
+      for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+      {
+        const Complex x = from[energy.Row[k]];
+        a.Add(energy.Value[k].real(), energy.Value[k].imag(), x);
+        m.Add(mass[k].real(), mass[k].imag(), x);
+      }
+      toEnergy[v] = a.Value();
+      toMass[v] = m.Value();
     });
 }
 
 void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
 {
   constexpr int width = SectionBlock::Width;
-  const Complex* mass = operators.Mass.valuePtr();
-  ForEachRow(operators.Energy,
-    [&](Index row)
+  ForEachRow(operators.Energy.cols(),
+    [energy = Entries(operators.Energy), mass = operators.Mass.valuePtr(), x, ax, mx](Index v)
     {
       Eigen::Array4d real = Eigen::Array4d::Zero();
       Eigen::Array4d imaginary = Eigen::Array4d::Zero();
       // Of the mass no digits cancel.
       CompactValues<width> m;
-      ForEachEntry(operators.Energy, row,
-        [&](Index column, const Complex& value, Index k)
-        {
-          const CompactValues<width> from(x, column);
-          const Eigen::Array4d re = from.Real.cast<double>();
-          const Eigen::Array4d im = from.Imaginary.cast<double>();
-          real += value.real() * re + value.imag() * im;
-          imaginary += value.real() * im - value.imag() * re;
-          m.Add(CompactComplex(std::conj(mass[k])), from);
-        });
+      for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+      {
+        const Complex value = energy.Value[k];
+        const CompactValues<width> from(x, energy.Row[k]);
+        const Eigen::Array4d re = from.Real.cast<double>();
+        const Eigen::Array4d im = from.Imaginary.cast<double>();
+        real += value.real() * re + value.imag() * im;
+        imaginary += value.real() * im - value.imag() * re;
+        m.Add(CompactComplex(std::conj(mass[k])), from);
+      }
       CompactValues<width> a;
       a.Real = real.cast<float>();
       a.Imaginary = imaginary.cast<float>();
-      a.Store(ax, row);
-      m.Store(mx, row);
+      a.Store(ax, v);
+      m.Store(mx, v);
     });
 }
 }

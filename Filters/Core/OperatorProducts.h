@@ -25,6 +25,14 @@ public:
   /// y = K x, in the storage that there is; returns Re x^* y.
   double Multiply(const ComplexVector& x, ComplexVector& y) const;
 
+  using View = Eigen::Map<const SparseMatrix>;
+  /// The matrix itself, as long as this and the operators live.
+  View AsSparse() const
+  {
+    return { this->Pattern.rows(), this->Pattern.cols(), this->Pattern.nonZeros(),
+      this->Pattern.outerIndexPtr(), this->Pattern.innerIndexPtr(), this->Values.data() };
+  }
+
 private:
   const SparseMatrix& Pattern;
   LargeArray<Complex> Values;
