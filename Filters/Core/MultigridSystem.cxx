@@ -295,6 +295,11 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, Preconditioner&
         size = Size(system, u, rest, norm);
       }
     }
+    for (ComplexVector* const vector : { &r, &z, &p, &q })
+    {
+      // Their memory is what the products take.
+      vector->resize(0);
+    }
     SectionProducts products(system.Matrices, std::move(u));
     r = RestOf(system, products, b);
     rest = Norm(r);

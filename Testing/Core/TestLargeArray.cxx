@@ -50,9 +50,10 @@ TEST(LargeArray, AdviceLeavesValuesAlone)
   EXPECT_EQ(values, before);
 }
 
-TEST(LargeArray, WhatCannotBeAllocatedIsABadAllocation)
+TEST(LargeArray, MoreThanCanBeAddressedIsABadAllocation)
 {
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / sizeof(double);
   LargeArrayAllocator<double> allocator;
-  EXPECT_THROW(allocator.allocate(std::numeric_limits<std::size_t>::max() / 8), std::bad_alloc);
-  EXPECT_THROW(allocator.allocate(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
+  EXPECT_THROW(allocator.allocate(most + 1), std::bad_alloc);
+  EXPECT_THROW(allocator.allocate(2 * most), std::bad_alloc);
 }
