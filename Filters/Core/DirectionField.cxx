@@ -156,24 +156,18 @@ void Result::FirstAngles(Index begin, Index end, double* angles) const
   assert(end - begin <= FewPoints);
   const double period = 2.0 * Pi / this->Degree;
   const Index count = end - begin;
-  std::array<double, FewPoints> x{};
-  std::array<double, FewPoints> y{};
+  std::array<Complex, FewPoints> axis;
   std::array<double, FewPoints> wanted;
   for (Index i = 0; i < count; ++i)
   {
     const Vector3& normal = this->Normal[begin + i];
     // Where the first axis of space is nearly normal, the second.
-    const int axis = std::abs(normal[0]) < 1.0 - 1e-6 ? 0 : 1;
-    x[i] = this->XAxis[begin + i][axis];
-    y[i] = normal.cross(this->XAxis[begin + i])[axis];
+    const int c = std::abs(normal[0]) < 1.0 - 1e-6 ? 0 : 1;
+    const Vector3& x = this->XAxis[begin + i];
+    axis[i] = Complex(x[c], normal.cross(x)[c]);
   }
-  Arguments(x.data(), y.data(), count, wanted.data());
-  for (Index i = 0; i < count; ++i)
-  {
-    x[i] = this->Representation[begin + i].real();
-    y[i] = this->Representation[begin + i].imag();
-  }
-  Arguments(x.data(), y.data(), count, angles);
+  Arguments(axis.data(), count, wanted.data());
+  Arguments(this->Representation.data() + begin, count, angles);
   for (Index i = 0; i < count; ++i)
   {
     angles[i] /= this->Degree;

@@ -7,8 +7,6 @@
 #include "Threads.h"
 #include "VectorMath.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace DirectionFields
@@ -24,21 +22,7 @@ std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& 
   LargeArray<double> phase(mesh.GetNumberOfVertices());
   ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)
-    {
-      constexpr Index most = 64;
-      std::array<double, most> x;
-      std::array<double, most> y;
-      for (Index first = begin; first < end; first += most)
-      {
-        const Index count = std::min(most, end - first);
-        for (Index k = 0; k < count; ++k)
-        {
-          x[k] = field[first + k].real();
-          y[k] = field[first + k].imag();
-        }
-        Arguments(x.data(), y.data(), count, phase.data() + first);
-      }
-    });
+    { Arguments(field.data() + begin, end - begin, phase.data() + begin); });
   // Computed in the direction of the edge for both its triangles, and where the edge is seen from two
   // sides, on one of them: rounding must not break a tie between pi and -pi in two ways.
   const auto along = [&](Index side)

@@ -32,12 +32,13 @@ void Arctangents(const double* __restrict values, Index count, double* __restric
   }
 }
 
-void Arguments(const double* __restrict x, const double* __restrict y, Index count,
-  double* __restrict angles)
+void Arguments(const Complex* __restrict values, Index count, double* __restrict angles)
 {
+  // Pairs of numbers, as the standard guarantees.
+  const auto* const parts = reinterpret_cast<const double*>(values);
   for (Index k = 0; k < count; ++k)
   {
-    angles[k] = std::atan2(y[k], x[k]);
+    angles[k] = std::atan2(parts[2 * k + 1], parts[2 * k]);
   }
 }
 }

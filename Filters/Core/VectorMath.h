@@ -14,8 +14,8 @@ namespace DirectionFields
 /// @param angles in radians
 void CosinesAndSines(const double* angles, Index count, double* cosines, double* sines);
 void Arctangents(const double* values, Index count, double* angles);
-/// The angles of the points (x, y), -pi to pi; 0 for (0, 0).
-void Arguments(const double* x, const double* y, Index count, double* angles);
+/// Of complex numbers, -pi to pi; 0 for 0.
+void Arguments(const Complex* values, Index count, double* angles);
 }
 
 #endif

@@ -31,7 +31,12 @@ TEST(VectorMath, IsThatOfSingleNumbers)
     std::vector<double> arguments(count);
     CosinesAndSines(angles.data(), count, cosines.data(), sines.data());
     Arctangents(angles.data(), count, arctangents.data());
-    Arguments(cosines.data(), sines.data(), count, arguments.data());
+    std::vector<Complex> numbers(count);
+    for (Index k = 0; k < count; ++k)
+    {
+      numbers[k] = Complex(cosines[k], sines[k]);
+    }
+    Arguments(numbers.data(), count, arguments.data());
     for (Index k = 0; k < count; ++k)
     {
       EXPECT_NEAR(cosines[k], std::cos(angles[k]), Rounding);
@@ -46,19 +51,19 @@ TEST(VectorMath, ArgumentsOnTheAxesAndOfAnyLength)
 {
   for (const double length : { 1e-300, 1e-160, 1.0, 1e160, 1e300 })
   {
-    const std::vector<double> x{ length, 0.0, -length, 0.0, length, -length, length };
-    const std::vector<double> y{ 0.0, length, 0.0, -length, length, length, -length };
+    const std::vector<Complex> numbers{ length, { 0.0, length }, -length, { 0.0, -length },
+      { length, length }, { -length, length }, { length, -length } };
     const std::vector<double> expected{ 0.0, 0.5 * Pi, Pi, -0.5 * Pi, 0.25 * Pi, 0.75 * Pi,
       -0.25 * Pi };
-    std::vector<double> angles(x.size());
-    Arguments(x.data(), y.data(), static_cast<Index>(x.size()), angles.data());
-    for (std::size_t k = 0; k < x.size(); ++k)
+    std::vector<double> angles(numbers.size());
+    Arguments(numbers.data(), static_cast<Index>(numbers.size()), angles.data());
+    for (std::size_t k = 0; k < numbers.size(); ++k)
     {
       EXPECT_NEAR(angles[k], expected[k], 4.0 * Rounding) << length << ", " << k;
     }
   }
-  const std::vector<double> zeros(5, 0.0);
+  const std::vector<Complex> zeros(5, 0.0);
   std::vector<double> angles(5, 1.0);
-  Arguments(zeros.data(), zeros.data(), 5, angles.data());
-  EXPECT_EQ(angles, zeros);
+  Arguments(zeros.data(), 5, angles.data());
+  EXPECT_EQ(angles, std::vector<double>(5, 0.0));
 }

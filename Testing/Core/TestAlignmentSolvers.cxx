@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ComponentField.h"
+#include "DirectionField.h"
+#include "Stages.h"
+#include "TestMeshes.h"
+#include "TestSystem.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+using namespace DirectionFields;
+using namespace TestMeshes;
+
+TEST(AlignmentSolvers, AnyStrengthGivesAFieldThoughTheEigenvalueIsNotKnownWell)
+{
+  // lambda_t may not come above the true lambda_1, which is less than the computed one.
+  for (const Solver solver : { Solver::Direct, Solver::Multigrid })
+  {
+    for (const double tolerance : { 1e-6, 1e-2, 5e-2 })
+    {
+      for (const double strength : { 0.0, 1e-7, 1e-4, 1e-2 })
+      {
+        Options options;
+        options.Solver = solver;
+        options.Tolerance = tolerance;
+        options.MaximumIterations = tolerance > 1e-6 ? 5 : 200;
+        options.Alignment = Alignment::PrincipalCurvature;
+        options.AlignmentStrength = strength;
+        const Result result = DirectionField(Potato(4)).Compute(options);
+        const ComponentReport& report = result.Components[0];
+        EXPECT_LE(report.SystemResidual, tolerance) << strength;
+        EXPECT_LE(report.Lambda, report.Eigenvalue);
+        EXPECT_GE(report.SmoothnessEnergy, (1.0 - tolerance) * report.Eigenvalue);
+        EXPECT_EQ(report.IndexSum, 8);
+      }
+    }
+  }
+}
+
+TEST(AlignmentSolvers, NoSolverGivesAFieldOfZeros)
+{
+  // The energy of a flat square vanishes for many fields if s = 1.
+  Options options;
+  options.EnergyBias = 1.0;
+  options.AlignmentStrength = 1e-7;
+  options.Alignment = Alignment::PointVectors;
+  const Surface surface = Square(60);
+  Guidance guidance;
+  for (const Vector3& p : surface.Points)
+  {
+    guidance.Vectors.emplace_back(1.0, p[0] * p[1], 0.0);
+  }
+  for (const Solver solver : { Solver::Multigrid, Solver::Direct })
+  {
+    options.Solver = solver;
+    const Result result = DirectionField(surface).Compute(options, guidance);
+    double squares = 0.0;
+    for (const Complex& u : result.Representation)
+    {
+      squares += std::norm(u);
+    }
+    EXPECT_GT(squares, 0.1 * static_cast<double>(surface.Points.size()));
+    EXPECT_GE(result.Components[0].SmoothnessEnergy, 0.0);
+  }
+}
+
+TEST(AlignmentSolvers, ASystemThatIsNotSolvedLeavesTheSmoothestField)
+{
+  const System system(Potato(5), 4, 0.0);
+  EigenpairSettings settings;
+  settings.Scale = system.Scale;
+  const SmallestPairs pairs =
+    FindSmallestPairs(system.Matrices, {}, Solver::Multigrid, settings, {});
+  ASSERT_TRUE(pairs.Hierarchy);
+  std::unique_ptr<FreeSystem> free;
+  ReducedBasis solved;
+  const ComponentProblem problem{ system.Matrices, pairs, free, solved, system.Scale, 1.0,
+    RandomVector(system.Matrices.Energy.rows(), 1), {}, [] { return false; } };
+  Options options;
+  options.Solver = Solver::Multigrid;
+  ComponentReport report;
+  const ComplexVector u = SolveComponent(problem, options, report);
+  EXPECT_EQ(report.SystemResidual, 1.0);
+  EXPECT_NEAR(report.SmoothnessEnergy, pairs.First.Value, 1e-9 * pairs.First.Value);
+  const Complex overlap = pairs.First.Vector.dot(system.Matrices.Mass * u);
+  EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
+}
