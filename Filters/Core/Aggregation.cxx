@@ -32,7 +32,7 @@ Couplings FindCouplings(const LevelMatrices& matrices, int level)
 {
   const CompactMatrix& energy = matrices.Energy;
   const float part = StrongPart * std::pow(StrongPartDecay, static_cast<float>(level));
-  Couplings couplings{ LargeArray<float>(energy.Value.size()), energy.Diagonal };
+  Couplings couplings{ LargeArray<float>(energy.Entries()), energy.Diagonal };
   ParallelFor(energy.Rows(), PieceRows,
     [&](Index begin, Index end)
     {

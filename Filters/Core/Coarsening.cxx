@@ -184,8 +184,8 @@ void AddAdjoint(Prolongator& p, Index coarse)
     }
   }
   p.AdjointBegin[coarse] = place;
-  p.AdjointColumn.resize(p.Column.size());
-  p.AdjointValue.resize(p.Column.size());
+  ResizePadded(p.AdjointColumn, place);
+  ResizePadded(p.AdjointValue, place);
   ParallelFor(rows, partRows,
     [&](Index begin, Index end)
     {
@@ -239,13 +239,13 @@ template <int B>
 void Prolongator::Prolong(const float* y, float* x) const
 {
   ParallelFor(this->FineRows(), PieceRows,
-    [&](Index begin, Index end)
+    [y, x, first = this->Begin.data(), columns = this->Column.data(),
+      values = this->Value.data()](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum;
-        AddProducts<B>(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
-          y, sum);
+        AddFewProducts(values, columns, first[v], first[v + 1], y, sum);
         sum.Store(x, v);
       }
     });
@@ -255,13 +255,13 @@ template <int B>
 void Prolongator::AddTo(float* x, const float* y) const
 {
   ParallelFor(this->FineRows(), PieceRows,
-    [&](Index begin, Index end)
+    [y, x, first = this->Begin.data(), columns = this->Column.data(),
+      values = this->Value.data()](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum(x, v);
-        AddProducts<B>(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
-          y, sum);
+        AddFewProducts(values, columns, first[v], first[v + 1], y, sum);
         sum.Store(x, v);
       }
     });
@@ -271,13 +271,13 @@ template <int B>
 void Prolongator::Restrict(const float* x, float* y) const
 {
   ParallelFor(this->CoarseRows(), PieceRows / 4,
-    [&](Index begin, Index end)
+    [y, x, first = this->AdjointBegin.data(), columns = this->AdjointColumn.data(),
+      values = this->AdjointValue.data()](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
         CompactValues<B> sum;
-        AddManyProducts<B>(this->AdjointValue.data(), this->AdjointColumn.data(),
-          this->AdjointBegin[v], this->AdjointBegin[v + 1], x, sum);
+        AddManyProducts(values, columns, first[v], first[v + 1], x, sum);
         sum.Store(y, v);
       }
     });
@@ -317,8 +317,8 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level)
     });
   Prolongator p;
   p.Begin = rows.Begin();
-  p.Column.resize(p.Begin.back());
-  p.Value.resize(p.Begin.back());
+  ResizePadded(p.Column, p.Begin.back());
+  ResizePadded(p.Value, p.Begin.back());
   rows.ForEach(
     [&](Index row, Index k, const std::pair<Index, CompactComplex>& entry)
     {
@@ -375,8 +375,8 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
   coarse.Energy.Diagonal.resize(n);
   coarse.MassDiagonal.resize(n);
   coarse.Energy.Begin[n] = rowBegin[n] - n;
-  coarse.Energy.Column.resize(rowBegin[n] - n);
-  coarse.Energy.Value.resize(rowBegin[n] - n);
+  ResizePadded(coarse.Energy.Column, rowBegin[n] - n);
+  ResizePadded(coarse.Energy.Value, rowBegin[n] - n);
   coarse.MassValue.resize(rowBegin[n] - n);
   rows.ForEach(
     [&](Index row, Index k, const std::pair<Index, TwoEntries>& entry)

@@ -14,15 +14,15 @@ namespace DirectionFields
 CompactMatrix::CompactMatrix(const SparseMatrix& matrix)
 {
   const auto rows = static_cast<Index>(matrix.cols());
-  const auto entries = static_cast<std::size_t>(matrix.nonZeros()) - rows;
+  const auto entries = static_cast<Index>(matrix.nonZeros()) - rows;
   this->Begin.resize(rows + 1);
   this->Diagonal.resize(rows);
-  this->Column.resize(entries);
-  this->Value.resize(entries);
+  ResizePadded(this->Column, entries);
+  ResizePadded(this->Value, entries);
   const Index* outer = matrix.outerIndexPtr();
   const Index* inner = matrix.innerIndexPtr();
   const Complex* values = matrix.valuePtr();
-  this->Begin[rows] = static_cast<Index>(entries);
+  this->Begin[rows] = entries;
   ParallelFor(rows, PieceRows,
     [&](Index begin, Index end)
     {
@@ -51,6 +51,7 @@ void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
 {
   const Index rows = this->Rows();
   this->Inside.resize(rows);
+  ResizePadded(this->ColumnInBlock, this->Entries());
   std::vector<std::vector<Index>> boundary(NumberOfPieces(rows, BlockRows));
   ParallelFor(rows, BlockRows,
     [&](Index begin, Index end)
@@ -70,6 +71,12 @@ void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
           ++out;
         }
         this->Inside[v] = first + (out - in);
+        for (Index k = first; k < last; ++k)
+        {
+          const Index inside = in + (k - first);
+          this->ColumnInBlock[k] =
+            static_cast<std::uint16_t>(inside < out ? this->Column[inside] - begin : 0);
+        }
         if (out - in == last - first)
         {
           continue;
@@ -130,12 +137,80 @@ Index BoundaryFrom(const CompactMatrix& matrix, Index row)
     std::lower_bound(boundary.begin(), boundary.end(), row) - boundary.begin());
 }
 
+/// The arrays of a matrix. Loops take copies: what they write could not change those.
+struct Entries
+{
+  explicit Entries(const CompactMatrix& matrix)
+    : Begin(matrix.Begin.data())
+    , Inside(matrix.Inside.data())
+    , Column(matrix.Column.data())
+    , ColumnInBlock(matrix.ColumnInBlock.data())
+    , Value(matrix.Value.data())
+  {
+  }
+  const Index* Begin;
+  const Index* Inside;
+  const Index* Column;
+  const std::uint16_t* ColumnInBlock;
+  const CompactComplex* Value;
+
+  /// Adds what row v gets from its own block.
+  /// @param x begins with the block
+  template <int B>
+  void AddInside(Index v, const float* x, CompactValues<B>& sum) const
+  {
+    AddManyProducts(this->Value, this->ColumnInBlock, this->Begin[v], this->Inside[v], x, sum);
+  }
+  template <int B>
+  void AddOutside(Index v, const float* x, CompactValues<B>& sum) const
+  {
+    AddProducts(this->Value, this->Column, this->Inside[v], this->Begin[v + 1], x, sum);
+  }
+};
+
+/// A copy of the part of sections that belongs to a block: a sweep that changed the part itself would
+/// change what sums of other blocks look at, if only to hide it.
+template <int B>
+class BlockSections
+{
+public:
+  /// @param all zero if null
+  BlockSections(const float* all, Index begin, Index end)
+    : First(static_cast<std::size_t>(2 * B) * begin)
+    , Size(static_cast<std::size_t>(2 * B) * (end - begin))
+  {
+    if (all)
+    {
+      std::copy_n(all + this->First, this->Size, this->Values.data());
+    }
+    std::fill(this->Values.begin() + (all ? this->Size : 0), this->Values.end(), 0.0f);
+  }
+  float* data() { return this->Values.data(); }
+  void CopyTo(float* all) const { std::copy_n(this->Values.data(), this->Size, all + this->First); }
+
+private:
+  std::size_t First;
+  std::size_t Size;
+  /// As many as columns may refer to that sums hide.
+  std::array<float, static_cast<std::size_t>(2 * B) * BlockRows> Values;
+};
+
+template <typename Body>
+void ForRows(Index begin, Index end, Body body)
+{
+  for (Index v = begin; v < end; ++v)
+  {
+    body(v);
+  }
+}
+
 /// Calls body(v, half) for the rows of a block. The two halves take turns, so that a row does not wait
 /// for the one before.
 template <typename Body>
-void ForBlockRows(Index begin, Index middle, Index end, SweepOrder order, const Body& body)
+void ForBlockRows(Index begin, Index end, SweepOrder order, Body body)
 {
-  const Index half = middle - begin;
+  const Index half = (end - begin) / 2;
+  const Index middle = begin + half;
   if (order == SweepOrder::Down)
   {
     for (Index i = 0; i < half; ++i)
@@ -159,85 +234,120 @@ void ForBlockRows(Index begin, Index middle, Index end, SweepOrder order, const 
   }
 }
 
-/// Sweeps the rows of a block.
-/// @param outside what the rows of the boundary get from other blocks; or null
-template <int B>
-void SweepBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, const float* outside, Index begin, Index end, float* x)
+/// Calls body(j, v) for the rows v of the boundary.
+template <typename Body>
+void ForBoundary(const CompactMatrix& matrix, const Body& body)
 {
-  const Index middle = begin + (end - begin) / 2;
-  const float kept = 1.0f - diagonal.Relaxation;
-  const auto sweep = [&](Index v, CompactValues<B>& sum)
-  {
-    AddManyProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Begin[v],
-      matrix.Inside[v], x, sum);
-    sum.AddReal(-1.0f, b, v);
-    sum.Scale(-diagonal.Inverse[v]);
-    sum.AddReal(kept, x, v);
-    sum.Store(x, v);
-  };
-  if (!outside)
-  {
-    ForBlockRows(begin, middle, end, order,
-      [&](Index v, int)
-      {
-        CompactValues<B> sum;
-        sweep(v, sum);
-      });
-    return;
-  }
-  const bool isDown = order == SweepOrder::Down;
-  // Of the next row of the boundary in each half; upwards, of the one before.
-  std::array<Index, 2> next{ BoundaryFrom(matrix, isDown ? begin : middle),
-    BoundaryFrom(matrix, isDown ? middle : end) };
-  ForBlockRows(begin, middle, end, order,
-    [&](Index v, int half)
+  ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
+    [boundary = matrix.Boundary.data(), body](Index begin, Index end)
     {
-      CompactValues<B> sum;
-      if (matrix.Inside[v] < matrix.Begin[v + 1])
+      const Body local = body;
+      for (Index j = begin; j < end; ++j)
       {
-        sum.AddReal(1.0f, outside, isDown ? next[half]++ : --next[half]);
+        local(j, boundary[j]);
       }
-      sweep(v, sum);
     });
+}
+
+/// b - d x - sum in row v of b.
+template <int B>
+void StoreRest(CompactValues<B> sum, float d, const float* x, Index at, const float* b, Index v,
+  float* r)
+{
+  sum.AddReal(d, x, at);
+  sum.Scale(-1.0f);
+  sum.AddReal(1.0f, b, v);
+  sum.Store(r, v);
 }
 }
 
 template <int B>
-void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x)
+void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+  float* x, float* r)
 {
+  const Entries entries(matrix);
   ParallelFor(matrix.Rows(), BlockRows,
-    [&](Index begin, Index end)
+    [=, &diagonal](Index begin, Index end)
     {
+      BlockSections<B> block(nullptr, begin, end);
       // Products with zeros take less time than to tell which rows come first.
-      std::fill(x + static_cast<std::size_t>(2 * B) * begin,
-        x + static_cast<std::size_t>(2 * B) * end, 0.0f);
-      SweepBlock<B>(matrix, diagonal, order, b, nullptr, begin, end, x);
+      ForBlockRows(begin, end, SweepOrder::Down,
+        [=, inverse = diagonal.Inverse.data(), own = block.data()](Index v, int)
+        {
+          CompactValues<B> sum;
+          entries.AddInside<B>(v, own, sum);
+          sum.AddReal(-1.0f, b, v);
+          sum.Scale(-inverse[v]);
+          sum.Store(own, v - begin);
+        });
+      block.CopyTo(x);
+      if (!r)
+      {
+        return;
+      }
+      // The block's part of the matrix is still in the cache.
+      ForRows(begin, end,
+        [=, d = diagonal.Diagonal.data(), own = block.data()](Index v)
+        {
+          CompactValues<B> sum;
+          entries.AddInside<B>(v, own, sum);
+          StoreRest<B>(sum, d[v], own, v - begin, b, v, r);
+        });
     });
+  if (r)
+  {
+    ForBoundary(matrix,
+      [=](Index, Index v)
+      {
+        CompactValues<B> sum;
+        entries.AddOutside<B>(v, x, sum);
+        sum.Scale(-1.0f);
+        sum.AddReal(1.0f, r, v);
+        sum.Store(r, v);
+      });
+  }
 }
 
 template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
   const float* b, float* x)
 {
+  const Entries entries(matrix);
   CompactSections outside(2 * B * matrix.Boundary.size());
-  ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
-    [&](Index begin, Index end)
+  ForBoundary(matrix,
+    [=, extra = diagonal.Extra.data(), to = outside.data()](Index j, Index v)
     {
-      for (Index j = begin; j < end; ++j)
-      {
-        const Index v = matrix.Boundary[j];
-        CompactValues<B> sum;
-        AddProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Inside[v],
-          matrix.Begin[v + 1], x, sum);
-        sum.AddReal(-diagonal.Extra[j], x, v);
-        sum.Store(outside.data(), j);
-      }
+      CompactValues<B> sum;
+      entries.AddOutside<B>(v, x, sum);
+      sum.AddReal(-extra[j], x, v);
+      sum.Store(to, j);
     });
+  const bool isDown = order == SweepOrder::Down;
   ParallelFor(matrix.Rows(), BlockRows,
-    [&](Index begin, Index end)
-    { SweepBlock<B>(matrix, diagonal, order, b, outside.data(), begin, end, x); });
+    [=, &matrix, &diagonal, &outside](Index begin, Index end)
+    {
+      const Index middle = begin + (end - begin) / 2;
+      // Of the next row of the boundary in each half; upwards, of the one before.
+      std::array<Index, 2> next{ BoundaryFrom(matrix, isDown ? begin : middle),
+        BoundaryFrom(matrix, isDown ? middle : end) };
+      BlockSections<B> block(x, begin, end);
+      ForBlockRows(begin, end, order,
+        [=, kept = 1.0f - diagonal.Relaxation, inverse = diagonal.Inverse.data(),
+          from = outside.data(), own = block.data()](Index v, int half) mutable
+        {
+          CompactValues<B> sum;
+          if (entries.Inside[v] < entries.Begin[v + 1])
+          {
+            sum.AddReal(1.0f, from, isDown ? next[half]++ : --next[half]);
+          }
+          entries.AddInside<B>(v, own, sum);
+          sum.AddReal(-1.0f, b, v);
+          sum.Scale(-inverse[v]);
+          sum.AddReal(kept, own, v - begin);
+          sum.Store(own, v - begin);
+        });
+      block.CopyTo(x);
+    });
 }
 
 template <int B>
@@ -245,18 +355,16 @@ void Rest(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const floa
   const float* x, float* r)
 {
   ParallelFor(matrix.Rows(), CompactMatrix::PieceRows,
-    [&](Index begin, Index end)
+    [=, entries = Entries(matrix), d = diagonal.Diagonal.data()](Index begin, Index end)
     {
-      for (Index v = begin; v < end; ++v)
-      {
-        CompactValues<B> sum;
-        sum.AddReal(diagonal.Diagonal[v], x, v);
-        AddManyProducts<B>(matrix.Value.data(), matrix.Column.data(), matrix.Begin[v],
-          matrix.Begin[v + 1], x, sum);
-        sum.AddReal(-1.0f, b, v);
-        sum.Scale(-1.0f);
-        sum.Store(r, v);
-      }
+      ForRows(begin, end,
+        [=](Index v)
+        {
+          CompactValues<B> sum;
+          AddManyProducts(
+            entries.Value, entries.Column, entries.Begin[v], entries.Begin[v + 1], x, sum);
+          StoreRest<B>(sum, d[v], x, v, b, v, r);
+        });
     });
 }
 
@@ -265,9 +373,9 @@ template void Sweep<1>(
 template void Sweep<4>(
   const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
 template void SweepFromZero<1>(
-  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+  const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
 template void SweepFromZero<4>(
-  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+  const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
 template void Rest<1>(
   const CompactMatrix&, const SweepDiagonal&, const float*, const float*, float*);
 template void Rest<4>(

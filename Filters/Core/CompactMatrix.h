@@ -6,6 +6,7 @@
 
 #include "CompactValues.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace DirectionFields
@@ -28,6 +29,8 @@ struct CompactMatrix
   LargeArray<Index> Begin;
   LargeArray<Index> Inside;
   LargeArray<Index> Column;
+  /// The same counted from the first row of the block; 0 for columns of other blocks.
+  LargeArray<std::uint16_t> ColumnInBlock;
   LargeArray<CompactComplex> Value;
   LargeArray<float> Diagonal;
   /// The rows with entries in columns of other blocks, ascending.
@@ -37,11 +40,14 @@ struct CompactMatrix
   /// Rounds a Hermitian matrix.
   explicit CompactMatrix(const SparseMatrix& matrix);
 
-  /// Brings the entries of rows with ascending columns in order, and fills in Inside and Boundary.
+  /// Brings the entries of rows with ascending columns in order, and fills in Inside, ColumnInBlock
+  /// and Boundary.
   /// @param other has the same pattern, and gets the same order
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
+  /// But for the diagonal.
+  Index Entries() const { return this->Begin.back(); }
 
   /// Row v of A x.
   template <int B>
@@ -49,8 +55,8 @@ struct CompactMatrix
   {
     CompactValues<B> sum;
     sum.AddReal(this->Diagonal[v], x, v);
-    AddManyProducts<B>(this->Value.data(), this->Column.data(), this->Begin[v],
-      this->Begin[v + 1], x, sum);
+    AddManyProducts(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
+      x, sum);
     return sum;
   }
 };
@@ -85,10 +91,11 @@ template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
   const float* b, float* x);
 
-/// One sweep that starts from zero.
+/// One sweep down that starts from zero.
+/// @param r b - (A + shift m) x, in the same pass over the matrix; or null
 template <int B>
-void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x);
+void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+  float* x, float* r = nullptr);
 
 /// r = b - (A + shift m) x
 template <int B>

@@ -7,6 +7,7 @@
 #include "LargeArray.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstring>
@@ -73,6 +74,8 @@ struct CompactValues
     this->Real *= factor;
     this->Imaginary *= factor;
   }
+  /// Of the first section.
+  CompactComplex Value() const { return { this->Real[0], this->Imaginary[0] }; }
 
 private:
   static const float* At(const float* sections, Index v)
@@ -81,9 +84,65 @@ private:
   }
 };
 
+#if defined(__GNUC__)
+/// One section in a register: its real and its imaginary part, then two numbers that do not matter.
+template <>
+struct CompactValues<1>
+{
+  typedef float Numbers __attribute__((vector_size(4 * sizeof(float))));
+  /// Two floats are moved as one double, which is never computed with.
+  typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
+  Numbers Lanes{};
+
+  CompactValues() = default;
+  CompactValues(const float* sections, Index v)
+    : Lanes((Numbers)Pair{ Both(sections + 2 * static_cast<std::size_t>(v)), 0.0 })
+  {
+  }
+  void Store(float* sections, Index v) const
+  {
+    typedef float Two __attribute__((vector_size(2 * sizeof(float)), aligned(alignof(float))));
+    *reinterpret_cast<Two*>(sections + 2 * static_cast<std::size_t>(v)) =
+      Two{ this->Lanes[0], this->Lanes[1] };
+  }
+  CompactComplex Value() const { return { this->Lanes[0], this->Lanes[1] }; }
+  void Add(const CompactComplex& factor, const CompactValues& other)
+  {
+    const Numbers& x = other.Lanes;
+    this->Lanes += factor.real() * x + factor.imag() * Numbers{ -x[1], x[0], 0.0f, 0.0f };
+  }
+  void Add(const CompactComplex& factor, const float* sections, Index v)
+  {
+    this->Add(factor, CompactValues(sections, v));
+  }
+  void AddReal(float factor, const float* sections, Index v)
+  {
+    this->Lanes += factor * CompactValues(sections, v).Lanes;
+  }
+  void Scale(float factor) { this->Lanes *= factor; }
+
+  static double Both(const float* at)
+  {
+    typedef double Double __attribute__((may_alias, aligned(alignof(float))));
+    return *reinterpret_cast<const Double*>(at);
+  }
+};
+#endif
+
+/// Products are added up in groups: arrays of factors and vertices have so many elements, zeros, after
+/// the last row's.
+constexpr Index Padding = 6;
+
+template <typename T>
+void ResizePadded(LargeArray<T>& array, Index count)
+{
+  array.resize(static_cast<std::size_t>(count) + Padding);
+  std::fill(array.end() - Padding, array.end(), T(0));
+}
+
 /// Adds factors[k] times the values of vertex vertices[k], k = begin ... end - 1, to a sum.
-template <int B>
-inline void AddProducts(const CompactComplex* factors, const Index* vertices, Index begin, Index end,
+template <int B, typename Vertex>
+inline void AddProducts(const CompactComplex* factors, const Vertex* vertices, Index begin, Index end,
   const float* sections, CompactValues<B>& sum)
 {
   for (Index k = begin; k < end; ++k)
@@ -92,50 +151,108 @@ inline void AddProducts(const CompactComplex* factors, const Index* vertices, In
   }
 }
 
-/// The same for more than a few: two products at once, if it is one section.
-template <int B>
-inline void AddManyProducts(const CompactComplex* factors, const Index* vertices, Index begin,
+/// The same, six at once if it is one section. All arrays are padded; factors and sections after the
+/// end, too, are finite.
+template <int B, typename Vertex>
+inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
+  Index end, const float* sections, CompactValues<B>& sum)
+{
+  AddProducts<B>(factors, vertices, begin, end, sections, sum);
+}
+
+/// The same for rows with four entries or fewer, as a rule.
+template <int B, typename Vertex>
+inline void AddFewProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<B>& sum)
 {
   AddProducts<B>(factors, vertices, begin, end, sections, sum);
 }
 
 #if defined(__GNUC__)
-template <>
-inline void AddManyProducts<1>(const CompactComplex* factors, const Index* vertices, Index begin,
+/// Adds up products, two at once.
+template <typename Vertex>
+class PairSum
+{
+  using Values = CompactValues<1>;
+  using Numbers = Values::Numbers;
+  typedef int Bits __attribute__((vector_size(4 * sizeof(int))));
+
+public:
+  PairSum(const CompactComplex* factors, const Vertex* vertices, const float* sections)
+    : Factors(factors)
+    , Vertices(vertices)
+    , Sections(sections)
+  {
+  }
+  /// Products begin to end - 1.
+  /// @tparam Pairs that are computed without a branch, where there are not more
+  template <int Pairs>
+  void Add(Index begin, Index end)
+  {
+    for (; end - begin > 2 * Pairs; begin += 2)
+    {
+      Numbers a;
+      std::memcpy(&a, this->Factors + begin, sizeof(a));
+      this->AddPair(a, begin);
+    }
+    // A window on these hides the factors after the end: their number is hard to predict, a branch
+    // that goes wrong takes longer than products with zeros.
+    static constexpr long long shown[] = { -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0 };
+    static_assert(2 * Pairs <= Padding && Padding == 6, "the window's size");
+    const long long* const window = shown + Padding - (end - begin);
+    for (int pair = 0; pair < Pairs; ++pair)
+    {
+      Bits a;
+      Bits mask;
+      std::memcpy(&a, this->Factors + begin + 2 * pair, sizeof(a));
+      std::memcpy(&mask, window + 2 * pair, sizeof(mask));
+      this->AddPair((Numbers)(a & mask), begin + 2 * pair);
+    }
+  }
+  /// The sum in the first two numbers.
+  Numbers Total() const
+  {
+    // i times (x, y) is (-y, x).
+    const Numbers& i = this->ByImaginary;
+    const Numbers products =
+      this->ByReal + Numbers{ i[1], i[0], i[3], i[2] } * Numbers{ -1.0f, 1.0f, -1.0f, 1.0f };
+    return products + Numbers{ products[2], products[3], products[2], products[3] };
+  }
+
+private:
+  double Section(Index k) const
+  {
+    return Values::Both(this->Sections + 2 * static_cast<std::size_t>(this->Vertices[k]));
+  }
+  void AddPair(const Numbers& a, Index k)
+  {
+    const auto x = (Numbers)Values::Pair{ this->Section(k), this->Section(k + 1) };
+    this->ByReal += Numbers{ a[0], a[0], a[2], a[2] } * x;
+    this->ByImaginary += Numbers{ a[1], a[1], a[3], a[3] } * x;
+  }
+  const CompactComplex* Factors;
+  const Vertex* Vertices;
+  const float* Sections;
+  Numbers ByReal{};
+  Numbers ByImaginary{};
+};
+
+template <typename Vertex>
+inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<1>& sum)
 {
-  typedef float Numbers __attribute__((vector_size(4 * sizeof(float))));
-  typedef double Pairs __attribute__((vector_size(2 * sizeof(double))));
-  // A pair of floats is moved as one double, which is never computed with.
-  const auto pair = [](const void* at)
-  {
-    double both;
-    std::memcpy(&both, at, sizeof(both));
-    return both;
-  };
-  const auto section = [&](Index k)
-  { return pair(sections + 2 * static_cast<std::size_t>(vertices[k])); };
-  Numbers byReal{ sum.Real[0], sum.Imaginary[0], 0.0f, 0.0f };
-  Numbers byImaginary{};
-  const auto add = [&](const Numbers& a, const Numbers& x)
-  {
-    byReal += Numbers{ a[0], a[0], a[2], a[2] } * x;
-    byImaginary += Numbers{ a[1], a[1], a[3], a[3] } * x;
-  };
-  Index k = begin;
-  for (; k + 1 < end; k += 2)
-  {
-    Numbers a;
-    std::memcpy(&a, factors + k, sizeof(a));
-    add(a, (Numbers)Pairs{ section(k), section(k + 1) });
-  }
-  if (k < end)
-  {
-    add((Numbers)Pairs{ pair(factors + k), 0.0 }, (Numbers)Pairs{ section(k), 0.0 });
-  }
-  sum.Real[0] = (byReal[0] + byReal[2]) - (byImaginary[1] + byImaginary[3]);
-  sum.Imaginary[0] = (byReal[1] + byReal[3]) + (byImaginary[0] + byImaginary[2]);
+  PairSum<Vertex> products(factors, vertices, sections);
+  products.template Add<3>(begin, end);
+  sum.Lanes += products.Total();
+}
+
+template <typename Vertex>
+inline void AddFewProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
+  Index end, const float* sections, CompactValues<1>& sum)
+{
+  PairSum<Vertex> products(factors, vertices, sections);
+  products.template Add<2>(begin, end);
+  sum.Lanes += products.Total();
 }
 #endif
 }

@@ -193,11 +193,12 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     const Sums products = SumRows(rows,
       [&](Index v, FewSums& sums)
       {
-        CompactValues<1> value = matrix.RowTimes<1>(v, p);
-        value.AddReal(static_cast<float>(shift) * this->Finest.LumpedMass[v], p, v);
-        value.Store(q, v);
-        sums.Add(this->Deflated.Vectors, v, value.Real[0], value.Imaginary[0]);
-        sums.Other += p[2 * v] * value.Real[0] + p[2 * v + 1] * value.Imaginary[0];
+        CompactValues<1> product = matrix.RowTimes<1>(v, p);
+        product.AddReal(static_cast<float>(shift) * this->Finest.LumpedMass[v], p, v);
+        product.Store(q, v);
+        const CompactComplex value = product.Value();
+        sums.Add(this->Deflated.Vectors, v, value.real(), value.imag());
+        sums.Other += p[2 * v] * value.real() + p[2 * v + 1] * value.imag();
       });
     if (!(products.Other > 0.0))
     {

@@ -288,7 +288,7 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
   }
   else
   {
-    SweepFromZero<1>(matrix, own.Diagonal, SweepOrder::Down, right, x);
+    SweepFromZero<1>(matrix, own.Diagonal, right, x);
     for (int sweep = 1; sweep < Sweeps; ++sweep)
     {
       Sweep<1>(matrix, own.Diagonal, SweepOrder::Down, right, x);

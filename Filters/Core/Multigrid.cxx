@@ -97,10 +97,10 @@ double Multigrid::OperatorComplexity() const
   double entries = 0.0;
   for (const Level& level : this->Levels)
   {
-    entries += static_cast<double>(level.Matrices.Energy.Value.size()) + level.Rows();
+    entries += static_cast<double>(level.Matrices.Energy.Entries()) + level.Rows();
   }
   const Level& finest = this->Levels.front();
-  return entries / (static_cast<double>(finest.Matrices.Energy.Value.size()) + finest.Rows());
+  return entries / (static_cast<double>(finest.Matrices.Energy.Entries()) + finest.Rows());
 }
 
 Cycle::Cycle(const Multigrid& hierarchy, double shift)
@@ -187,8 +187,7 @@ void Cycle::Apply(const float* b, float* y, std::size_t level) const
     coarser.Right.resize(coarse);
     coarser.Up.resize(coarse);
   }
-  SweepFromZero<B>(matrix, this->Diagonals[level], SweepOrder::Down, b, y);
-  DirectionFields::Rest<B>(matrix, this->Diagonals[level], b, y, own.Rest.data());
+  SweepFromZero<B>(matrix, this->Diagonals[level], b, y, own.Rest.data());
   fromCoarser.Restrict<B>(own.Rest.data(), coarser.Right.data());
   this->Apply<B>(coarser.Right.data(), coarser.Up.data(), level + 1);
   if (level + 1 >= FirstTwice && level + 2 < levels.size())

@@ -273,6 +273,33 @@ TEST(Geometry, SameBytesForAnyNumberOfThreads)
   EXPECT_EQ(numbers(3), serial);
 }
 
+/// Of more vertices than are looked at in one piece.
+TEST(Singularities, IndicesAreThoseOfEachTriangleAlone)
+{
+  const int degree = 4;
+  const Geometry g(Potato(5));
+  std::vector<Complex> field;
+  for (Index v = 0; v < g.Mesh.GetNumberOfVertices(); ++v)
+  {
+    field.push_back(std::polar(1.0 + 0.1 * (v % 7), 0.7 * v));
+  }
+  const std::vector<int> indices = SingularityIndices(g.Mesh, g.Transport, degree, field);
+  int singular = 0;
+  for (Index t = 0; t < g.Mesh.GetNumberOfTriangles(); ++t)
+  {
+    double sum = degree * g.Transport.Curvature[t];
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const Complex transported = std::polar(1.0, degree * g.Transport.RotationAlong(g.Mesh, h)) *
+        field[g.Mesh.Tail(h)];
+      sum += std::arg(field[g.Mesh.Head(h)] / transported);
+    }
+    ASSERT_NEAR(sum / (2.0 * Pi), indices[t], 1e-9) << t;
+    singular += indices[t] != 0;
+  }
+  EXPECT_GT(singular, 1000);
+}
+
 TEST(Connection, ScaledCornerAnglesFillTheConesOfTheVertices)
 {
   for (const Surface& surface : { Cube(), Potato(2), Disk(4), Hemisphere(2) })

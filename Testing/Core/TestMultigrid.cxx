@@ -158,9 +158,9 @@ TEST(Multigrid, SweepsInOppositeOrdersAreAdjoint)
   const ComplexVector b = RandomVector(matrix.Rows(), 1);
   const ComplexVector c = RandomVector(matrix.Rows(), 2);
   CompactSections down(2 * rows);
-  CompactSections up(2 * rows);
-  SweepFromZero<1>(matrix, diagonal, SweepOrder::Down, Compact(b).data(), down.data());
-  SweepFromZero<1>(matrix, diagonal, SweepOrder::Up, Compact(c).data(), up.data());
+  CompactSections up(2 * rows, 0.0f);
+  SweepFromZero<1>(matrix, diagonal, Compact(b).data(), down.data());
+  Sweep<1>(matrix, diagonal, SweepOrder::Up, Compact(c).data(), up.data());
   const Complex one = c.dot(Widened(down));
   const Complex other = Widened(up).dot(b);
   EXPECT_LT(std::abs(one - other), 1e-5 * b.norm() * Widened(up).norm());
@@ -176,10 +176,14 @@ TEST(Multigrid, SweepsInOppositeOrdersAreAdjoint)
 
   // To go on from x is to add what a sweep finds for the rest.
   CompactSections correction(2 * rows);
-  SweepFromZero<1>(matrix, diagonal, SweepOrder::Down, rest.data(), correction.data());
+  CompactSections left(2 * rows);
+  SweepFromZero<1>(matrix, diagonal, rest.data(), correction.data(), left.data());
   const ComplexVector sum = Widened(up) + Widened(correction);
   Sweep<1>(matrix, diagonal, SweepOrder::Down, Compact(b).data(), up.data());
   EXPECT_LT((Widened(up) - sum).norm(), 1e-5 * sum.norm());
+  // Found in the same pass, the rest is the same.
+  Rest<1>(matrix, diagonal, Compact(b).data(), up.data(), rest.data());
+  EXPECT_LT((Widened(rest) - Widened(left)).norm(), 1e-5 * Widened(rest).norm());
 }
 
 TEST(Multigrid, CyclesAreSymmetricAndPositive)
@@ -202,6 +206,22 @@ TEST(Multigrid, CyclesAreSymmetricAndPositive)
       EXPECT_GT(a.dot(x).real(), 0.0);
     }
   }
+}
+
+/// The parallel field, of energy 0: not more than the coarsest level's shift allows.
+TEST(Multigrid, CyclesAreBoundedWhereTheEigenvalueIsZero)
+{
+  const System system(Square(60), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Cycle cycle(hierarchy, 0.0);
+  ASSERT_TRUE(cycle.IsUsable());
+  const ComplexVector parallel = ByMultigrid(system).Vector;
+  EXPECT_LT(parallel.dot(system.Matrices.Energy * parallel).real(), 1e-10 * system.Scale);
+  const ComplexVector right = system.Matrices.Mass * parallel;
+  const double product = right.dot(Applied(cycle, right)).real();
+  EXPECT_GT(product * cycle.GetCoarsestShift(), 0.5);
+  EXPECT_LT(product * cycle.GetCoarsestShift(), 1.5);
+  EXPECT_GT(cycle.GetCoarsestShift(), 1e-3 * system.Scale);
 }
 
 TEST(Multigrid, CyclesReduceTheErrorAtAnySize)
