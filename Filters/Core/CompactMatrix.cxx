@@ -96,6 +96,40 @@ void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
   {
     this->Boundary.insert(this->Boundary.end(), piece.begin(), piece.end());
   }
+  this->CollectOutside();
+}
+
+void CompactMatrix::CollectOutside()
+{
+  const auto count = static_cast<Index>(this->Boundary.size());
+  this->OutsideBegin.resize(count + 1);
+  this->OutsideBegin[0] = 0;
+  for (Index j = 0; j < count; ++j)
+  {
+    const Index v = this->Boundary[j];
+    this->OutsideBegin[j + 1] = this->OutsideBegin[j] + this->Begin[v + 1] - this->Inside[v];
+  }
+  this->OutsideColumn.resize(this->OutsideBegin[count]);
+  this->OutsideValue.resize(this->OutsideBegin[count]);
+  ParallelFor(count, PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index j = begin; j < end; ++j)
+      {
+        const Index first = this->Inside[this->Boundary[j]] - this->OutsideBegin[j];
+        for (Index k = this->OutsideBegin[j]; k < this->OutsideBegin[j + 1]; ++k)
+        {
+          this->OutsideColumn[k] = this->BoundaryFrom(this->Column[first + k]);
+          this->OutsideValue[k] = this->Value[first + k];
+        }
+      }
+    });
+}
+
+Index CompactMatrix::BoundaryFrom(Index row) const
+{
+  return static_cast<Index>(
+    std::lower_bound(this->Boundary.begin(), this->Boundary.end(), row) - this->Boundary.begin());
 }
 
 SweepDiagonal::SweepDiagonal(
@@ -129,14 +163,6 @@ namespace
 {
 constexpr Index BlockRows = CompactMatrix::BlockRows;
 
-/// The first row of the boundary, counted in it, from a row on.
-Index BoundaryFrom(const CompactMatrix& matrix, Index row)
-{
-  const LargeArray<Index>& boundary = matrix.Boundary;
-  return static_cast<Index>(
-    std::lower_bound(boundary.begin(), boundary.end(), row) - boundary.begin());
-}
-
 /// The arrays of a matrix. Loops take copies: what they write could not change those.
 struct Entries
 {
@@ -160,11 +186,6 @@ struct Entries
   void AddInside(Index v, const float* x, CompactValues<B>& sum) const
   {
     AddManyProducts(this->Value, this->ColumnInBlock, this->Begin[v], this->Inside[v], x, sum);
-  }
-  template <int B>
-  void AddOutside(Index v, const float* x, CompactValues<B>& sum) const
-  {
-    AddProducts(this->Value, this->Column, this->Inside[v], this->Begin[v + 1], x, sum);
   }
 };
 
@@ -234,17 +255,22 @@ void ForBlockRows(Index begin, Index end, SweepOrder order, Body body)
   }
 }
 
-/// Calls body(j, v) for the rows v of the boundary.
-template <typename Body>
-void ForBoundary(const CompactMatrix& matrix, const Body& body)
+/// Calls body(j, v, sum) for the rows v of the boundary with what they get from other blocks.
+/// @param x of the boundary
+template <int B, typename Body>
+void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
 {
   ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
-    [boundary = matrix.Boundary.data(), body](Index begin, Index end)
+    [x, body, boundary = matrix.Boundary.data(), first = matrix.OutsideBegin.data(),
+      columns = matrix.OutsideColumn.data(), values = matrix.OutsideValue.data()](
+      Index begin, Index end)
     {
       const Body local = body;
       for (Index j = begin; j < end; ++j)
       {
-        local(j, boundary[j]);
+        CompactValues<B> sum;
+        AddProducts(values, columns, first[j], first[j + 1], x, sum);
+        local(j, boundary[j], sum);
       }
     });
 }
@@ -266,8 +292,9 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
   float* x, float* r)
 {
   const Entries entries(matrix);
+  CompactSections boundary(2 * B * matrix.Boundary.size());
   ParallelFor(matrix.Rows(), BlockRows,
-    [=, &diagonal](Index begin, Index end)
+    [=, &matrix, &diagonal, &boundary](Index begin, Index end)
     {
       BlockSections<B> block(nullptr, begin, end);
       // Products with zeros take less time than to tell which rows come first.
@@ -285,6 +312,10 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
       {
         return;
       }
+      for (Index j = matrix.BoundaryFrom(begin), last = matrix.BoundaryFrom(end); j < last; ++j)
+      {
+        CompactValues<B>(block.data(), matrix.Boundary[j] - begin).Store(boundary.data(), j);
+      }
       // The block's part of the matrix is still in the cache.
       ForRows(begin, end,
         [=, d = diagonal.Diagonal.data(), own = block.data()](Index v)
@@ -296,11 +327,9 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
     });
   if (r)
   {
-    ForBoundary(matrix,
-      [=](Index, Index v)
+    ForBoundary<B>(matrix, boundary.data(),
+      [=](Index, Index v, CompactValues<B> sum)
       {
-        CompactValues<B> sum;
-        entries.AddOutside<B>(v, x, sum);
         sum.Scale(-1.0f);
         sum.AddReal(1.0f, r, v);
         sum.Store(r, v);
@@ -313,13 +342,18 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
   const float* b, float* x)
 {
   const Entries entries(matrix);
-  CompactSections outside(2 * B * matrix.Boundary.size());
-  ForBoundary(matrix,
-    [=, extra = diagonal.Extra.data(), to = outside.data()](Index j, Index v)
+  CompactSections boundary(2 * B * matrix.Boundary.size());
+  ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
+    [=, rows = matrix.Boundary.data(), to = boundary.data()](Index begin, Index end)
     {
-      CompactValues<B> sum;
-      entries.AddOutside<B>(v, x, sum);
-      sum.AddReal(-extra[j], x, v);
+      ForRows(begin, end, [=](Index j) { CompactValues<B>(x, rows[j]).Store(to, j); });
+    });
+  CompactSections outside(boundary.size());
+  ForBoundary<B>(matrix, boundary.data(),
+    [from = boundary.data(), extra = diagonal.Extra.data(), to = outside.data()](
+      Index j, Index, CompactValues<B> sum)
+    {
+      sum.AddReal(-extra[j], from, j);
       sum.Store(to, j);
     });
   const bool isDown = order == SweepOrder::Down;
@@ -328,8 +362,8 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
     {
       const Index middle = begin + (end - begin) / 2;
       // Of the next row of the boundary in each half; upwards, of the one before.
-      std::array<Index, 2> next{ BoundaryFrom(matrix, isDown ? begin : middle),
-        BoundaryFrom(matrix, isDown ? middle : end) };
+      std::array<Index, 2> next{ matrix.BoundaryFrom(isDown ? begin : middle),
+        matrix.BoundaryFrom(isDown ? middle : end) };
       BlockSections<B> block(x, begin, end);
       ForBlockRows(begin, end, order,
         [=, kept = 1.0f - diagonal.Relaxation, inverse = diagonal.Inverse.data(),

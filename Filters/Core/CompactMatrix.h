@@ -35,19 +35,26 @@ struct CompactMatrix
   LargeArray<float> Diagonal;
   /// The rows with entries in columns of other blocks, ascending.
   LargeArray<Index> Boundary;
+  /// Those entries of row j of the boundary again: OutsideBegin[j] to OutsideBegin[j + 1]. Their
+  /// columns, which are of the boundary, too, are counted in it.
+  LargeArray<Index> OutsideBegin;
+  LargeArray<Index> OutsideColumn;
+  LargeArray<CompactComplex> OutsideValue;
 
   CompactMatrix() = default;
   /// Rounds a Hermitian matrix.
   explicit CompactMatrix(const SparseMatrix& matrix);
 
   /// Brings the entries of rows with ascending columns in order, and fills in Inside, ColumnInBlock
-  /// and Boundary.
+  /// and what there is about the boundary.
   /// @param other has the same pattern, and gets the same order
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
   /// But for the diagonal.
   Index Entries() const { return this->Begin.back(); }
+  /// The first row of the boundary, counted in it, from a row on.
+  Index BoundaryFrom(Index row) const;
 
   /// Row v of A x.
   template <int B>
@@ -59,6 +66,9 @@ struct CompactMatrix
       x, sum);
     return sum;
   }
+
+private:
+  void CollectOutside();
 };
 
 /// The matrix A + shift m that is swept, but for its entries.
