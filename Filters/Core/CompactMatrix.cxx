@@ -275,15 +275,40 @@ void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
     });
 }
 
-/// b - d x - sum in row v of b.
+/// Stores what is left of a block that has been swept, but for what it gets from others, and its rows
+/// of the boundary.
+/// @param x begins with the block
 template <int B>
-void StoreRest(CompactValues<B> sum, float d, const float* x, Index at, const float* b, Index v,
-  float* r)
+void StoreRestOfBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+  const float* x, Index begin, Index end, float* r, CompactSections& boundary)
 {
-  sum.AddReal(d, x, at);
-  sum.Scale(-1.0f);
-  sum.AddReal(1.0f, b, v);
-  sum.Store(r, v);
+  for (Index j = matrix.BoundaryFrom(begin), last = matrix.BoundaryFrom(end); j < last; ++j)
+  {
+    CompactValues<B>(x, matrix.Boundary[j] - begin).Store(boundary.data(), j);
+  }
+  ForRows(begin, end,
+    [=, entries = Entries(matrix), d = diagonal.Diagonal.data()](Index v)
+    {
+      CompactValues<B> sum;
+      entries.AddInside<B>(v, x, sum);
+      sum.AddReal(d[v], x, v - begin);
+      sum.Scale(-1.0f);
+      sum.AddReal(1.0f, b, v);
+      sum.Store(r, v);
+    });
+}
+
+/// Subtracts what blocks get from others.
+template <int B>
+void SubtractOutside(const CompactMatrix& matrix, const CompactSections& boundary, float* r)
+{
+  ForBoundary<B>(matrix, boundary.data(),
+    [r](Index, Index v, CompactValues<B> sum)
+    {
+      sum.Scale(-1.0f);
+      sum.AddReal(1.0f, r, v);
+      sum.Store(r, v);
+    });
 }
 }
 
@@ -291,7 +316,6 @@ template <int B>
 void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
   float* x, float* r)
 {
-  const Entries entries(matrix);
   CompactSections boundary(2 * B * matrix.Boundary.size());
   ParallelFor(matrix.Rows(), BlockRows,
     [=, &matrix, &diagonal, &boundary](Index begin, Index end)
@@ -299,7 +323,8 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
       BlockSections<B> block(nullptr, begin, end);
       // Products with zeros take less time than to tell which rows come first.
       ForBlockRows(begin, end, SweepOrder::Down,
-        [=, inverse = diagonal.Inverse.data(), own = block.data()](Index v, int)
+        [=, entries = Entries(matrix), inverse = diagonal.Inverse.data(), own = block.data()](
+          Index v, int)
         {
           CompactValues<B> sum;
           entries.AddInside<B>(v, own, sum);
@@ -308,40 +333,21 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
           sum.Store(own, v - begin);
         });
       block.CopyTo(x);
-      if (!r)
+      if (r)
       {
-        return;
+        StoreRestOfBlock<B>(matrix, diagonal, b, block.data(), begin, end, r, boundary);
       }
-      for (Index j = matrix.BoundaryFrom(begin), last = matrix.BoundaryFrom(end); j < last; ++j)
-      {
-        CompactValues<B>(block.data(), matrix.Boundary[j] - begin).Store(boundary.data(), j);
-      }
-      // The block's part of the matrix is still in the cache.
-      ForRows(begin, end,
-        [=, d = diagonal.Diagonal.data(), own = block.data()](Index v)
-        {
-          CompactValues<B> sum;
-          entries.AddInside<B>(v, own, sum);
-          StoreRest<B>(sum, d[v], own, v - begin, b, v, r);
-        });
     });
   if (r)
   {
-    ForBoundary<B>(matrix, boundary.data(),
-      [=](Index, Index v, CompactValues<B> sum)
-      {
-        sum.Scale(-1.0f);
-        sum.AddReal(1.0f, r, v);
-        sum.Store(r, v);
-      });
+    SubtractOutside<B>(matrix, boundary, r);
   }
 }
 
 template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x)
+  const float* b, float* x, float* r)
 {
-  const Entries entries(matrix);
   CompactSections boundary(2 * B * matrix.Boundary.size());
   ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
     [=, rows = matrix.Boundary.data(), to = boundary.data()](Index begin, Index end)
@@ -358,7 +364,7 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
     });
   const bool isDown = order == SweepOrder::Down;
   ParallelFor(matrix.Rows(), BlockRows,
-    [=, &matrix, &diagonal, &outside](Index begin, Index end)
+    [=, &matrix, &diagonal, &outside, &boundary](Index begin, Index end)
     {
       const Index middle = begin + (end - begin) / 2;
       // Of the next row of the boundary in each half; upwards, of the one before.
@@ -366,8 +372,9 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
         matrix.BoundaryFrom(isDown ? middle : end) };
       BlockSections<B> block(x, begin, end);
       ForBlockRows(begin, end, order,
-        [=, kept = 1.0f - diagonal.Relaxation, inverse = diagonal.Inverse.data(),
-          from = outside.data(), own = block.data()](Index v, int half) mutable
+        [=, entries = Entries(matrix), kept = 1.0f - diagonal.Relaxation,
+          inverse = diagonal.Inverse.data(), from = outside.data(), own = block.data()](
+          Index v, int half) mutable
         {
           CompactValues<B> sum;
           if (entries.Inside[v] < entries.Begin[v + 1])
@@ -381,37 +388,23 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
           sum.Store(own, v - begin);
         });
       block.CopyTo(x);
+      if (r)
+      {
+        StoreRestOfBlock<B>(matrix, diagonal, b, block.data(), begin, end, r, boundary);
+      }
     });
-}
-
-template <int B>
-void Rest(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  const float* x, float* r)
-{
-  ParallelFor(matrix.Rows(), CompactMatrix::PieceRows,
-    [=, entries = Entries(matrix), d = diagonal.Diagonal.data()](Index begin, Index end)
-    {
-      ForRows(begin, end,
-        [=](Index v)
-        {
-          CompactValues<B> sum;
-          AddManyProducts(
-            entries.Value, entries.Column, entries.Begin[v], entries.Begin[v + 1], x, sum);
-          StoreRest<B>(sum, d[v], x, v, b, v, r);
-        });
-    });
+  if (r)
+  {
+    SubtractOutside<B>(matrix, boundary, r);
+  }
 }
 
 template void Sweep<1>(
-  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*, float*);
 template void Sweep<4>(
-  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*);
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*, float*);
 template void SweepFromZero<1>(
   const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
 template void SweepFromZero<4>(
   const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
-template void Rest<1>(
-  const CompactMatrix&, const SweepDiagonal&, const float*, const float*, float*);
-template void Rest<4>(
-  const CompactMatrix&, const SweepDiagonal&, const float*, const float*, float*);
 }

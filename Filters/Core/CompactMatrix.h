@@ -97,20 +97,15 @@ enum class SweepOrder
 
 /// One sweep for (A + shift m) x = b that goes on from x.
 /// @param b, x B sections each
+/// @param r    b - (A + shift m) x once swept, in the same pass over the matrix; or null
 template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x);
+  const float* b, float* x, float* r = nullptr);
 
 /// One sweep down that starts from zero.
-/// @param r b - (A + shift m) x, in the same pass over the matrix; or null
 template <int B>
 void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
   float* x, float* r = nullptr);
-
-/// r = b - (A + shift m) x
-template <int B>
-void Rest(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  const float* x, float* r);
 }
 
 #endif

@@ -291,9 +291,9 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
     SweepFromZero<1>(matrix, own.Diagonal, right, x);
     for (int sweep = 1; sweep < Sweeps; ++sweep)
     {
-      Sweep<1>(matrix, own.Diagonal, SweepOrder::Down, right, x);
+      Sweep<1>(matrix, own.Diagonal, SweepOrder::Down, right, x,
+        sweep + 1 < Sweeps ? nullptr : own.Rest.data());
     }
-    Rest<1>(matrix, own.Diagonal, right, x, own.Rest.data());
     matrices.FromCoarser.Restrict<1>(own.Rest.data(), coarser.Right.data());
   }
   this->ApplyCycle(level + 1, after);
