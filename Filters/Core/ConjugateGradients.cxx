@@ -3,6 +3,8 @@
 
 #include "ConjugateGradients.h"
 
+#include "CombinedMatrix.h"
+#include "OperatorProducts.h"
 #include "VectorOperations.h"
 
 #include <algorithm>

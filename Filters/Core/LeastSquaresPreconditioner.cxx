@@ -101,14 +101,14 @@ SparseMatrix Columns(const SparseMatrix& matrix, const std::vector<Index>& chose
 }
 
 /// Marks the rows, too, that a matrix couples with marked ones.
-void Widen(const CombinedMatrix::View& matrix, std::vector<char>& rows)
+void Widen(const SparseMatrix& matrix, std::vector<char>& rows)
 {
   const std::vector<char> before = rows;
   for (Index v = 0; v < static_cast<Index>(before.size()); ++v)
   {
     if (before[v])
     {
-      for (CombinedMatrix::View::InnerIterator it(matrix, v); it; ++it)
+      for (SparseMatrix::InnerIterator it(matrix, v); it; ++it)
       {
         rows[it.row()] = 1;
       }
@@ -119,7 +119,7 @@ void Widen(const CombinedMatrix::View& matrix, std::vector<char>& rows)
 /// Which columns of K Z reach rows that are marked, or, so many layers on, those that such columns
 /// reach.
 std::vector<Index> ColumnsNear(
-  const CombinedMatrix::View& matrix, const SparseMatrix& sections, std::vector<char> rows)
+  const SparseMatrix& matrix, const SparseMatrix& sections, std::vector<char> rows)
 {
   std::vector<Index> near;
   for (int layer = 0; layer <= Layers; ++layer)
@@ -202,7 +202,7 @@ void LeastSquaresPreconditioner::SparseRows::SubtractProduct(
     });
 }
 
-LeastSquaresPreconditioner::LeastSquaresPreconditioner(const CombinedMatrix& matrix,
+LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matrix,
   const std::vector<Index>& free, const Multigrid& hierarchy, double shift)
   : Free(free)
   , Hierarchy(hierarchy)
@@ -219,10 +219,10 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const CombinedMatrix& mat
     }
     this->Levels.push_back(std::move(own));
   }
-  this->MakeCoarse(matrix.AsSparse());
+  this->MakeCoarse(matrix);
 }
 
-void LeastSquaresPreconditioner::MakeCoarse(const CombinedMatrix::View& matrix)
+void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
 {
   const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
   std::size_t level = 1;

@@ -28,7 +28,7 @@ public:
   /// @param free      the free vertices, ascending
   /// @param hierarchy that of K_ff; must outlive this
   /// @param shift     m / a, at least 0
-  LeastSquaresPreconditioner(const CombinedMatrix& matrix, const std::vector<Index>& free,
+  LeastSquaresPreconditioner(const SparseMatrix& matrix, const std::vector<Index>& free,
     const Multigrid& hierarchy, double shift);
 
   bool IsUsable() const { return this->Coarsest.IsUsable(); }
@@ -62,7 +62,7 @@ private:
     SparseMatrix Adjoint;
     std::vector<Index> Filled;
   };
-  void MakeCoarse(const CombinedMatrix::View& matrix);
+  void MakeCoarse(const SparseMatrix& matrix);
   /// Sum of the level from its Right.
   /// @param after whether the cycle sweeps after the correction of the coarser level, or, its
   ///              adjoint, before

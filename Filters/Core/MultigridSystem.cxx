@@ -3,6 +3,7 @@
 
 #include "MultigridSystem.h"
 
+#include "CombinedMatrix.h"
 #include "ConjugateGradients.h"
 #include "LeastSquaresPreconditioner.h"
 #include "OperatorProducts.h"
@@ -180,7 +181,7 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
   }
   solution.Residual = 1.0;
   LeastSquaresPreconditioner preconditioner(
-    matrix, freeSystem.Free, freeSystem.Hierarchy, std::max(0.0, this->Shift()));
+    Combined(this->Matrices, this->EnergyFactor, this->MassFactor), freeSystem.Free, freeSystem.Hierarchy, std::max(0.0, this->Shift()));
   ComplexVector x = ComplexVector::Zero(b.size());
   int steps = 0;
   for (int restart = 0;

@@ -101,43 +101,20 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
   return y;
 }
 
-CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
-  : Pattern(operators.Energy)
-  , Values(operators.Energy.nonZeros())
+SparseMatrix Combined(const Operators& operators, double a, double m)
 {
+  SparseMatrix combined = operators.Energy;
   const Complex* energy = operators.Energy.valuePtr();
   const Complex* mass = operators.Mass.valuePtr();
-  ParallelFor(static_cast<Index>(this->Values.size()), 8 * PieceRows,
-    [&](Index begin, Index end)
+  ParallelFor(static_cast<Index>(combined.nonZeros()), 8 * PieceRows,
+    [=, to = combined.valuePtr()](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
       {
-        this->Values[k] = a * energy[k] + m * mass[k];
+        to[k] = a * energy[k] + m * mass[k];
       }
     });
-}
-
-double CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
-{
-  Resize(y, x.size());
-  return ParallelSum<double>(static_cast<Index>(x.size()), PieceRows, 0.0,
-    [a = Entries(this->Pattern), values = this->Values.data(), from = x.data(), to = y.data()](
-      Index begin, Index end)
-    {
-      double product = 0.0;
-      for (Index v = begin; v < end; ++v)
-      {
-        ConjugateSum sum;
-        for (Index k = a.Begin[v]; k < a.Begin[v + 1]; ++k)
-        {
-          sum.Add(values[k].real(), values[k].imag(), from[a.Row[k]]);
-        }
-        const Complex value = sum.Value();
-        to[v] = value;
-        product += from[v].real() * value.real() + from[v].imag() * value.imag();
-      }
-      return product;
-    });
+  return combined;
 }
 
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)

@@ -15,28 +15,8 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x);
 /// (a A + m M) x
 ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x);
 
-/// a A + m M, which takes less time to multiply with than the two.
-class CombinedMatrix
-{
-public:
-  /// @param operators must outlive the matrix
-  CombinedMatrix(const Operators& operators, double a, double m);
-
-  /// y = K x, in the storage that there is; returns Re x^* y.
-  double Multiply(const ComplexVector& x, ComplexVector& y) const;
-
-  using View = Eigen::Map<const SparseMatrix>;
-  /// The matrix itself, as long as this and the operators live.
-  View AsSparse() const
-  {
-    return { this->Pattern.rows(), this->Pattern.cols(), this->Pattern.nonZeros(),
-      this->Pattern.outerIndexPtr(), this->Pattern.innerIndexPtr(), this->Values.data() };
-  }
-
-private:
-  const SparseMatrix& Pattern;
-  LargeArray<Complex> Values;
-};
+/// a A + m M
+SparseMatrix Combined(const Operators& operators, double a, double m);
 
 /// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
