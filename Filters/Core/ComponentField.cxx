@@ -145,6 +145,30 @@ ComplexVector Normalized(ComplexVector guidance, const Eigen::VectorXd& areas)
   return guidance;
 }
 
+/// Made anew where guidance or constraints have changed.
+const GuidanceTerms& GetTerms(const ComponentProblem& problem)
+{
+  const ComplexVector& guidance = problem.Guidance;
+  std::optional<GuidanceTerms>& terms = problem.Terms;
+  if (terms && terms->GivenVertices == problem.Given.Vertices &&
+    terms->Guidance.size() == guidance.size() && Equal(terms->Guidance, guidance))
+  {
+    return *terms;
+  }
+  terms.emplace();
+  terms->Guidance = guidance;
+  terms->GivenVertices = problem.Given.Vertices;
+  Eigen::VectorXd areas = VertexAreas(problem.Matrices.Mass);
+  terms->Area = areas.sum();
+  ForEachNearConstraints(problem, [&](Index v) { areas[v] = 0.0; });
+  const ComplexVector scaled = Normalized(guidance, areas);
+  if (scaled.size() > 0)
+  {
+    terms->MassTimes = Product(problem.Matrices.Mass, scaled);
+  }
+  return *terms;
+}
+
 SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& options,
   const Factors& factors, const ComplexVector& b)
 {
@@ -257,11 +281,8 @@ ComplexVector SolveComponent(
   const Operators& matrices = problem.Matrices;
   const double smallest = problem.Smoothest.First.Value;
   const double unit = problem.Unit;
-  Eigen::VectorXd areas = VertexAreas(matrices.Mass);
-  const double area = areas.sum();
-  ForEachNearConstraints(problem, [&](Index v) { areas[v] = 0.0; });
-  const ComplexVector guidance = Normalized(problem.Guidance, areas);
-  const bool guided = guidance.size() > 0;
+  const GuidanceTerms& terms = GetTerms(problem);
+  const bool guided = terms.MassTimes.size() > 0;
   const bool constrained = !problem.Given.Vertices.empty();
   const double gap = Gap(problem, options);
   const bool smoothest = gap <= SmallestGap * std::max(smallest, problem.Scale);
@@ -275,7 +296,7 @@ ComplexVector SolveComponent(
     if (guided)
     {
       // The limit of the aligned fields: of all phases the one closest to the guidance.
-      const Complex overlap = solution.Vector.dot(Product(matrices.Mass, guidance));
+      const Complex overlap = solution.Vector.dot(terms.MassTimes);
       solution.Vector *= std::abs(overlap) > 0.0 ? overlap / std::abs(overlap) : Complex(1.0);
     }
   };
@@ -298,10 +319,14 @@ ComplexVector SolveComponent(
     }
     else
     {
-      b = Product(matrices.Mass, guidance);
-      ForEachNearConstraints(problem, [&](Index v) { b[v] = 0.0; });
+      b = Uninitialized(terms.MassTimes.size());
       ForRows(b,
-        [&](Index begin, Index end) { b.segment(begin, end - begin) *= factors.Guidance; });
+        [&](Index begin, Index end)
+        {
+          b.segment(begin, end - begin) =
+            factors.Guidance * terms.MassTimes.segment(begin, end - begin);
+        });
+      ForEachNearConstraints(problem, [&](Index v) { b[v] = 0.0; });
     }
     solution = SolveSystem(problem, options, factors, b, report);
     if (solution.Vector.isZero(0.0))
@@ -327,7 +352,7 @@ ComplexVector SolveComponent(
   report.SystemResidual = solution.Residual;
   if (size > 0.0)
   {
-    const double factor = std::sqrt(area / size);
+    const double factor = std::sqrt(terms.Area / size);
     ForRows(u.Vector,
       [&](Index begin, Index end) { u.Vector.segment(begin, end - begin) *= factor; });
   }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace DirectionFields
@@ -26,6 +27,18 @@ std::vector<Complex> GuidanceSection(
 std::vector<Complex> CurvatureSection(
   const std::vector<Complex>& hopf, int degree, CurvatureDirection direction);
 
+/// What the guidance contributes to the systems of a component, for any strength.
+struct GuidanceTerms
+{
+  /// What they were made of.
+  ComplexVector Guidance;
+  std::vector<Index> GivenVertices;
+  /// M q of the scaled guidance; empty where nothing is left of it.
+  ComplexVector MassTimes;
+  /// Of the component.
+  double Area = 0.0;
+};
+
 /// The field of one component. All matrices and vectors are over its vertices.
 struct ComponentProblem
 {
@@ -35,6 +48,8 @@ struct ComponentProblem
   std::unique_ptr<FreeSystem>& Free;
   /// Of the solutions so far, without constraints.
   ReducedBasis& Solved;
+  /// Of the last call; kept for the next.
+  std::optional<GuidanceTerms>& Terms;
   /// sigma of Options::AlignmentStrength, in 1 / Metric::Unit^2, but for lambda_1.
   double Scale;
   /// Metric::Unit.

@@ -353,7 +353,8 @@ Result DirectionField::Compute(
     const Eigenpair& smoothest = energy->Smoothest[c].First;
     const double unit = stages.GetMetric().Unit[c];
     ComponentProblem problem{ energy->Matrices[c], energy->Smoothest[c], energy->Free[c],
-      energy->Solved[c], stages.GetScale(c, options.Degree), unit, {}, {}, goOnWithSystem };
+      energy->Solved[c], energy->Terms[c], stages.GetScale(c, options.Degree), unit, {}, {},
+      goOnWithSystem };
     if (!drawn.empty())
     {
       problem.Guidance = Eigen::Map<const ComplexVector>(

@@ -54,7 +54,7 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
     return &*this->Energy;
   }
   this->Energy.reset();
-  EnergyStage stage{ key, {}, {}, {}, {} };
+  EnergyStage stage{ key, {}, {}, {}, {}, {} };
   // Flipping takes less time than assembly: nothing of it is kept but the matrices.
   std::optional<IntrinsicTriangulation> delaunay;
   if (options.IntrinsicDelaunay)
@@ -98,6 +98,7 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
     stage.Smoothest.push_back(std::move(pairs));
     stage.Free.emplace_back();
     stage.Solved.emplace_back();
+    stage.Terms.emplace_back();
   }
   this->Energy = std::move(stage);
   return &*this->Energy;

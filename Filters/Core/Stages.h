@@ -4,14 +4,13 @@
 #ifndef DirectionFields_Stages_h
 #define DirectionFields_Stages_h
 
+#include "ComponentField.h"
 #include "Connection.h"
 #include "Curvature.h"
 #include "DirectionField.h"
 #include "MergePoints.h"
 #include "Metric.h"
 #include "Operators.h"
-#include "MultigridEigenpair.h"
-#include "MultigridSystem.h"
 #include "TangentFrames.h"
 #include "TriangleMesh.h"
 
@@ -58,6 +57,7 @@ struct EnergyStage
   std::vector<std::unique_ptr<FreeSystem>> Free;
   /// Of the solutions without constraints.
   std::vector<ReducedBasis> Solved;
+  std::vector<std::optional<GuidanceTerms>> Terms;
 };
 
 /// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others

@@ -51,6 +51,14 @@ inline double Norm(const ComplexVector& a)
   return std::sqrt(RealDot(a, a));
 }
 
+/// Vectors of one length.
+inline bool Equal(const ComplexVector& a, const ComplexVector& b)
+{
+  return ParallelSum<int>(static_cast<Index>(a.size()), VectorPiece, 0,
+           [&](Index begin, Index end)
+           { return a.segment(begin, end - begin) == b.segment(begin, end - begin) ? 0 : 1; }) == 0;
+}
+
 /// y = alpha x + beta y
 inline void Combine(double alpha, const ComplexVector& x, double beta, ComplexVector& y)
 {

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 using namespace DirectionFields;
 using namespace TestMeshes;
@@ -78,7 +79,8 @@ TEST(AlignmentSolvers, ASystemThatIsNotSolvedLeavesTheSmoothestField)
   ASSERT_TRUE(pairs.Hierarchy);
   std::unique_ptr<FreeSystem> free;
   ReducedBasis solved;
-  const ComponentProblem problem{ system.Matrices, pairs, free, solved, system.Scale, 1.0,
+  std::optional<GuidanceTerms> terms;
+  const ComponentProblem problem{ system.Matrices, pairs, free, solved, terms, system.Scale, 1.0,
     RandomVector(system.Matrices.Energy.rows(), 1), {}, [] { return false; } };
   Options options;
   options.Solver = Solver::Multigrid;
@@ -88,4 +90,42 @@ TEST(AlignmentSolvers, ASystemThatIsNotSolvedLeavesTheSmoothestField)
   EXPECT_NEAR(report.SmoothnessEnergy, pairs.First.Value, 1e-9 * pairs.First.Value);
   const Complex overlap = pairs.First.Vector.dot(system.Matrices.Mass * u);
   EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
+}
+
+TEST(AlignmentSolvers, GuidanceAndConstraintsMayChangeBetweenCalls)
+{
+  const Surface surface = Hemisphere(3);
+  Guidance one;
+  Guidance other;
+  for (const Vector3& point : surface.Points)
+  {
+    one.Vectors.push_back(Vector3(0.3, 1.0, point.x()).cross(point));
+    other.Vectors.push_back(one.Vectors.size() == 9 ? Vector3(1.0, 2.0, 3.0) : one.Vectors.back());
+  }
+  Options options;
+  options.Solver = Solver::Direct;
+  options.AlignmentStrength = 0.4;
+  DirectionField kept(surface);
+  std::vector<Complex> before;
+  const auto expectOfAFreshOne = [&](const Guidance& guidance)
+  {
+    const std::vector<Complex> now = kept.Compute(options, guidance).Representation;
+    EXPECT_EQ(now, DirectionField(surface).Compute(options, guidance).Representation);
+    EXPECT_NE(now, before);
+    before = now;
+  };
+  options.Alignment = Alignment::PointVectors;
+  expectOfAFreshOne(one);
+  options.AlignmentStrength = 0.6;
+  expectOfAFreshOne(one);
+  expectOfAFreshOne(other);
+  options.ConstrainBoundary = true;
+  expectOfAFreshOne(other);
+  expectOfAFreshOne(one);
+  options.ConstrainBoundary = false;
+  expectOfAFreshOne(one);
+  options.Alignment = Alignment::None;
+  expectOfAFreshOne({});
+  options.Alignment = Alignment::PrincipalCurvature;
+  expectOfAFreshOne({});
 }
