@@ -7,13 +7,18 @@
 #include "Threads.h"
 #include "VectorMath.h"
 
-#include <cmath>
-
 namespace DirectionFields
 {
 namespace
 {
 constexpr Index PieceSize = 1 << 13;
+
+/// The nearest integer of a number of modulus below 2^51, which the compiler finds for several at once.
+double Nearest(double x)
+{
+  constexpr double unitIsLastBit = 6755399441055744.0;
+  return (x + unitIsLastBit) - unitIsLastBit;
+}
 }
 
 std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& connection,
@@ -23,19 +28,25 @@ std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& 
   ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)
     { Arguments(field.data() + begin, end - begin, phase.data() + begin); });
-  // Computed in the direction of the edge for both its triangles, and where the edge is seen from two
-  // sides, on one of them: rounding must not break a tie between pi and -pi in two ways.
+  // In the direction of the edge for both its triangles, and where the edge is seen from two sides, on
+  // one of them: rounding must not break a tie between pi and -pi in two ways.
+  LargeArray<double> omega(mesh.GetNumberOfEdges());
+  ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index e = begin; e < end; ++e)
+      {
+        const Index h = mesh.HalfEdge(e);
+        const double angle =
+          phase[mesh.Head(h)] - phase[mesh.Tail(h)] - degree * connection.Rotation[e];
+        omega[e] = angle - 2.0 * Pi * Nearest(angle / (2.0 * Pi));
+      }
+    });
   const auto along = [&](Index side)
   {
     const Index mirror = mesh.Mirror(side);
     const Index h = mirror != None && mesh.Edge(mirror) < mesh.Edge(side) ? mirror : side;
-    const Index e = mesh.Edge(h);
-    const bool forwards = mesh.HalfEdge(e) == h;
-    const Index from = forwards ? mesh.Tail(h) : mesh.Head(h);
-    const Index to = forwards ? mesh.Head(h) : mesh.Tail(h);
-    const double angle = phase[to] - phase[from] - degree * connection.Rotation[e];
-    const double omega = angle - 2.0 * Pi * std::nearbyint(angle / (2.0 * Pi));
-    return forwards ? omega : -omega;
+    return mesh.GivesDirection(h) ? omega[mesh.Edge(h)] : -omega[mesh.Edge(h)];
   };
   std::vector<int> index(mesh.GetNumberOfTriangles());
   ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
@@ -45,7 +56,7 @@ std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& 
       {
         const double sum =
           degree * connection.Curvature[t] + along(3 * t) + along(3 * t + 1) + along(3 * t + 2);
-        index[t] = static_cast<int>(std::lround(sum / (2.0 * Pi)));
+        index[t] = static_cast<int>(Nearest(sum / (2.0 * Pi)));
       }
     });
   return index;
