@@ -15,7 +15,8 @@ namespace
 /// Real and imaginary part.
 using Parts = Eigen::Array2d;
 
-Parts PartsOf(const Complex& x)
+template <typename Number>
+Parts PartsOf(const Number& x)
 {
   return { x.real(), x.imag() };
 }
@@ -99,14 +100,25 @@ CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
 
 double CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
 {
-  Resize(y, x.size());
-  return ParallelSum<double>(static_cast<Index>(x.size()), BlockRows, 0.0,
-    [=, diagonal = this->Diagonal.data(), all = x.data(), to = y.data(), this](
-      Index begin, Index end)
+  return this->MultiplyNumbers(x.data(), y);
+}
+
+double CombinedMatrix::Multiply(const LargeArray<CompactComplex>& x, ComplexVector& y) const
+{
+  return this->MultiplyNumbers(x.data(), y);
+}
+
+template <typename Number>
+double CombinedMatrix::MultiplyNumbers(const Number* all, ComplexVector& y) const
+{
+  const auto rows = static_cast<Index>(this->Diagonal.size());
+  Resize(y, rows);
+  return ParallelSum<double>(rows, BlockRows, 0.0,
+    [=, diagonal = this->Diagonal.data(), to = y.data()](Index begin, Index end)
     {
       alignas(16) std::array<double, 2 * BlockRows> sums;
       const auto sum = [&](Index v) { return Eigen::Map<Parts, Eigen::Aligned16>(&sums[2 * v]); };
-      const Complex* const own = all + begin;
+      const Number* const own = all + begin;
       for (Index v = 0; v < end - begin; ++v)
       {
         sum(v) = diagonal[begin + v] * PartsOf(own[v]);

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_CombinedMatrix_h
 #define DirectionFields_CombinedMatrix_h
 
-#include "LargeArray.h"
+#include "CompactValues.h"
 #include "Operators.h"
 
 #include <cstdint>
@@ -23,8 +23,12 @@ public:
 
   /// y = K x, in the storage that there is; returns Re x^* y.
   double Multiply(const ComplexVector& x, ComplexVector& y) const;
+  double Multiply(const LargeArray<CompactComplex>& x, ComplexVector& y) const;
 
 private:
+  template <typename Number>
+  double MultiplyNumbers(const Number* x, ComplexVector& y) const;
+
   struct OutsideEntry
   {
     /// Counted from the block's first.

@@ -194,23 +194,29 @@ ComplexVector RestOf(const MultigridSystem& system, const SectionProducts& u, co
   return rest;
 }
 
-/// u += step p, then p = z + keep p; the first time p = z.
-void Advance(const Preconditioner::Result& z, double step, double keep, ComplexVector& u,
-  ComplexVector& p)
+/// Directions in single precision: they only have to be nearly conjugate, residuals are those of what
+/// is really added.
+using CompactVector = LargeArray<CompactComplex>;
+
+/// u += step p, then p = z / unit + keep p; the first time p = z / unit.
+void Advance(const Preconditioner::Result& z, double unit, double step, double keep,
+  ComplexVector& u, CompactVector& p)
 {
-  ForRows(p,
-    [z, step, keep, solution = u.data(), direction = p.data()](Index begin, Index end)
+  ForRows(u,
+    [z, perUnit = 1.0 / unit, step, keep, solution = u.data(), direction = p.data()](
+      Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
+        const Complex next = perUnit * z(v);
         if (keep == 0.0)
         {
-          direction[v] = z(v);
+          direction[v] = CompactComplex(next);
           continue;
         }
-        const Complex before = direction[v];
+        const Complex before(direction[v]);
         solution[v] += step * before;
-        direction[v] = z(v) + keep * before;
+        direction[v] = CompactComplex(next + keep * before);
       }
     });
 }
@@ -223,8 +229,10 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
   Preconditioner& preconditioner, double norm, ComplexVector r, ComplexVector& u, int& steps)
 {
   double rest = Norm(r);
+  // Of directions, so that nothing leaves the range of single precision.
+  const double unit = rest;
   double size = norm;
-  ComplexVector p = Uninitialized(r.size());
+  CompactVector p(r.size());
   ComplexVector q;
   double step = 0.0;
   double previous = 0.0;
@@ -244,9 +252,9 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
         }
         return sum;
       });
-    Advance(z, step, previous == 0.0 ? 0.0 : product / previous, u, p);
+    Advance(z, unit, step, previous == 0.0 ? 0.0 : product / previous, u, p);
     previous = product;
-    step = product / matrix.Multiply(p, q);
+    step = product / (unit * matrix.Multiply(p, q));
     if (!(step > 0.0) || !std::isfinite(step))
     {
       return;
@@ -260,7 +268,14 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
   }
   if (step > 0.0)
   {
-    Combine(step, p, 1.0, u);
+    ForRows(u,
+      [step, solution = u.data(), direction = p.data()](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          solution[v] += step * Complex(direction[v]);
+        }
+      });
   }
 }
 }
@@ -299,7 +314,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid
   int steps = 0;
   for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
   {
-    ComplexVector u = best.Vector;
+    ComplexVector u = Copied(best.Vector);
     Iterate(system, matrix, preconditioner, norm, std::move(r), u, steps);
     SectionProducts products(system.Matrices, std::move(u));
     r = RestOf(system, products, b);

@@ -40,6 +40,14 @@ Eigen::MatrixXcd Products(
     });
 }
 
+/// v^* x, the same to the last bit as among others.
+Complex Product(const ComplexVector& v, const ComplexVector& x)
+{
+  return ParallelSum<Complex>(static_cast<Index>(v.size()), VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    { return v.segment(begin, end - begin).dot(x.segment(begin, end - begin)); });
+}
+
 /// Another row and column of a Hermitian matrix; the oldest ones are left out.
 void Extend(Eigen::MatrixXcd& matrix, const Eigen::VectorXcd& column, bool forget)
 {
@@ -55,11 +63,10 @@ void Extend(Eigen::MatrixXcd& matrix, const Eigen::VectorXcd& column, bool forge
 
 ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVector& b) const
 {
-  Guess guess{ ComplexVector::Zero(b.size()) };
-  ComplexVector& sum = guess.Vector;
+  const auto zero = [&] { return Guess{ ComplexVector::Zero(b.size()) }; };
   if (this->Vectors.empty())
   {
-    return guess;
+    return zero();
   }
   const Eigen::VectorXcd products = Products(this->Vectors, { &b });
   for (std::size_t k = 0; k < this->Systems.size(); ++k)
@@ -77,7 +84,7 @@ ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVecto
     perLength.asDiagonal() * matrix * perLength.asDiagonal());
   if (!perLength.allFinite() || spectrum.info() != Eigen::Success)
   {
-    return guess;
+    return zero();
   }
   const Eigen::VectorXd& values = spectrum.eigenvalues();
   const Eigen::VectorXd inverse =
@@ -87,12 +94,16 @@ ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVecto
       (inverse.asDiagonal() *
         (spectrum.eigenvectors().adjoint() *
           (perLength.asDiagonal() * products))));
+  Guess guess{ Uninitialized(b.size()) };
+  ComplexVector& sum = guess.Vector;
   ForRows(sum,
     [&](Index begin, Index end)
     {
-      for (std::size_t k = 0; k < this->Vectors.size(); ++k)
+      auto part = sum.segment(begin, end - begin);
+      part = coefficients[0] * this->Vectors[0].segment(begin, end - begin);
+      for (std::size_t k = 1; k < this->Vectors.size(); ++k)
       {
-        sum.segment(begin, end - begin) +=
+        part +=
           coefficients[static_cast<Eigen::Index>(k)] * this->Vectors[k].segment(begin, end - begin);
       }
     });
@@ -108,13 +119,9 @@ void ReducedBasis::Add(
     this->Vectors.erase(this->Vectors.begin());
     this->Systems.erase(this->Systems.begin());
   }
-  ComplexVector copy = Uninitialized(u.Vector.size());
-  ForRows(copy,
-    [&](Index begin, Index end)
-    { copy.segment(begin, end - begin) = u.Vector.segment(begin, end - begin); });
-  this->Vectors.push_back(std::move(copy));
-  const Eigen::MatrixXcd products = Products(this->Vectors, { &u.Energy, &u.Mass, &b });
-  this->Systems.push_back({ a, m, products(products.rows() - 1, 2), residual });
+  this->Vectors.push_back(Copied(u.Vector));
+  const Eigen::MatrixXcd products = Products(this->Vectors, { &u.Energy, &u.Mass });
+  this->Systems.push_back({ a, m, Product(u.Vector, b), residual });
   Extend(this->Energy, products.col(0), forget);
   Extend(this->Mass, products.col(1), forget);
 }

@@ -38,6 +38,15 @@ void ForRows(const ComplexVector& vector, const Body& body)
   ParallelFor(static_cast<Index>(vector.size()), VectorPiece, body);
 }
 
+inline ComplexVector Copied(const ComplexVector& a)
+{
+  ComplexVector copy = Uninitialized(a.size());
+  ForRows(copy,
+    [&](Index begin, Index end)
+    { copy.segment(begin, end - begin) = a.segment(begin, end - begin); });
+  return copy;
+}
+
 /// Re a^* b
 inline double RealDot(const ComplexVector& a, const ComplexVector& b)
 {

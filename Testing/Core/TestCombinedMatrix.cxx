@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace DirectionFields;
@@ -27,6 +28,14 @@ void ExpectProducts(const Surface& surface, double a, double m)
   const double rounding = 1e-14 * std::sqrt(product.squaredNorm() + x.squaredNorm());
   EXPECT_LT((y - product).norm(), 10.0 * rounding);
   EXPECT_NEAR(form, x.dot(product).real(), 1e-13 * std::abs(form));
+
+  // Of a vector in single precision all digits, too.
+  const LargeArray<CompactComplex> compact(x.begin(), x.end());
+  ComplexVector rounded(x.size());
+  std::copy(compact.begin(), compact.end(), rounded.begin());
+  matrix.Multiply(compact, y);
+  EXPECT_LT((y - expected * rounded).norm(), 10.0 * rounding);
+
   EXPECT_LT((Combined(system.Matrices, a, m) - expected).norm(), 1e-15 * expected.norm());
 }
 }
