@@ -313,7 +313,10 @@ double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size, Co
 {
   const auto count = static_cast<Index>(this->Free.size());
   Workspace& finest = this->Levels.front();
-  z.setZero(r.size());
+  if (z.size() != r.size())
+  {
+    z.setZero(r.size());
+  }
   if (!(size > 0.0))
   {
     return 0.0;

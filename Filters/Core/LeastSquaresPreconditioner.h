@@ -35,6 +35,7 @@ public:
 
   /// z = B B^* r; what r is at given vertices does not matter. Returns Re r^* z.
   /// @param size ‖r‖
+  /// @param z    empty, or of a call before
   double Apply(const ComplexVector& r, double size, ComplexVector& z);
 
   /// x -= Z c and y -= K_f Z c, the sections Z of the coarse level as far as they are near given

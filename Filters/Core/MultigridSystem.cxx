@@ -181,7 +181,8 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
   }
   solution.Residual = 1.0;
   LeastSquaresPreconditioner preconditioner(
-    Combined(this->Matrices, this->EnergyFactor, this->MassFactor), freeSystem.Free, freeSystem.Hierarchy, std::max(0.0, this->Shift()));
+    Combined(this->Matrices, this->EnergyFactor, this->MassFactor), freeSystem.Free,
+    freeSystem.Hierarchy, std::max(0.0, this->Shift()));
   ComplexVector x = ComplexVector::Zero(b.size());
   int steps = 0;
   for (int restart = 0;
@@ -196,47 +197,56 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     double slope = findGradient(r, gradient);
     ComplexVector z;
     ComplexVector y;
-    ComplexVector direction;
-    // q = K_f direction
+    ComplexVector direction = Uninitialized(b.size());
+    double step = 0.0;
     double previous = 0.0;
-    for (bool first = true; steps < MostSteps && this->GoOn(); ++steps, first = false)
+    for (; steps < MostSteps && this->GoOn(); ++steps)
     {
       const double product = preconditioner.Apply(gradient, slope, z);
       matrix.Multiply(z, y);
       preconditioner.Deflate(z, y);
-      if (first)
-      {
-        direction.setZero(z.size());
-        q.setZero(y.size());
-      }
-      const double keep = first ? 0.0 : product / previous;
-      const double squares = ParallelSum<double>(static_cast<Index>(q.size()), VectorPiece, 0.0,
-        [&](Index begin, Index end)
-        {
-          const Index length = end - begin;
-          direction.segment(begin, length) =
-            z.segment(begin, length) + keep * direction.segment(begin, length);
-          q.segment(begin, length) = y.segment(begin, length) + keep * q.segment(begin, length);
-          return q.segment(begin, length).squaredNorm();
-        });
+      const double keep = previous == 0.0 ? 0.0 : product / previous;
       previous = product;
-      const double step = product / squares;
+      // q = K_f direction
+      const double squares = ParallelSum<double>(static_cast<Index>(q.size()), VectorPiece, 0.0,
+        [=, solution = better.data(), newDirection = z.data(), newQ = y.data(),
+          to = direction.data(), toQ = q.data()](Index begin, Index end)
+        {
+          double sum = 0.0;
+          for (Index v = begin; v < end; ++v)
+          {
+            if (keep == 0.0)
+            {
+              to[v] = newDirection[v];
+              toQ[v] = newQ[v];
+            }
+            else
+            {
+              solution[v] += step * to[v];
+              to[v] = newDirection[v] + keep * to[v];
+              toQ[v] = newQ[v] + keep * toQ[v];
+            }
+            sum += std::norm(toQ[v]);
+          }
+          return sum;
+        });
+      step = product / squares;
       if (!(step > 0.0) || !std::isfinite(step))
       {
+        step = 0.0;
         break;
       }
-      ForRows(r,
-        [&](Index begin, Index end)
-        {
-          const Index length = end - begin;
-          better.segment(begin, length) += step * direction.segment(begin, length);
-          r.segment(begin, length) -= step * q.segment(begin, length);
-        });
+      Combine(-step, q, 1.0, r);
       slope = findGradient(r, gradient);
       if (slope <= ResidualMargin * this->Tolerance * size)
       {
+        ++steps;
         break;
       }
+    }
+    if (step > 0.0)
+    {
+      Combine(step, direction, 1.0, better);
     }
     matrix.Multiply(better, q);
     r = b - q;
