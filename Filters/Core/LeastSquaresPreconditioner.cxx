@@ -3,6 +3,8 @@
 
 #include "LeastSquaresPreconditioner.h"
 
+#include "RowSum.h"
+#include "SparseColumns.h"
 #include "VectorOperations.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ constexpr double DensestCouplings = 100.0;
 /// Sections of the coarse level that reach given vertices are deflated, and those that reach what so
 /// many layers of them reach.
 constexpr int Layers = 2;
-constexpr Index ColumnPiece = 1024;
+constexpr Index ColumnPiece = 256;
 
 /// P, or P with its rows moved to the free vertices among all.
 SparseMatrix ToSparse(const Prolongator& p, Index rows, const std::vector<Index>* free)
@@ -74,11 +76,33 @@ SparseMatrix Joined(Index rows, Index columns, const MakeColumns& makeColumns)
   return joined;
 }
 
-template <typename Matrix>
-SparseMatrix Product(const Matrix& a, const SparseMatrix& b)
+/// a b; takes a third of the time of Eigen's product, which passes over all rows for each piece.
+SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
 {
   return Joined(static_cast<Index>(a.rows()), static_cast<Index>(b.cols()),
-    [&](Index begin, Index end) { return SparseMatrix(a * b.middleCols(begin, end - begin)); });
+    [&](Index begin, Index end)
+    {
+      RowSum<Complex> sum;
+      SparseMatrix product(a.rows(), end - begin);
+      for (Index column = begin; column < end; ++column)
+      {
+        sum.Clear();
+        for (SparseMatrix::InnerIterator outer(b, column); outer; ++outer)
+        {
+          for (SparseMatrix::InnerIterator it(a, outer.row()); it; ++it)
+          {
+            sum[it.row()] += it.value() * outer.value();
+          }
+        }
+        product.startVec(column - begin);
+        for (const auto& [row, value] : sum.Take(true))
+        {
+          product.insertBack(row, column - begin) = value;
+        }
+      }
+      product.finalize();
+      return product;
+    });
 }
 
 SparseMatrix Columns(const SparseMatrix& matrix, const std::vector<Index>& chosen)
@@ -151,21 +175,16 @@ std::vector<Index> ColumnsNear(
   return near;
 }
 
-/// W^* y, W in compressed columns.
+/// W^* y
 ComplexVector AdjointTimes(const SparseMatrix& w, const ComplexVector& y)
 {
   ComplexVector products(w.cols());
   ParallelFor(static_cast<Index>(w.cols()), ColumnPiece,
-    [&](Index begin, Index end)
+    [columns = SparseColumns(w), from = y.data(), to = products.data()](Index begin, Index end)
     {
       for (Index column = begin; column < end; ++column)
       {
-        Complex sum = 0.0;
-        for (SparseMatrix::InnerIterator it(w, column); it; ++it)
-        {
-          sum += std::conj(it.value()) * y[it.row()];
-        }
-        products[column] = sum;
+        to[column] = columns.AdjointTimes(column, from);
       }
     });
   return products;
@@ -188,16 +207,12 @@ void LeastSquaresPreconditioner::SparseRows::SubtractProduct(
   const ComplexVector& c, ComplexVector& y) const
 {
   ParallelFor(static_cast<Index>(this->Filled.size()), ColumnPiece,
-    [&](Index begin, Index end)
+    [rows = SparseColumns(this->Adjoint), filled = this->Filled.data(), from = c.data(),
+      to = y.data()](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
       {
-        Complex sum = 0.0;
-        for (SparseMatrix::InnerIterator it(this->Adjoint, this->Filled[k]); it; ++it)
-        {
-          sum += std::conj(it.value()) * c[it.row()];
-        }
-        y[this->Filled[k]] -= sum;
+        to[filled[k]] -= rows.AdjointTimes(filled[k], from);
       }
     });
 }
@@ -349,13 +364,22 @@ double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size, Co
     });
 }
 
-void LeastSquaresPreconditioner::Deflate(ComplexVector& x, ComplexVector& y)
+ComplexVector LeastSquaresPreconditioner::Deflate(ComplexVector& y) const
+{
+  if (!this->Deflates)
+  {
+    return {};
+  }
+  ComplexVector c = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
+  this->CoarseRows.SubtractProduct(c, y);
+  return c;
+}
+
+void LeastSquaresPreconditioner::Correct(const ComplexVector& c, ComplexVector& x) const
 {
   if (this->Deflates)
   {
-    const ComplexVector c = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
     this->Sections.SubtractProduct(c, x);
-    this->CoarseRows.SubtractProduct(c, y);
   }
 }
 }

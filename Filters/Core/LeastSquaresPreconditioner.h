@@ -38,10 +38,13 @@ public:
   /// @param z    empty, or of a call before
   double Apply(const ComplexVector& r, double size, ComplexVector& z);
 
-  /// x -= Z c and y -= K_f Z c, the sections Z of the coarse level as far as they are near given
-  /// vertices, c = (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y: with y = K_f x the deflation of x, with
-  /// y = K_f x - b the best change of x among those sections.
-  void Deflate(ComplexVector& x, ComplexVector& y);
+  /// y -= K_f Z c, the sections Z of the coarse level as far as they are near given vertices,
+  /// c = (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, which leaves least of y: with y = K_f x, x - Z c is deflated,
+  /// with y = K_f x - b it is the best change of x among those sections. Returns c, or nothing where
+  /// nothing is deflated.
+  ComplexVector Deflate(ComplexVector& y) const;
+  /// x -= Z c
+  void Correct(const ComplexVector& c, ComplexVector& x) const;
 
 private:
   /// Storage of one level.

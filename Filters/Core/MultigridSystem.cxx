@@ -192,20 +192,33 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     ComplexVector r;
     matrix.Multiply(better, r);
     r -= b;
-    preconditioner.Deflate(better, r);
+    preconditioner.Correct(preconditioner.Deflate(r), better);
     r = -r;
     double slope = findGradient(r, gradient);
     ComplexVector z;
     ComplexVector y;
     ComplexVector direction = Uninitialized(b.size());
+    // Coefficients of what the direction and the sum of all steps still have to be corrected by.
+    ComplexVector deflatedDirection;
+    ComplexVector deflatedSum;
     double step = 0.0;
     double previous = 0.0;
     for (; steps < MostSteps && this->GoOn(); ++steps)
     {
       const double product = preconditioner.Apply(gradient, slope, z);
       matrix.Multiply(z, y);
-      preconditioner.Deflate(z, y);
+      const ComplexVector deflated = preconditioner.Deflate(y);
       const double keep = previous == 0.0 ? 0.0 : product / previous;
+      if (keep == 0.0)
+      {
+        deflatedDirection = deflated;
+        deflatedSum.setZero(deflated.size());
+      }
+      else
+      {
+        deflatedSum += step * deflatedDirection;
+        deflatedDirection = deflated + keep * deflatedDirection;
+      }
       previous = product;
       // q = K_f direction
       const double squares = ParallelSum<double>(static_cast<Index>(q.size()), VectorPiece, 0.0,
@@ -247,6 +260,11 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     if (step > 0.0)
     {
       Combine(step, direction, 1.0, better);
+      deflatedSum += step * deflatedDirection;
+    }
+    if (previous != 0.0)
+    {
+      preconditioner.Correct(deflatedSum, better);
     }
     matrix.Multiply(better, q);
     r = b - q;

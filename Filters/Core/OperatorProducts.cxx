@@ -4,6 +4,7 @@
 #include "OperatorProducts.h"
 
 #include "SectionBlock.h"
+#include "SparseColumns.h"
 #include "Threads.h"
 #include "VectorOperations.h"
 
@@ -15,40 +16,6 @@ namespace DirectionFields
 namespace
 {
 constexpr Index PieceRows = 2048;
-
-/// The arrays of a sparse matrix. Loops capture them by value, or each row would look them up anew.
-struct Entries
-{
-  explicit Entries(const SparseMatrix& matrix)
-    : Begin(matrix.outerIndexPtr())
-    , Row(matrix.innerIndexPtr())
-    , Value(matrix.valuePtr())
-  {
-  }
-  const Index* Begin;
-  const Index* Row;
-  const Complex* Value;
-};
-
-/// Adds up conj(a) x; real and imaginary part at once.
-class ConjugateSum
-{
-public:
-  void Add(double real, double imaginary, const Complex& x)
-  {
-    const Eigen::Array2d both(x.real(), x.imag());
-    this->ByReal += real * both;
-    this->ByImaginary += imaginary * both;
-  }
-  Complex Value() const
-  {
-    return { this->ByReal[0] + this->ByImaginary[1], this->ByReal[1] - this->ByImaginary[0] };
-  }
-
-private:
-  Eigen::Array2d ByReal = Eigen::Array2d::Zero();
-  Eigen::Array2d ByImaginary = Eigen::Array2d::Zero();
-};
 
 /// Calls body(v) for each row. A row of a Hermitian matrix is the conjugate of the column.
 template <typename Body>
@@ -71,15 +38,8 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x)
 {
   ComplexVector y = Uninitialized(x.size());
   ForEachRow(x.size(),
-    [a = Entries(matrix), from = x.data(), to = y.data()](Index v)
-    {
-      ConjugateSum sum;
-      for (Index k = a.Begin[v]; k < a.Begin[v + 1]; ++k)
-      {
-        sum.Add(a.Value[k].real(), a.Value[k].imag(), from[a.Row[k]]);
-      }
-      to[v] = sum.Value();
-    });
+    [a = SparseColumns(matrix), from = x.data(), to = y.data()](Index v)
+    { to[v] = a.AdjointTimes(v, from); });
   return y;
 }
 
@@ -87,7 +47,7 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
 {
   ComplexVector y = Uninitialized(x.size());
   ForEachRow(x.size(),
-    [a, m, energy = Entries(operators.Energy), mass = operators.Mass.valuePtr(), from = x.data(),
+    [a, m, energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(), from = x.data(),
       to = y.data()](Index v)
     {
       ConjugateSum sum;
@@ -124,7 +84,7 @@ double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u)
     [&](Index begin, Index end)
     { size.segment(begin, end - begin) = u.segment(begin, end - begin).cwiseAbs2().cwiseSqrt(); });
   return std::sqrt(ParallelSum<double>(static_cast<Index>(matrix.cols()), PieceRows, 0.0,
-    [a = Entries(matrix), from = size.data()](Index begin, Index end)
+    [a = SparseColumns(matrix), from = size.data()](Index begin, Index end)
     {
       double squares = 0.0;
       for (Index v = begin; v < end; ++v)
@@ -151,7 +111,7 @@ void SectionProducts::Set(const Operators& operators, ComplexVector vector)
   Resize(this->Energy, this->Vector.size());
   Resize(this->Mass, this->Vector.size());
   ForEachRow(this->Vector.size(),
-    [energy = Entries(operators.Energy), mass = operators.Mass.valuePtr(),
+    [energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(),
       from = this->Vector.data(), toEnergy = this->Energy.data(), toMass = this->Mass.data()](Index v)
     {
       ConjugateSum a;
@@ -171,7 +131,7 @@ void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
 {
   constexpr int width = SectionBlock::Width;
   ForEachRow(operators.Energy.cols(),
-    [energy = Entries(operators.Energy), mass = operators.Mass.valuePtr(), x, ax, mx](Index v)
+    [energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(), x, ax, mx](Index v)
     {
       Eigen::Array4d real = Eigen::Array4d::Zero();
       Eigen::Array4d imaginary = Eigen::Array4d::Zero();
