@@ -15,8 +15,8 @@ namespace DirectionFields
 namespace
 {
 /// Sweeps of a cycle on each level, and how far they go.
-constexpr int Sweeps = 4;
-constexpr float Relaxation = 1.12f;
+constexpr int Sweeps = 3;
+constexpr float Relaxation = 1.2f;
 /// Unknowns of the coarse level: more of them save steps, but cost more in each.
 constexpr Index MostCoarseRows = 30000;
 /// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
