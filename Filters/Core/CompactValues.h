@@ -189,11 +189,17 @@ public:
   template <int Pairs>
   void Add(Index begin, Index end)
   {
+    // Many at once: the number of rounds is easier to predict.
+    for (; end - begin > 2 * Pairs + 2; begin += 2 * Pairs)
+    {
+      for (int pair = 0; pair < Pairs; ++pair)
+      {
+        this->AddPair(begin + 2 * pair);
+      }
+    }
     for (; end - begin > 2 * Pairs; begin += 2)
     {
-      Numbers a;
-      std::memcpy(&a, this->Factors + begin, sizeof(a));
-      this->AddPair(a, begin);
+      this->AddPair(begin);
     }
     // A window on these hides the factors after the end: their number is hard to predict, a branch
     // that goes wrong takes longer than products with zeros.
@@ -223,6 +229,12 @@ private:
   double Section(Index k) const
   {
     return Values::Both(this->Sections + 2 * static_cast<std::size_t>(this->Vertices[k]));
+  }
+  void AddPair(Index k)
+  {
+    Numbers a;
+    std::memcpy(&a, this->Factors + k, sizeof(a));
+    this->AddPair(a, k);
   }
   void AddPair(const Numbers& a, Index k)
   {
