@@ -26,6 +26,10 @@ bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
 bool DirectionFieldCache::SetInput(
   vtkPolyData* input, const std::optional<double>& time, const ProgressFunction& progress)
 {
+  if (this->Stages && IsSurfaceOf(input, *this->Surface))
+  {
+    return true;
+  }
   auto surface = std::make_shared<TriangulatedPolyData>(PolyDataToSurface(input, progress));
   if (surface->Aborted)
   {

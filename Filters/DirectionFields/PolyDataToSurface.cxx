@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -241,6 +242,66 @@ bool CopyTriangles(
   return true;
 }
 
+template <typename Body>
+bool ForAllPieces(Index count, const Body& isSame)
+{
+  return ParallelSum<int>(count, PieceSize, 0,
+           [&](Index begin, Index end) { return isSame(begin, end) ? 0 : 1; }) == 0;
+}
+
+/// Whether points of one type have these very bytes, those of NaN, too.
+template <typename Value>
+bool SamePoints(vtkDataArray* points, const std::vector<Vector3>& copies)
+{
+  auto* const array = vtkAOSDataArrayTemplate<Value>::FastDownCast(points);
+  if (!array)
+  {
+    return false;
+  }
+  const Value* const values = array->GetPointer(0);
+  return ForAllPieces(static_cast<Index>(copies.size()),
+    [=, copy = copies.data()](Index begin, Index end)
+    {
+      bool same = true;
+      for (Index i = begin; i < end && same; ++i)
+      {
+        const Value* const point = values + 3 * static_cast<vtkIdType>(i);
+        const Vector3 now(point[0], point[1], point[2]);
+        same = std::memcmp(now.data(), copy[i].data(), sizeof(now)) == 0;
+      }
+      return same;
+    });
+}
+
+template <typename Id>
+bool SameTriangles(vtkCellArray* cells, const std::vector<Triangle>& copies)
+{
+  auto* const array = vtkAOSDataArrayTemplate<Id>::FastDownCast(cells->GetConnectivityArray());
+  if (!array)
+  {
+    return false;
+  }
+  const Id* const ids = array->GetPointer(0);
+  return ForAllPieces(static_cast<Index>(copies.size()),
+    [=, copy = copies.data()](Index begin, Index end)
+    {
+      bool same = true;
+      for (Index t = begin; t < end && same; ++t)
+      {
+        const Id* const corner = ids + 3 * static_cast<vtkIdType>(t);
+        same = corner[0] == copy[t][0] && corner[1] == copy[t][1] && corner[2] == copy[t][2];
+      }
+      return same;
+    });
+}
+
+/// Whether the cells are triangles of which CopyTriangles takes all.
+bool AreCopied(vtkPolyData* polyData)
+{
+  return !polyData->GetCellData()->HasArray(vtkDataSetAttributes::GhostArrayName()) &&
+    polyData->GetStrips()->GetNumberOfCells() == 0 && polyData->GetPolys()->IsHomogeneous() == 3;
+}
+
 void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
 {
   if (count > most)
@@ -250,6 +311,24 @@ void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
       " can be processed. Decimate it or process it in parts.");
   }
 }
+}
+
+bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
+{
+  const std::vector<Vector3>& points = surface.Mesh.Points;
+  const std::vector<Triangle>& triangles = surface.Mesh.Triangles;
+  vtkCellArray* polys = polyData->GetPolys();
+  if (points.empty() || polyData->GetNumberOfPoints() != static_cast<vtkIdType>(points.size()) ||
+    polys->GetNumberOfCells() != static_cast<vtkIdType>(triangles.size()) ||
+    !surface.Mesh.Ghost.empty() || !surface.CellOfTriangle.empty() ||
+    surface.FirstCell != polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() ||
+    !AreCopied(polyData))
+  {
+    return false;
+  }
+  vtkDataArray* data = polyData->GetPoints()->GetData();
+  return (SamePoints<float>(data, points) || SamePoints<double>(data, points)) &&
+    (SameTriangles<vtkTypeInt64>(polys, triangles) || SameTriangles<vtkTypeInt32>(polys, triangles));
 }
 
 TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const ProgressFunction& progress)
@@ -283,7 +362,7 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const ProgressFunc
   auto ghosts = vtkUnsignedCharArray::SafeDownCast(
     polyData->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   vtkIdType cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
-  if (!ghosts && strips->GetNumberOfCells() == 0 && polys->IsHomogeneous() == 3 &&
+  if (AreCopied(polyData) &&
     (CopyTriangles<vtkTypeInt64>(polys, cell, numberOfPoints, result) ||
       CopyTriangles<vtkTypeInt32>(polys, cell, numberOfPoints, result)))
   {

@@ -41,6 +41,10 @@ struct TriangulatedPolyData
 /// Throws std::length_error for more points or triangles than Index can number.
 TriangulatedPolyData PolyDataToSurface(
   vtkPolyData* polyData, const ProgressFunction& progress = {});
+
+/// Whether PolyDataToSurface makes this surface, by value. Does not look at polygons: false wherever
+/// there is anything but points in single or double precision and triangles.
+bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface);
 }
 
 #endif

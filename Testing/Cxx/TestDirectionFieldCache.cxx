@@ -272,6 +272,60 @@ void TestInput()
   CheckAsNew(filter, mesh);
 }
 
+/// Also at the end of what is compared in pieces, and in each way of storing it.
+void TestLargeInput()
+{
+  auto mesh = TestMeshes::Pebble(6);
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  vtkIdType last = mesh->GetNumberOfPoints() - 1;
+  const auto moveLast = [&](double by)
+  {
+    double point[3];
+    mesh->GetPoint(last, point);
+    mesh->GetPoints()->SetPoint(last, point[0] + by, point[1] + by, point[2]);
+    mesh->GetPoints()->Modified();
+  };
+  const auto check = [&]
+  {
+    filter->Update();
+    CheckAsNew(filter, mesh);
+  };
+  check();
+  moveLast(1e-3);
+  check();
+  mesh->GetPolys()->ConvertTo32BitStorage();
+  check();
+  moveLast(1e-3);
+  check();
+  vtkNew<vtkPoints> precise;
+  precise->SetDataTypeToDouble();
+  precise->DeepCopy(mesh->GetPoints());
+  mesh->SetPoints(precise);
+  check();
+  moveLast(1e-12);
+  check();
+  last = 0;
+  moveLast(1e-12);
+  check();
+
+  // The last triangle from another corner on, and one triangle less.
+  vtkNew<vtkIdList> ids;
+  const vtkIdType triangle = mesh->GetNumberOfPolys() - 1;
+  mesh->GetPolys()->GetCellAtId(triangle, ids);
+  mesh->GetPolys()->ReplaceCellAtId(triangle, { ids->GetId(1), ids->GetId(2), ids->GetId(0) });
+  mesh->GetPolys()->Modified();
+  check();
+  vtkNew<vtkCellArray> fewer;
+  for (vtkIdType i = 0; i < triangle; ++i)
+  {
+    mesh->GetPolys()->GetCellAtId(i, ids);
+    fewer->InsertNextCell(ids);
+  }
+  mesh->SetPolys(fewer);
+  check();
+}
+
 /// The curvature is computed once, and outputs do not share it.
 void TestCurvature()
 {
@@ -419,6 +473,7 @@ int TestDirectionFieldCache(int, char*[])
 {
   TestSettings();
   TestInput();
+  TestLargeInput();
   TestCurvature();
   TestTwoFilters();
   TestSaving();
