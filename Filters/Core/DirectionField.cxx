@@ -123,8 +123,14 @@ CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)
 void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::vector<int>& indices,
   Result& result)
 {
-  result.SingularityIndex.assign(surface.Triangles.size(), 0);
-  result.Component.assign(surface.Triangles.size(), None);
+  const auto fill = [&](std::vector<Index>& values, Index value)
+  {
+    values.reserve(surface.Triangles.size());
+    PreferLargePages(values.data(), surface.Triangles.size() * sizeof(Index));
+    values.assign(surface.Triangles.size(), value);
+  };
+  fill(result.SingularityIndex, 0);
+  fill(result.Component, None);
   mesh.ForEachComponent(
     [&](Index c)
     {

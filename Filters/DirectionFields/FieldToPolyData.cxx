@@ -302,11 +302,22 @@ void AddCellArrays(const TriangulatedPolyData& input, const Result& field, vtkPo
 {
   auto index = MakeArray<vtkIntArray>(
     "SingularityIndex", 1, static_cast<size_t>(output->GetNumberOfCells()));
-  index->FillValue(0);
   int* const indices = index->GetPointer(0);
-  for (size_t t = 0; t < field.SingularityIndex.size(); ++t)
+  const std::vector<int>& given = field.SingularityIndex;
+  if (input.CellOfTriangle.empty() && input.FirstCell == 0 &&
+    given.size() == static_cast<size_t>(output->GetNumberOfCells()))
   {
-    indices[input.Cell(t)] += field.SingularityIndex[t];
+    ParallelFor(static_cast<Index>(given.size()), PieceSize,
+      [&](Index begin, Index end)
+      { std::copy(given.begin() + begin, given.begin() + end, indices + begin); });
+  }
+  else
+  {
+    index->FillValue(0);
+    for (size_t t = 0; t < given.size(); ++t)
+    {
+      indices[input.Cell(t)] += given[t];
+    }
   }
   output->GetCellData()->AddArray(index);
 }
