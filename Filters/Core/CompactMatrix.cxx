@@ -51,7 +51,6 @@ void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
 {
   const Index rows = this->Rows();
   this->Inside.resize(rows);
-  ResizePadded(this->ColumnInBlock, this->Entries());
   std::vector<std::vector<Index>> boundary(NumberOfPieces(rows, BlockRows));
   ParallelFor(rows, BlockRows,
     [&](Index begin, Index end)
@@ -71,12 +70,6 @@ void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
           ++out;
         }
         this->Inside[v] = first + (out - in);
-        for (Index k = first; k < last; ++k)
-        {
-          const Index inside = in + (k - first);
-          this->ColumnInBlock[k] =
-            static_cast<std::uint16_t>(inside < out ? this->Column[inside] - begin : 0);
-        }
         if (out - in == last - first)
         {
           continue;
@@ -96,11 +89,21 @@ void CompactMatrix::OrderByBlocks(LargeArray<CompactComplex>* other)
   {
     this->Boundary.insert(this->Boundary.end(), piece.begin(), piece.end());
   }
-  this->CollectOutside();
 }
 
-void CompactMatrix::CollectOutside()
+void CompactMatrix::PrepareSweeps()
 {
+  ResizePadded(this->ColumnInBlock, this->Entries());
+  ParallelFor(this->Rows(), BlockRows,
+    [&](Index begin, Index end)
+    {
+      for (Index k = this->Begin[begin]; k < this->Begin[end]; ++k)
+      {
+        const Index column = this->Column[k];
+        this->ColumnInBlock[k] =
+          static_cast<std::uint16_t>(begin <= column && column < end ? column - begin : 0);
+      }
+    });
   const auto count = static_cast<Index>(this->Boundary.size());
   this->OutsideBegin.resize(count + 1);
   this->OutsideBegin[0] = 0;

@@ -45,10 +45,11 @@ struct CompactMatrix
   /// Rounds a Hermitian matrix.
   explicit CompactMatrix(const SparseMatrix& matrix);
 
-  /// Brings the entries of rows with ascending columns in order, and fills in Inside, ColumnInBlock
-  /// and what there is about the boundary.
+  /// Brings the entries of rows with ascending columns in order, and fills in Inside and Boundary.
   /// @param other has the same pattern, and gets the same order
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
+  /// Fills in what only sweeps need: ColumnInBlock and the couplings of the boundary.
+  void PrepareSweeps();
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
   /// But for the diagonal.
@@ -66,9 +67,6 @@ struct CompactMatrix
       x, sum);
     return sum;
   }
-
-private:
-  void CollectOutside();
 };
 
 /// The matrix A + shift m that is swept, but for its entries.

@@ -90,6 +90,11 @@ Multigrid::Multigrid(const Operators& operators, double scale)
     }
     this->Levels.push_back({ std::move(coarse), {}, {} });
   }
+  // Now that most memory has been needed.
+  for (Level& level : this->Levels)
+  {
+    level.Matrices.Energy.PrepareSweeps();
+  }
 }
 
 double Multigrid::OperatorComplexity() const
