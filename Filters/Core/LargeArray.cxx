@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <cstdlib>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #ifdef __linux__
 #include <sys/mman.h>
 #ifdef MADV_HUGEPAGE
@@ -57,6 +60,13 @@ void PreferLargePages([[maybe_unused]] void* storage, [[maybe_unused]] std::size
   // is not taken, pages are small.
   madvise(static_cast<char*>(storage) + skipped, (bytes - skipped) / PageBytes * PageBytes,
     MADV_HUGEPAGE);
+#endif
+}
+
+void ReturnReleased() noexcept
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
 #endif
 }
 

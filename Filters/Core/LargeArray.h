@@ -20,6 +20,9 @@ void* AllocateLarge(std::size_t bytes);
 void ReleaseLarge(void* storage) noexcept;
 /// Asks for large pages for storage of another kind, which is best not written to yet.
 void PreferLargePages(void* storage, std::size_t bytes) noexcept;
+/// Gives what many small blocks took, all released, back to the system: the C library may keep it, and
+/// large arrays do not fit in. Takes milliseconds.
+void ReturnReleased() noexcept;
 
 /// Leaves values that are not given uninitialized: the loop that fills an array in is to touch its
 /// pages first, on all threads.

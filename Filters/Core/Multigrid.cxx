@@ -26,6 +26,9 @@ constexpr double AddedShift = 0.01;
 /// would lose much, and it costs next to nothing.
 constexpr std::size_t FirstTwice = 2;
 
+/// Of so many rows on, the pieces that coarse levels were made of are worth returning.
+constexpr Index ManyRows = 1 << 20;
+
 /// Of the sweeps.
 constexpr float Relaxation = 1.15f;
 
@@ -90,7 +93,10 @@ Multigrid::Multigrid(const Operators& operators, double scale)
     }
     this->Levels.push_back({ std::move(coarse), {}, {} });
   }
-  // Now that most memory has been needed.
+  if (this->Levels.front().Rows() > ManyRows)
+  {
+    ReturnReleased();
+  }
   for (Level& level : this->Levels)
   {
     level.Matrices.Energy.PrepareSweeps();
