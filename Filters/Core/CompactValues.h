@@ -151,8 +151,8 @@ inline void AddProducts(const CompactComplex* factors, const Vertex* vertices, I
   }
 }
 
-/// The same, six at once if it is one section. All arrays are padded; factors and sections after the
-/// end, too, are finite.
+/// The same, six at once if it is one section: up to six entries after the end are read, too, and
+/// multiplied by zero. Factors and vertices are padded, and the sections finite.
 template <int B, typename Vertex>
 inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<B>& sum)

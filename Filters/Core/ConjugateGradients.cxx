@@ -24,8 +24,8 @@ constexpr double RoundingScale = 1e-6;
 /// Part of the inverse on the lowest sections that V-cycles may lack.
 constexpr double NegligibleLack = 0.1;
 
-/// z = B r: V-cycles in single precision, and what they lack of the inverse on the lowest sections. Works
-/// row by row within its user's loops, which are limited by the traffic of memory.
+/// z = B r: V-cycles in single precision, and what they lack of the inverse on the lowest sections.
+/// Works row by row within its user's loops, which are limited by the traffic of memory.
 class Preconditioner
 {
 public:
