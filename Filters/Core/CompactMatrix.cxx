@@ -172,14 +172,12 @@ struct Entries
   explicit Entries(const CompactMatrix& matrix)
     : Begin(matrix.Begin.data())
     , Inside(matrix.Inside.data())
-    , Column(matrix.Column.data())
     , ColumnInBlock(matrix.ColumnInBlock.data())
     , Value(matrix.Value.data())
   {
   }
   const Index* Begin;
   const Index* Inside;
-  const Index* Column;
   const std::uint16_t* ColumnInBlock;
   const CompactComplex* Value;
 
@@ -301,10 +299,28 @@ void StoreRestOfBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal
     });
 }
 
-/// Subtracts what blocks get from others.
-template <int B>
-void SubtractOutside(const CompactMatrix& matrix, const CompactSections& boundary, float* r)
+/// Calls sweep(begin, end, own) for each block of x, and finds what is left.
+/// @param from what a block begins with; zero if null
+/// @param r    b - (A + shift m) x; or null
+template <int B, typename SweepBlock>
+void SweepBlocks(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+  const float* from, float* x, float* r, CompactSections& boundary, const SweepBlock& sweep)
 {
+  ParallelFor(matrix.Rows(), BlockRows,
+    [&](Index begin, Index end)
+    {
+      BlockSections<B> block(from, begin, end);
+      sweep(begin, end, block.data());
+      block.CopyTo(x);
+      if (r)
+      {
+        StoreRestOfBlock<B>(matrix, diagonal, b, block.data(), begin, end, r, boundary);
+      }
+    });
+  if (!r)
+  {
+    return;
+  }
   ForBoundary<B>(matrix, boundary.data(),
     [r](Index, Index v, CompactValues<B> sum)
     {
@@ -320,14 +336,12 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
   float* x, float* r)
 {
   CompactSections boundary(2 * B * matrix.Boundary.size());
-  ParallelFor(matrix.Rows(), BlockRows,
-    [=, &matrix, &diagonal, &boundary](Index begin, Index end)
+  // Products with zeros take less time than to tell which rows come first.
+  SweepBlocks<B>(matrix, diagonal, b, nullptr, x, r, boundary,
+    [&](Index begin, Index end, float* own)
     {
-      BlockSections<B> block(nullptr, begin, end);
-      // Products with zeros take less time than to tell which rows come first.
       ForBlockRows(begin, end, SweepOrder::Down,
-        [=, entries = Entries(matrix), inverse = diagonal.Inverse.data(), own = block.data()](
-          Index v, int)
+        [=, entries = Entries(matrix), inverse = diagonal.Inverse.data()](Index v, int)
         {
           CompactValues<B> sum;
           entries.AddInside<B>(v, own, sum);
@@ -335,16 +349,7 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
           sum.Scale(-inverse[v]);
           sum.Store(own, v - begin);
         });
-      block.CopyTo(x);
-      if (r)
-      {
-        StoreRestOfBlock<B>(matrix, diagonal, b, block.data(), begin, end, r, boundary);
-      }
     });
-  if (r)
-  {
-    SubtractOutside<B>(matrix, boundary, r);
-  }
 }
 
 template <int B>
@@ -366,18 +371,16 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
       sum.Store(to, j);
     });
   const bool isDown = order == SweepOrder::Down;
-  ParallelFor(matrix.Rows(), BlockRows,
-    [=, &matrix, &diagonal, &outside, &boundary](Index begin, Index end)
+  SweepBlocks<B>(matrix, diagonal, b, x, x, r, boundary,
+    [&](Index begin, Index end, float* own)
     {
       const Index middle = begin + (end - begin) / 2;
       // Of the next row of the boundary in each half; upwards, of the one before.
       std::array<Index, 2> next{ matrix.BoundaryFrom(isDown ? begin : middle),
         matrix.BoundaryFrom(isDown ? middle : end) };
-      BlockSections<B> block(x, begin, end);
       ForBlockRows(begin, end, order,
         [=, entries = Entries(matrix), kept = 1.0f - diagonal.Relaxation,
-          inverse = diagonal.Inverse.data(), from = outside.data(), own = block.data()](
-          Index v, int half) mutable
+          inverse = diagonal.Inverse.data(), from = outside.data()](Index v, int half) mutable
         {
           CompactValues<B> sum;
           if (entries.Inside[v] < entries.Begin[v + 1])
@@ -390,16 +393,7 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
           sum.AddReal(kept, own, v - begin);
           sum.Store(own, v - begin);
         });
-      block.CopyTo(x);
-      if (r)
-      {
-        StoreRestOfBlock<B>(matrix, diagonal, b, block.data(), begin, end, r, boundary);
-      }
     });
-  if (r)
-  {
-    SubtractOutside<B>(matrix, boundary, r);
-  }
 }
 
 template void Sweep<1>(

@@ -242,11 +242,20 @@ bool CopyTriangles(
   return true;
 }
 
+/// Whether isSame(i) for i = 0 ... count - 1.
 template <typename Body>
-bool ForAllPieces(Index count, const Body& isSame)
+bool AllAreSame(Index count, const Body& isSame)
 {
   return ParallelSum<int>(count, PieceSize, 0,
-           [&](Index begin, Index end) { return isSame(begin, end) ? 0 : 1; }) == 0;
+           [&](Index begin, Index end)
+           {
+             Index i = begin;
+             while (i < end && isSame(i))
+             {
+               ++i;
+             }
+             return i < end ? 1 : 0;
+           }) == 0;
 }
 
 /// Whether points of one type have these very bytes, those of NaN, too.
@@ -259,17 +268,12 @@ bool SamePoints(vtkDataArray* points, const std::vector<Vector3>& copies)
     return false;
   }
   const Value* const values = array->GetPointer(0);
-  return ForAllPieces(static_cast<Index>(copies.size()),
-    [=, copy = copies.data()](Index begin, Index end)
+  return AllAreSame(static_cast<Index>(copies.size()),
+    [values, copy = copies.data()](Index i)
     {
-      bool same = true;
-      for (Index i = begin; i < end && same; ++i)
-      {
-        const Value* const point = values + 3 * static_cast<vtkIdType>(i);
-        const Vector3 now(point[0], point[1], point[2]);
-        same = std::memcmp(now.data(), copy[i].data(), sizeof(now)) == 0;
-      }
-      return same;
+      const Value* const point = values + 3 * static_cast<vtkIdType>(i);
+      const Vector3 now(point[0], point[1], point[2]);
+      return std::memcmp(now.data(), copy[i].data(), sizeof(now)) == 0;
     });
 }
 
@@ -282,16 +286,11 @@ bool SameTriangles(vtkCellArray* cells, const std::vector<Triangle>& copies)
     return false;
   }
   const Id* const ids = array->GetPointer(0);
-  return ForAllPieces(static_cast<Index>(copies.size()),
-    [=, copy = copies.data()](Index begin, Index end)
+  return AllAreSame(static_cast<Index>(copies.size()),
+    [ids, copy = copies.data()](Index t)
     {
-      bool same = true;
-      for (Index t = begin; t < end && same; ++t)
-      {
-        const Id* const corner = ids + 3 * static_cast<vtkIdType>(t);
-        same = corner[0] == copy[t][0] && corner[1] == copy[t][1] && corner[2] == copy[t][2];
-      }
-      return same;
+      const Id* const corner = ids + 3 * static_cast<vtkIdType>(t);
+      return corner[0] == copy[t][0] && corner[1] == copy[t][1] && corner[2] == copy[t][2];
     });
 }
 
