@@ -309,12 +309,29 @@ void TestLargeInput()
   moveLast(1e-12);
   check();
 
-  // The last triangle from another corner on, and one triangle less.
+  // An edge of the last triangle flipped: as many others of the same points. Then one less.
   vtkNew<vtkIdList> ids;
+  vtkNew<vtkIdList> other;
   const vtkIdType triangle = mesh->GetNumberOfPolys() - 1;
-  mesh->GetPolys()->GetCellAtId(triangle, ids);
-  mesh->GetPolys()->ReplaceCellAtId(triangle, { ids->GetId(1), ids->GetId(2), ids->GetId(0) });
-  mesh->GetPolys()->Modified();
+  vtkCellArray* polys = mesh->GetPolys();
+  polys->GetCellAtId(triangle, ids);
+  const vtkIdType from = ids->GetId(0);
+  const vtkIdType to = ids->GetId(1);
+  const vtkIdType left = ids->GetId(2);
+  for (vtkIdType i = 0; i < triangle; ++i)
+  {
+    polys->GetCellAtId(i, other);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      if (other->GetId(k) == to && other->GetId((k + 1) % 3) == from)
+      {
+        const vtkIdType right = other->GetId((k + 2) % 3);
+        polys->ReplaceCellAtId(i, { from, right, left });
+        polys->ReplaceCellAtId(triangle, { right, to, left });
+      }
+    }
+  }
+  polys->Modified();
   check();
   vtkNew<vtkCellArray> fewer;
   for (vtkIdType i = 0; i < triangle; ++i)
