@@ -100,21 +100,23 @@ CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
 
 double CombinedMatrix::Multiply(const ComplexVector& x, ComplexVector& y) const
 {
-  return this->MultiplyNumbers(x.data(), y);
+  Resize(y, static_cast<Eigen::Index>(this->Diagonal.size()));
+  return this->MultiplyNumbers(x.data(), y.data());
 }
 
-double CombinedMatrix::Multiply(const LargeArray<CompactComplex>& x, ComplexVector& y) const
+double CombinedMatrix::Multiply(
+  const LargeArray<CompactComplex>& x, LargeArray<CompactComplex>& y) const
 {
-  return this->MultiplyNumbers(x.data(), y);
+  y.resize(this->Diagonal.size());
+  return this->MultiplyNumbers(x.data(), y.data());
 }
 
 template <typename Number>
-double CombinedMatrix::MultiplyNumbers(const Number* all, ComplexVector& y) const
+double CombinedMatrix::MultiplyNumbers(const Number* all, Number* to) const
 {
   const auto rows = static_cast<Index>(this->Diagonal.size());
-  Resize(y, rows);
   return ParallelSum<double>(rows, BlockRows, 0.0,
-    [=, diagonal = this->Diagonal.data(), to = y.data()](Index begin, Index end)
+    [=, diagonal = this->Diagonal.data()](Index begin, Index end)
     {
       alignas(16) std::array<double, 2 * BlockRows> sums;
       const auto sum = [&](Index v) { return Eigen::Map<Parts, Eigen::Aligned16>(&sums[2 * v]); };
@@ -143,7 +145,7 @@ double CombinedMatrix::MultiplyNumbers(const Number* all, ComplexVector& y) cons
       for (Index v = 0; v < end - begin; ++v)
       {
         const Parts total = sum(v);
-        to[begin + v] = Complex(total[0], total[1]);
+        to[begin + v] = Number(Complex(total[0], total[1]));
         product += (PartsOf(own[v]) * total).sum();
       }
       return product;

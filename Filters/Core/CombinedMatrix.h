@@ -23,11 +23,12 @@ public:
 
   /// y = K x, in the storage that there is; returns Re x^* y.
   double Multiply(const ComplexVector& x, ComplexVector& y) const;
-  double Multiply(const LargeArray<CompactComplex>& x, ComplexVector& y) const;
+  /// The same; sums are those of double precision, then rounded.
+  double Multiply(const LargeArray<CompactComplex>& x, LargeArray<CompactComplex>& y) const;
 
 private:
   template <typename Number>
-  double MultiplyNumbers(const Number* x, ComplexVector& y) const;
+  double MultiplyNumbers(const Number* x, Number* y) const;
 
   struct OutsideEntry
   {

@@ -165,6 +165,8 @@ SweepDiagonal::SweepDiagonal(
 namespace
 {
 constexpr Index BlockRows = CompactMatrix::BlockRows;
+/// Products that are added up in single precision.
+constexpr Index FewNumbers = 512;
 
 /// The arrays of a matrix. Loops take copies: what they write could not change those.
 struct Entries
@@ -299,14 +301,29 @@ void StoreRestOfBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal
     });
 }
 
+/// The scalar product of real numbers.
+double Product(const float* x, const float* y, Index count)
+{
+  double product = 0.0;
+  for (Index k = 0; k < count; k += FewNumbers)
+  {
+    const Index few = std::min(FewNumbers, count - k);
+    product += Eigen::Map<const Eigen::VectorXf>(x + k, few).dot(
+      Eigen::Map<const Eigen::VectorXf>(y + k, few));
+  }
+  return product;
+}
+
 /// Calls sweep(begin, end, own) for each block of x, and finds what is left.
-/// @param from what a block begins with; zero if null
-/// @param r    b - (A + shift m) x; or null
+/// @param from    what a block begins with; zero if null
+/// @param r       b - (A + shift m) x; or null
+/// @param product Re b^* x; or null
 template <int B, typename SweepBlock>
 void SweepBlocks(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  const float* from, float* x, float* r, CompactSections& boundary, const SweepBlock& sweep)
+  const float* from, float* x, float* r, double* product, CompactSections& boundary,
+  const SweepBlock& sweep)
 {
-  ParallelFor(matrix.Rows(), BlockRows,
+  const auto products = ParallelSum<double>(matrix.Rows(), BlockRows, 0.0,
     [&](Index begin, Index end)
     {
       BlockSections<B> block(from, begin, end);
@@ -316,7 +333,14 @@ void SweepBlocks(const CompactMatrix& matrix, const SweepDiagonal& diagonal, con
       {
         StoreRestOfBlock<B>(matrix, diagonal, b, block.data(), begin, end, r, boundary);
       }
+      return product
+        ? Product(b + static_cast<std::size_t>(2 * B) * begin, block.data(), 2 * B * (end - begin))
+        : 0.0;
     });
+  if (product)
+  {
+    *product = products;
+  }
   if (!r)
   {
     return;
@@ -337,7 +361,7 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
 {
   CompactSections boundary(2 * B * matrix.Boundary.size());
   // Products with zeros take less time than to tell which rows come first.
-  SweepBlocks<B>(matrix, diagonal, b, nullptr, x, r, boundary,
+  SweepBlocks<B>(matrix, diagonal, b, nullptr, x, r, nullptr, boundary,
     [&](Index begin, Index end, float* own)
     {
       ForBlockRows(begin, end, SweepOrder::Down,
@@ -354,7 +378,7 @@ void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, c
 
 template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x, float* r)
+  const float* b, float* x, float* r, double* product)
 {
   CompactSections boundary(2 * B * matrix.Boundary.size());
   ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
@@ -371,7 +395,7 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
       sum.Store(to, j);
     });
   const bool isDown = order == SweepOrder::Down;
-  SweepBlocks<B>(matrix, diagonal, b, x, x, r, boundary,
+  SweepBlocks<B>(matrix, diagonal, b, x, x, r, product, boundary,
     [&](Index begin, Index end, float* own)
     {
       const Index middle = begin + (end - begin) / 2;
@@ -397,9 +421,9 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
 }
 
 template void Sweep<1>(
-  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*, float*);
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*, float*, double*);
 template void Sweep<4>(
-  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*, float*);
+  const CompactMatrix&, const SweepDiagonal&, SweepOrder, const float*, float*, float*, double*);
 template void SweepFromZero<1>(
   const CompactMatrix&, const SweepDiagonal&, const float*, float*, float*);
 template void SweepFromZero<4>(

@@ -94,11 +94,12 @@ enum class SweepOrder
 };
 
 /// One sweep for (A + shift m) x = b that goes on from x.
-/// @param b, x B sections each
-/// @param r    b - (A + shift m) x once swept, in the same pass over the matrix; or null
+/// @param b, x    B sections each
+/// @param r       b - (A + shift m) x once swept, in the same pass over the matrix; or null
+/// @param product Re b^* x once swept, of all sections, likewise
 template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x, float* r = nullptr);
+  const float* b, float* x, float* r = nullptr, double* product = nullptr);
 
 /// One sweep down that starts from zero.
 template <int B>

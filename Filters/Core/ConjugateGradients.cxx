@@ -24,15 +24,30 @@ constexpr double RoundingScale = 1e-6;
 /// Part of the inverse on the lowest sections that V-cycles may lack.
 constexpr double NegligibleLack = 0.1;
 
+/// How much rounding in single precision takes from, or adds to, a residual each time it is updated.
+constexpr double UpdateError = 1e-7;
+/// Part of a residual that what has been added to it may be, before it is computed anew (H. van der
+/// Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
+constexpr double MostError = 0.25;
+/// Rows whose squares are added up in single precision.
+constexpr Index FewRows = 256;
+
+/// Residuals, directions and their products.
+using CompactVector = LargeArray<CompactComplex>;
+
+/// As real numbers, a piece of it.
+Eigen::Map<Eigen::ArrayXf> Part(CompactVector& vector, Index begin, Index end)
+{
+  return { reinterpret_cast<float*>(vector.data() + begin), 2 * (end - begin) };
+}
+
 /// z = B r: V-cycles in single precision, and what they lack of the inverse on the lowest sections.
-/// Works row by row within its user's loops, which are limited by the traffic of memory.
 class Preconditioner
 {
 public:
   Preconditioner(const Multigrid& hierarchy, double shift, const LowestSections* lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
-    , Section(2 * static_cast<std::size_t>(hierarchy.GetLevels().front().Rows()))
-    , Corrected(this->Section.size())
+    , Corrected(hierarchy.GetLevels().front().Rows())
   {
     if (!lowest || lowest->Values.size() == 0 || !(lowest->Values.minCoeff() + shift > 0.0))
     {
@@ -49,45 +64,13 @@ public:
   }
   bool IsUsable() const { return this->Cycles.IsUsable(); }
 
-  /// Sets a row of r.
-  class Rows
-  {
-  public:
-    /// @param sum of the rows' products with the lowest sections
-    void Set(Index v, const Complex& r, WideSum& sum) const
-    {
-      this->Section[2 * v] = static_cast<float>(r.real() * this->PerScale);
-      this->Section[2 * v + 1] = static_cast<float>(r.imag() * this->PerScale);
-      if (this->Lowest)
-      {
-        sum.Add({ this->Lowest, v }, r);
-      }
-    }
-
-  private:
-    friend Preconditioner;
-    float* Section;
-    double PerScale;
-    const float* Lowest;
-  };
-  /// @param scale about the norm of r
-  Rows Begin(double scale)
-  {
-    this->Scale = scale;
-    Rows rows;
-    rows.Section = this->Section.data();
-    rows.PerScale = 1.0 / scale;
-    rows.Lowest = this->Lowest;
-    return rows;
-  }
-
   /// The rows of z.
   class Result
   {
   public:
     Complex operator()(Index v) const
     {
-      Complex z = this->Scale * Complex(this->Corrected[2 * v], this->Corrected[2 * v + 1]);
+      Complex z(this->Corrected[v]);
       if (this->Lowest)
       {
         const CompactValues<Width> x(this->Lowest, v);
@@ -98,28 +81,44 @@ public:
       }
       return z;
     }
+    /// Re r^* z
+    double Product = 0.0;
 
   private:
     friend Preconditioner;
     using Numbers = Eigen::Array<double, Width, 1>;
-    const float* Corrected;
-    double Scale;
+    const CompactComplex* Corrected;
     const float* Lowest;
     Numbers Real;
     Numbers Imaginary;
   };
-  /// Once all rows are set.
-  Result Apply(const WideSum& products)
+  /// @param r about of unit length
+  Result Apply(const CompactVector& r)
   {
-    this->Cycles.Apply<1>(this->Section.data(), this->Corrected.data());
     Result result;
+    this->Cycles.Apply<1>(reinterpret_cast<const float*>(r.data()),
+      reinterpret_cast<float*>(this->Corrected.data()), 0, &result.Product);
     result.Corrected = this->Corrected.data();
-    result.Scale = this->Scale;
     result.Lowest = this->Lowest;
-    for (int b = 0; this->Lowest && b < Width; ++b)
+    if (!this->Lowest)
+    {
+      return result;
+    }
+    const WideSum products = ParallelSum<WideSum>(static_cast<Index>(r.size()), VectorPiece, {},
+      [lowest = this->Lowest, from = r.data()](Index begin, Index end)
+      {
+        WideSum sum;
+        for (Index v = begin; v < end; ++v)
+        {
+          sum.Add({ lowest, v }, Complex(from[v]));
+        }
+        return sum;
+      });
+    for (int b = 0; b < Width; ++b)
     {
       result.Real[b] = this->PerValue[b] * products.Value(b).real();
       result.Imaginary[b] = this->PerValue[b] * products.Value(b).imag();
+      result.Product += this->PerValue[b] * std::norm(products.Value(b));
     }
     return result;
   }
@@ -130,43 +129,26 @@ private:
   const float* Lowest = nullptr;
   /// What is added for each of the lowest sections.
   Eigen::ArrayXd PerValue;
-  double Scale = 1.0;
-  CompactSections Section;
-  CompactSections Corrected;
+  CompactVector Corrected;
 };
 
-/// Of the rows of a residual.
-struct ResidualSums
+/// r -= step q; returns |r|.
+double Update(double step, CompactVector& q, CompactVector& r)
 {
-  double Squares = 0.0;
-  WideSum Lowest;
-
-  ResidualSums& operator+=(const ResidualSums& other)
-  {
-    this->Squares += other.Squares;
-    this->Lowest += other.Lowest;
-    return *this;
-  }
-};
-
-/// r -= step q, and sets the preconditioner's rows.
-ResidualSums Update(
-  Preconditioner& preconditioner, double scale, double step, const ComplexVector& q, ComplexVector& r)
-{
-  return ParallelSum<ResidualSums>(static_cast<Index>(r.size()), VectorPiece, {},
-    [step, rows = preconditioner.Begin(scale), from = q.data(), to = r.data()](
-      Index begin, Index end)
+  const auto squares = ParallelSum<double>(static_cast<Index>(r.size()), VectorPiece, 0.0,
+    [&, factor = static_cast<float>(step)](Index begin, Index end)
     {
-      ResidualSums sums;
-      for (Index v = begin; v < end; ++v)
+      double sum = 0.0;
+      for (Index first = begin; first < end; first += FewRows)
       {
-        const Complex rest = step == 0.0 ? to[v] : to[v] - step * from[v];
-        to[v] = rest;
-        rows.Set(v, rest, sums.Lowest);
-        sums.Squares += std::norm(rest);
+        const Index last = std::min(end, first + FewRows);
+        auto rest = Part(r, first, last);
+        rest -= factor * Part(q, first, last);
+        sum += rest.matrix().squaredNorm();
       }
-      return sums;
+      return sum;
     });
+  return std::sqrt(squares);
 }
 
 /// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms
@@ -179,36 +161,42 @@ double Size(const MultigridSystem& system, const ComplexVector& u, double rest, 
         RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
 }
 
-/// b - K u
-ComplexVector RestOf(const MultigridSystem& system, const SectionProducts& u, const ComplexVector& b)
+/// K u
+ComplexVector ProductOf(const MultigridSystem& system, const SectionProducts& u)
 {
-  ComplexVector rest = Uninitialized(b.size());
-  ForRows(rest,
+  ComplexVector product = Uninitialized(u.Energy.size());
+  ForRows(product,
     [&](Index begin, Index end)
     {
       const Index length = end - begin;
-      rest.segment(begin, length) = b.segment(begin, length) -
-        system.EnergyFactor * u.Energy.segment(begin, length) -
+      product.segment(begin, length) = system.EnergyFactor * u.Energy.segment(begin, length) +
         system.MassFactor * u.Mass.segment(begin, length);
     });
-  return rest;
+  return product;
 }
 
-/// Directions in single precision: they only have to be nearly conjugate, residuals are those of what
-/// is really added.
-using CompactVector = LargeArray<CompactComplex>;
+/// |b - product|
+double RestOf(const ComplexVector& b, const ComplexVector& product)
+{
+  const auto squares = ParallelSum<double>(static_cast<Index>(b.size()), VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      const Index length = end - begin;
+      return (b.segment(begin, length) - product.segment(begin, length)).squaredNorm();
+    });
+  return std::sqrt(squares);
+}
 
-/// u += step p, then p = z / unit + keep p; the first time p = z / unit.
-void Advance(const Preconditioner::Result& z, double unit, double step, double keep,
-  ComplexVector& u, CompactVector& p)
+/// u += step p, then p = z + keep p; the first time p = z.
+void Advance(const Preconditioner::Result& z, double step, double keep, ComplexVector& u,
+  CompactVector& p)
 {
   ForRows(u,
-    [z, perUnit = 1.0 / unit, step, keep, solution = u.data(), direction = p.data()](
-      Index begin, Index end)
+    [z, step, keep, solution = u.data(), direction = p.data()](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
-        const Complex next = perUnit * z(v);
+        const Complex next = z(v);
         if (keep == 0.0)
         {
           direction[v] = CompactComplex(next);
@@ -221,61 +209,86 @@ void Advance(const Preconditioner::Result& z, double unit, double step, double k
     });
 }
 
-/// Steps from u on until the residual is small enough.
-/// @param r     the residual of u
-/// @param norm  of b
-/// @param steps of all restarts
-void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
-  Preconditioner& preconditioner, double norm, ComplexVector r, ComplexVector& u, int& steps)
+/// u += step p
+void Advance(double step, const CompactVector& p, ComplexVector& u)
 {
-  double rest = Norm(r);
-  // Of directions, so that nothing leaves the range of single precision.
+  ForRows(u,
+    [step, solution = u.data(), direction = p.data()](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        solution[v] += step * Complex(direction[v]);
+      }
+    });
+}
+
+/// compact = (b - r) / unit; returns its norm.
+double SetRest(const ComplexVector& b, const ComplexVector& r, double unit, CompactVector& compact)
+{
+  const auto squares = ParallelSum<double>(static_cast<Index>(r.size()), VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      double sum = 0.0;
+      for (Index v = begin; v < end; ++v)
+      {
+        const Complex rest = (b[v] - r[v]) / unit;
+        compact[v] = CompactComplex(rest);
+        sum += std::norm(rest);
+      }
+      return sum;
+    });
+  return std::sqrt(squares);
+}
+
+/// Steps from u on until the residual is small enough.
+/// @param product K u; overwritten
+/// @param rest    the norm of b - K u
+/// @param steps   of all restarts
+void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
+  Preconditioner& preconditioner, const ComplexVector& b, double norm, ComplexVector product,
+  double rest, ComplexVector& u, int& steps)
+{
+  // Of residuals and directions, so that nothing leaves the range of single precision.
   const double unit = rest;
+  CompactVector r(b.size());
+  CompactVector p(b.size());
+  CompactVector q;
+  double left = SetRest(b, product, unit, r);
+  double error = 0.0;
   double size = norm;
-  CompactVector p(r.size());
-  ComplexVector q;
+  // By which u has not been advanced yet.
   double step = 0.0;
   double previous = 0.0;
-  ResidualSums sums = Update(preconditioner, rest, 0.0, q, r);
-  for (; rest > ResidualMargin * system.Tolerance * size && steps < MostSteps && system.GoOn();
-       ++steps)
+  while (unit * left > ResidualMargin * system.Tolerance * size && steps < MostSteps && system.GoOn())
   {
-    const Preconditioner::Result z = preconditioner.Apply(sums.Lowest);
-    const double product = ParallelSum<double>(static_cast<Index>(r.size()), VectorPiece, 0.0,
-      [z, residual = r.data()](Index begin, Index end)
-      {
-        double sum = 0.0;
-        for (Index v = begin; v < end; ++v)
-        {
-          const Complex value = z(v);
-          sum += residual[v].real() * value.real() + residual[v].imag() * value.imag();
-        }
-        return sum;
-      });
-    Advance(z, unit, step, previous == 0.0 ? 0.0 : product / previous, u, p);
-    previous = product;
-    step = product / (unit * matrix.Multiply(p, q));
+    if (error > MostError * left)
+    {
+      Advance(step * unit, p, u);
+      step = 0.0;
+      matrix.Multiply(u, product);
+      left = SetRest(b, product, unit, r);
+      error = 0.0;
+      continue;
+    }
+    const Preconditioner::Result z = preconditioner.Apply(r);
+    Advance(z, step * unit, previous == 0.0 ? 0.0 : z.Product / previous, u, p);
+    previous = z.Product;
+    step = z.Product / matrix.Multiply(p, q);
     if (!(step > 0.0) || !std::isfinite(step))
     {
       return;
     }
-    sums = Update(preconditioner, rest, step, q, r);
-    rest = std::sqrt(sums.Squares);
+    left = Update(step, q, r);
+    error += UpdateError * left;
     if (steps == ManySteps)
     {
-      size = Size(system, u, rest, norm);
+      size = Size(system, u, unit * left, norm);
     }
+    ++steps;
   }
   if (step > 0.0)
   {
-    ForRows(u,
-      [step, solution = u.data(), direction = p.data()](Index begin, Index end)
-      {
-        for (Index v = begin; v < end; ++v)
-        {
-          solution[v] += step * Complex(direction[v]);
-        }
-      });
+    Advance(step * unit, p, u);
   }
 }
 }
@@ -302,23 +315,24 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid
     return solution;
   }
   const CombinedMatrix matrix(system.Matrices, system.EnergyFactor, system.MassFactor);
-  ComplexVector r;
-  matrix.Multiply(best.Vector, r);
-  Combine(1.0, b, -1.0, r);
-  if (!(Norm(r) < norm))
+  ComplexVector product;
+  matrix.Multiply(best.Vector, product);
+  double rest = RestOf(b, product);
+  if (!(rest < norm))
   {
     best.Vector.setZero();
-    r = b;
+    product.setZero();
+    rest = norm;
   }
   solution.Residual = std::numeric_limits<double>::infinity();
   int steps = 0;
   for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
   {
     ComplexVector u = Copied(best.Vector);
-    Iterate(system, matrix, preconditioner, norm, std::move(r), u, steps);
+    Iterate(system, matrix, preconditioner, b, norm, std::move(product), rest, u, steps);
     SectionProducts products(system.Matrices, std::move(u));
-    r = RestOf(system, products, b);
-    const double rest = Norm(r);
+    product = ProductOf(system, products);
+    rest = RestOf(b, product);
     const double relative = rest / Size(system, products.Vector, rest, norm);
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace DirectionFields
 {
@@ -150,7 +151,7 @@ Cycle::Cycle(const Multigrid& hierarchy, double shift)
 }
 
 template <int B>
-void Cycle::SolveCoarsest(const float* b, float* y) const
+void Cycle::SolveCoarsest(const float* b, float* y, double* product) const
 {
   const auto n = static_cast<Index>(this->CoarsestFactor.rows());
   Eigen::Matrix<Complex, Eigen::Dynamic, B> solution(n, B);
@@ -172,15 +173,19 @@ void Cycle::SolveCoarsest(const float* b, float* y) const
       y[2 * B * v + B + k] = static_cast<float>(solution(v, k).imag());
     }
   }
+  if (product)
+  {
+    *product = std::inner_product(b, b + 2 * B * n, y, 0.0);
+  }
 }
 
 template <int B>
-void Cycle::Apply(const float* b, float* y, std::size_t level) const
+void Cycle::Apply(const float* b, float* y, std::size_t level, double* product) const
 {
   const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
   if (level + 1 == levels.size())
   {
-    this->SolveCoarsest<B>(b, y);
+    this->SolveCoarsest<B>(b, y, product);
     return;
   }
   const CompactMatrix& matrix = levels[level].Matrices.Energy;
@@ -206,7 +211,7 @@ void Cycle::Apply(const float* b, float* y, std::size_t level) const
     this->ApplyAgain<B>(level + 1);
   }
   fromCoarser.AddTo<B>(y, coarser.Up.data());
-  Sweep<B>(matrix, this->Diagonals[level], SweepOrder::Up, b, y);
+  Sweep<B>(matrix, this->Diagonals[level], SweepOrder::Up, b, y, nullptr, product);
 }
 
 template <int B>
@@ -241,6 +246,6 @@ void Cycle::ApplyAgain(std::size_t level) const
     });
 }
 
-template void Cycle::Apply<1>(const float*, float*, std::size_t) const;
-template void Cycle::Apply<4>(const float*, float*, std::size_t) const;
+template void Cycle::Apply<1>(const float*, float*, std::size_t, double*) const;
+template void Cycle::Apply<4>(const float*, float*, std::size_t, double*) const;
 }

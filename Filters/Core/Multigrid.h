@@ -59,9 +59,10 @@ public:
   double GetCoarsestShift() const { return this->CoarsestShift; }
 
   /// y = B b on the given level.
-  /// @param b, y B sections each, not the same
+  /// @param b, y    B sections each, not the same
+  /// @param product Re b^* y, of all sections; or null
   template <int B>
-  void Apply(const float* b, float* y, std::size_t level = 0) const;
+  void Apply(const float* b, float* y, std::size_t level = 0, double* product = nullptr) const;
 
   /// Frees the storage that Apply has kept for next time.
   void ReleaseStorage() { this->Workspaces = std::vector<Workspace>(this->Workspaces.size()); }
@@ -76,7 +77,7 @@ private:
     CompactSections Once;
   };
   template <int B>
-  void SolveCoarsest(const float* b, float* y) const;
+  void SolveCoarsest(const float* b, float* y, double* product) const;
   /// Corrects the Up of the level by what it leaves of its Right, which is overwritten.
   template <int B>
   void ApplyAgain(std::size_t level) const;

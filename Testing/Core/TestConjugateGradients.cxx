@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MultigridEigenpair.h"
+#include "MultigridSystem.h"
+#include "TestMeshes.h"
+#include "TestSystem.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+using namespace DirectionFields;
+using namespace TestMeshes;
+
+namespace
+{
+EigenpairSettings Settings(const System& system)
+{
+  EigenpairSettings settings;
+  settings.Scale = system.Scale;
+  return settings;
+}
+}
+
+TEST(ConjugateGradients, StepsOfAlignedSystemsDoNotDependOnTheStrength)
+{
+  const System system(Potato(6), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  LowestSections lowest;
+  const double smallest =
+    SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest).Value;
+  const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
+  for (const auto& [shift, most] : { std::pair(-0.99999, 15), std::pair(-0.99, 15),
+         std::pair(-0.5, 13), std::pair(0.0, 13), std::pair(1.0, 13), std::pair(100.0, 11) })
+  {
+    ReducedBasis solved;
+    int steps = 0;
+    const MultigridSystem multigrid{ system.Matrices, 1.0, shift * smallest, 1e-6,
+      [&]
+      {
+        ++steps;
+        return true;
+      } };
+    const SystemSolution solution = multigrid.Solve(hierarchy, lowest, b, solved);
+    const ComplexVector rest = multigrid.Times(solution.Vector) - b;
+    EXPECT_LE(rest.norm(), 1e-6 * b.norm()) << shift;
+    EXPECT_LE(steps, most) << shift;
+  }
+}
+
+/// Though residuals are kept in single precision, which after the first step has no more than five
+/// digits of the right-hand side left.
+TEST(ConjugateGradients, TwiceTheDigitsTakeTwiceTheSteps)
+{
+  const System system(Potato(6), 4, 0.0);
+  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
+  const auto steps = [&](double tolerance)
+  {
+    ReducedBasis solved;
+    int count = 0;
+    const MultigridSystem multigrid{ system.Matrices, 1.0, system.Scale, tolerance,
+      [&]
+      {
+        ++count;
+        return true;
+      } };
+    const SystemSolution solution = multigrid.Solve(hierarchy, {}, b, solved);
+    const double rest = (multigrid.Times(solution.Vector) - b).norm();
+    EXPECT_LE(rest, tolerance * b.norm());
+    EXPECT_NEAR(solution.Residual * b.norm(), rest, 0.01 * rest);
+    return count;
+  };
+  const int few = steps(1e-6);
+  EXPECT_LE(few, 14);
+  EXPECT_LE(steps(1e-12), 2 * few + 2);
+}
