@@ -111,8 +111,14 @@ double CombinedMatrix::Multiply(
   return this->MultiplyNumbers(x.data(), y.data());
 }
 
-template <typename Number>
-double CombinedMatrix::MultiplyNumbers(const Number* all, Number* to) const
+double CombinedMatrix::Multiply(const LargeArray<CompactComplex>& x, ComplexVector& y) const
+{
+  Resize(y, static_cast<Eigen::Index>(this->Diagonal.size()));
+  return this->MultiplyNumbers(x.data(), y.data());
+}
+
+template <typename Number, typename Sum>
+double CombinedMatrix::MultiplyNumbers(const Number* all, Sum* to) const
 {
   const auto rows = static_cast<Index>(this->Diagonal.size());
   return ParallelSum<double>(rows, BlockRows, 0.0,
@@ -145,7 +151,7 @@ double CombinedMatrix::MultiplyNumbers(const Number* all, Number* to) const
       for (Index v = 0; v < end - begin; ++v)
       {
         const Parts total = sum(v);
-        to[begin + v] = Number(Complex(total[0], total[1]));
+        to[begin + v] = Sum(Complex(total[0], total[1]));
         product += (PartsOf(own[v]) * total).sum();
       }
       return product;

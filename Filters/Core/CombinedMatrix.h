@@ -23,12 +23,13 @@ public:
 
   /// y = K x, in the storage that there is; returns Re x^* y.
   double Multiply(const ComplexVector& x, ComplexVector& y) const;
-  /// The same; sums are those of double precision, then rounded.
+  /// The same; all is computed in double precision.
   double Multiply(const LargeArray<CompactComplex>& x, LargeArray<CompactComplex>& y) const;
+  double Multiply(const LargeArray<CompactComplex>& x, ComplexVector& y) const;
 
 private:
-  template <typename Number>
-  double MultiplyNumbers(const Number* x, Number* y) const;
+  template <typename Number, typename Sum>
+  double MultiplyNumbers(const Number* x, Sum* y) const;
 
   struct OutsideEntry
   {

@@ -324,14 +324,10 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
   }
 }
 
-double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size, ComplexVector& z)
+double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size)
 {
   const auto count = static_cast<Index>(this->Free.size());
   Workspace& finest = this->Levels.front();
-  if (z.size() != r.size())
-  {
-    z.setZero(r.size());
-  }
   if (!(size > 0.0))
   {
     return 0.0;
@@ -355,12 +351,10 @@ double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size, Co
       double product = 0.0;
       for (Index k = begin; k < end; ++k)
       {
-        const Complex value = size * Complex(finest.Sum[2 * k], finest.Sum[2 * k + 1]);
-        const Complex& other = r[this->Free[k]];
-        z[this->Free[k]] = value;
-        product += other.real() * value.real() + other.imag() * value.imag();
+        const Complex& value = r[this->Free[k]];
+        product += value.real() * finest.Sum[2 * k] + value.imag() * finest.Sum[2 * k + 1];
       }
-      return product;
+      return size * product;
     });
 }
 

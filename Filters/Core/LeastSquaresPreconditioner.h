@@ -33,10 +33,11 @@ public:
 
   bool IsUsable() const { return this->Coarsest.IsUsable(); }
 
-  /// z = B B^* r; what r is at given vertices does not matter. Returns Re r^* z.
+  /// Finds z = B B^* r; what r is at given vertices does not matter. Returns Re r^* z.
   /// @param size ‖r‖
-  /// @param z    empty, or of a call before
-  double Apply(const ComplexVector& r, double size, ComplexVector& z);
+  double Apply(const ComplexVector& r, double size);
+  /// z / ‖r‖ of the last call, a section over the free vertices.
+  const CompactSections& GetResult() const { return this->Levels.front().Sum; }
 
   /// y -= K_f Z c, the sections Z of the coarse level as far as they are near given vertices,
   /// c = (Z^* K_f^* K_f Z)^-1 Z^* K_f^* y, which leaves least of y: with y = K_f x, x - Z c is deflated,

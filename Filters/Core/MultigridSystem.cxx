@@ -195,9 +195,9 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     preconditioner.Correct(preconditioner.Deflate(r), better);
     r = -r;
     double slope = findGradient(r, gradient);
-    ComplexVector z;
-    ComplexVector y;
-    ComplexVector direction = Uninitialized(b.size());
+    // Of directions, so that nothing leaves the range of single precision.
+    const double unit = slope;
+    LargeArray<CompactComplex> direction(b.size(), 0.0f);
     // Coefficients of what the direction and the sum of all steps still have to be corrected by.
     ComplexVector deflatedDirection;
     ComplexVector deflatedSum;
@@ -205,51 +205,41 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     double previous = 0.0;
     for (; steps < MostSteps && this->GoOn(); ++steps)
     {
-      const double product = preconditioner.Apply(gradient, slope, z);
-      matrix.Multiply(z, y);
-      const ComplexVector deflated = preconditioner.Deflate(y);
+      const double product = preconditioner.Apply(gradient, slope);
       const double keep = previous == 0.0 ? 0.0 : product / previous;
-      if (keep == 0.0)
-      {
-        deflatedDirection = deflated;
-        deflatedSum.setZero(deflated.size());
-      }
-      else
+      ForRows(freeSystem.Free,
+        [=, vertices = freeSystem.Free.data(), z = preconditioner.GetResult().data(),
+          perUnit = static_cast<float>(slope / unit), kept = static_cast<float>(keep),
+          along = step * unit, to = direction.data(), solution = better.data()](
+          Index begin, Index end)
+        {
+          for (Index k = begin; k < end; ++k)
+          {
+            const Index v = vertices[k];
+            solution[v] += along * Complex(to[v]);
+            to[v] = perUnit * CompactComplex(z[2 * k], z[2 * k + 1]) + kept * to[v];
+          }
+        });
+      if (previous != 0.0)
       {
         deflatedSum += step * deflatedDirection;
-        deflatedDirection = deflated + keep * deflatedDirection;
       }
       previous = product;
       // q = K_f direction
-      const double squares = ParallelSum<double>(static_cast<Index>(q.size()), VectorPiece, 0.0,
-        [=, solution = better.data(), newDirection = z.data(), newQ = y.data(),
-          to = direction.data(), toQ = q.data()](Index begin, Index end)
-        {
-          double sum = 0.0;
-          for (Index v = begin; v < end; ++v)
-          {
-            if (keep == 0.0)
-            {
-              to[v] = newDirection[v];
-              toQ[v] = newQ[v];
-            }
-            else
-            {
-              solution[v] += step * to[v];
-              to[v] = newDirection[v] + keep * to[v];
-              toQ[v] = newQ[v] + keep * toQ[v];
-            }
-            sum += std::norm(toQ[v]);
-          }
-          return sum;
-        });
-      step = product / squares;
+      matrix.Multiply(direction, q);
+      deflatedDirection = unit * preconditioner.Deflate(q);
+      if (keep == 0.0)
+      {
+        deflatedSum.setZero(deflatedDirection.size());
+      }
+      const double squares = RealDot(q, q);
+      step = product / (unit * unit * squares);
       if (!(step > 0.0) || !std::isfinite(step))
       {
         step = 0.0;
         break;
       }
-      Combine(-step, q, 1.0, r);
+      Combine(-step * unit, q, 1.0, r);
       slope = findGradient(r, gradient);
       if (slope <= ResidualMargin * this->Tolerance * size)
       {
@@ -259,7 +249,15 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     }
     if (step > 0.0)
     {
-      Combine(step, direction, 1.0, better);
+      ForRows(better,
+        [along = step * unit, from = direction.data(), solution = better.data()](
+          Index begin, Index end)
+        {
+          for (Index v = begin; v < end; ++v)
+          {
+            solution[v] += along * Complex(from[v]);
+          }
+        });
       deflatedSum += step * deflatedDirection;
     }
     if (previous != 0.0)

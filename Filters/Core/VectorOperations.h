@@ -32,8 +32,8 @@ inline ComplexVector Uninitialized(Eigen::Index size)
 }
 
 /// body(begin, end) for pieces of the rows.
-template <typename Body>
-void ForRows(const ComplexVector& vector, const Body& body)
+template <typename Vector, typename Body>
+void ForRows(const Vector& vector, const Body& body)
 {
   ParallelFor(static_cast<Index>(vector.size()), VectorPiece, body);
 }

@@ -34,6 +34,8 @@ void ExpectProducts(const Surface& surface, double a, double m)
   ComplexVector rounded(x.size());
   std::copy(compact.begin(), compact.end(), rounded.begin());
   const ComplexVector wide = expected * rounded;
+  EXPECT_NEAR(matrix.Multiply(compact, y), rounded.dot(wide).real(), 1e-13 * std::abs(form));
+  EXPECT_LT((y - wide).norm(), 10.0 * rounding);
   LargeArray<CompactComplex> narrow;
   EXPECT_NEAR(matrix.Multiply(compact, narrow), rounded.dot(wide).real(), 1e-13 * std::abs(form));
   ASSERT_EQ(narrow.size(), compact.size());
