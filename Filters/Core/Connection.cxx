@@ -15,6 +15,7 @@ constexpr Index PieceSize = 1 << 12;
 Connection::Connection(
   const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& positions)
   : EdgeAngle(mesh.GetNumberOfHalfEdges())
+  , Scale(mesh.GetNumberOfVertices())
   , AngleSum(mesh.GetNumberOfVertices())
   , Rotation(mesh.GetNumberOfEdges())
   , Curvature(mesh.GetNumberOfTriangles())
@@ -51,6 +52,7 @@ Connection::Connection(
           }
         }
         const double scale = boundary ? 1.0 : 2.0 * Pi / sum;
+        this->Scale[v] = scale;
         this->AngleSum[v] = boundary ? sum : 2.0 * Pi;
         double angle = 0.0;
         for (std::size_t k = 0; k < fan.size(); ++k)

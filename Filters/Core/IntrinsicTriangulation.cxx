@@ -32,9 +32,9 @@ public:
     , Transport(triangulation.Transport)
     , Length(this->Geometry.SquaredLength.size())
     , Angle(this->Mesh.GetNumberOfHalfEdges())
+    , Open(this->Length.size())
     , Queued(this->Length.size(), 0)
     , Touched(this->Mesh.GetNumberOfVertices(), 0)
-    , Scale(this->Mesh.GetNumberOfVertices())
   {
     ParallelFor(this->Mesh.GetNumberOfEdges(), PieceSize,
       [this](Index begin, Index end)
@@ -44,22 +44,21 @@ public:
           this->Length[e] = std::sqrt(this->Geometry.SquaredLength[e]);
         }
       });
-    ParallelFor(this->Mesh.GetNumberOfTriangles(), PieceSize,
+    ParallelFor(this->Mesh.GetNumberOfHalfEdges(), PieceSize,
       [this](Index begin, Index end)
       {
-        for (Index t = begin; t < end; ++t)
+        for (Index h = begin; h < end; ++h)
         {
-          const std::array<double, 3> angles = this->Geometry.CornerAngles(this->Mesh, t);
-          std::copy(angles.begin(), angles.end(), this->Angle.begin() + 3 * t);
+          this->Angle[h] =
+            this->Transport.CornerAngle(this->Mesh, h) / this->Transport.Scale[this->Mesh.Tail(h)];
         }
       });
-    ParallelFor(this->Mesh.GetNumberOfVertices(), PieceSize,
+    ParallelFor(this->Mesh.GetNumberOfEdges(), PieceSize,
       [this](Index begin, Index end)
       {
-        std::vector<Index> fan;
-        for (Index v = begin; v < end; ++v)
+        for (Index e = begin; e < end; ++e)
         {
-          this->Scale[v] = this->Mesh.IsBoundary(v) ? 1.0 : 2.0 * Pi / this->AngleSum(v, fan);
+          this->Open[e] = this->IsDelaunay(e) ? 0 : 1;
         }
       });
   }
@@ -71,7 +70,10 @@ public:
     std::vector<Index> stack;
     for (Index first = 0; first < edges && flips < MaximumFlips * edges; ++first)
     {
-      stack.push_back(first);
+      if (this->Open[first])
+      {
+        stack.push_back(first);
+      }
       while (!stack.empty())
       {
         const Index edge = stack.back();
@@ -91,7 +93,8 @@ public:
           for (const Index side : { TriangleMesh::Next(one), TriangleMesh::Previous(one) })
           {
             const Index other = this->Mesh.Edge(side);
-            // Edges not come to yet are looked at anyway.
+            this->Open[other] = 1;
+            // Others are yet to come.
             if (other <= first && !this->Queued[other])
             {
               this->Queued[other] = 1;
@@ -123,24 +126,29 @@ public:
   }
 
 private:
-  /// Flips an edge unless it is Delaunay.
-  bool Flip(Index edge)
+  bool IsDelaunay(Index edge) const
   {
     const Index h = this->Mesh.HalfEdge(edge);
     const Index g = this->Mesh.Twin(h);
     // An edge with the same triangle on both sides is Delaunay.
-    if (g == None || g / 3 == h / 3)
+    return g == None || g / 3 == h / 3 ||
+      !(this->Angle[TriangleMesh::Previous(h)] + this->Angle[TriangleMesh::Previous(g)] >
+        Pi + IntrinsicTriangulation::Tolerance);
+  }
+
+  /// Flips an edge unless it is Delaunay.
+  bool Flip(Index edge)
+  {
+    if (this->IsDelaunay(edge))
     {
       return false;
     }
+    const Index h = this->Mesh.HalfEdge(edge);
+    const Index g = this->Mesh.Twin(h);
     const Index h1 = TriangleMesh::Next(h);
     const Index h2 = TriangleMesh::Previous(h);
     const Index g1 = TriangleMesh::Next(g);
     const Index g2 = TriangleMesh::Previous(g);
-    if (!(this->Angle[h2] + this->Angle[g2] > Pi + IntrinsicTriangulation::Tolerance))
-    {
-      return false;
-    }
     const auto length = [this](Index side) { return this->Length[this->Mesh.Edge(side)]; };
     // Both triangles laid out in the plane, h along the x axis.
     const auto apexX = [base = length(h)](double left, double right)
@@ -201,12 +209,11 @@ private:
   double Direction(Index halfEdge, double angle) const
   {
     const Index v = this->Mesh.Tail(halfEdge);
-    const double theta = this->Transport.EdgeAngle[halfEdge] + this->Scale[v] * angle;
+    const double theta = this->Transport.EdgeAngle[halfEdge] + this->Transport.Scale[v] * angle;
     return theta >= 2.0 * Pi && !this->Mesh.IsBoundary(v) ? theta - 2.0 * Pi : theta;
   }
 
-  /// Not scaled. Finds the fan as well.
-  double AngleSum(Index v, std::vector<Index>& fan) const
+  void UpdateAngles(Index v, std::vector<Index>& fan)
   {
     this->Mesh.GetFan(v, fan);
     double sum = 0.0;
@@ -214,14 +221,9 @@ private:
     {
       sum += this->Angle[h];
     }
-    return sum;
-  }
-
-  void UpdateAngles(Index v, std::vector<Index>& fan)
-  {
     const bool boundary = this->Mesh.IsBoundary(v);
-    const double sum = this->AngleSum(v, fan);
     const double scale = boundary ? 1.0 : 2.0 * Pi / sum;
+    this->Transport.Scale[v] = scale;
     this->Transport.AngleSum[v] = boundary ? sum : 2.0 * Pi;
     double theta = this->Transport.EdgeAngle[fan.front()];
     for (const Index h : fan)
@@ -238,12 +240,12 @@ private:
   std::vector<double> Length;
   /// Of the corner at the tail of each half-edge, not scaled.
   std::vector<double> Angle;
+  /// Edges that may not be Delaunay.
+  std::vector<char> Open;
   /// Edges on the stack.
   std::vector<char> Queued;
   /// Vertices of flipped triangles.
   std::vector<char> Touched;
-  /// Of the angles at each vertex.
-  std::vector<double> Scale;
 };
 }
 
