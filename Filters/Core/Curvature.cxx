@@ -3,11 +3,13 @@
 
 #include "Curvature.h"
 
+#include "CombinedMatrix.h"
 #include "Operators.h"
-#include "Threads.h"
+#include "VectorMath.h"
+#include "VectorOperations.h"
 
-#include <Eigen/IterativeLinearSolvers>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace DirectionFields
@@ -15,35 +17,122 @@ namespace DirectionFields
 namespace
 {
 constexpr Index PieceSize = 1 << 12;
+constexpr Index FewEdges = 64;
+/// Relative residual of systems with the mass matrix: all digits that there are.
+constexpr double Tolerance = 1e-14;
+/// Some 30 are usual.
+constexpr int MostSteps = 1000;
+
+/// M x = b by conjugate gradients: scaled by its diagonal the mass matrix is well conditioned on any
+/// mesh.
+ComplexVector SolveMass(const Operators& operators, const ComplexVector& b)
+{
+  const CombinedMatrix mass(operators, 0.0, 1.0);
+  Eigen::ArrayXd perDiagonal(b.size());
+  ForRows(b,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        perDiagonal[v] = 1.0 / operators.Mass.coeff(v, v).real();
+      }
+    });
+  ComplexVector x = ComplexVector::Zero(b.size());
+  ComplexVector r = Copied(b);
+  ComplexVector p = ComplexVector::Zero(b.size());
+  ComplexVector q;
+  struct Sums
+  {
+    double Squares = 0.0;
+    /// r^* D^-1 r
+    double Scaled = 0.0;
+    Sums& operator+=(const Sums& other)
+    {
+      this->Squares += other.Squares;
+      this->Scaled += other.Scaled;
+      return *this;
+    }
+  };
+  // x += step p, r -= step q
+  const auto advance = [&](double step)
+  {
+    return ParallelSum<Sums>(static_cast<Index>(b.size()), VectorPiece, {},
+      [&](Index begin, Index end)
+      {
+        Sums sums;
+        for (Index v = begin; v < end; ++v)
+        {
+          if (step != 0.0)
+          {
+            x[v] += step * p[v];
+            r[v] -= step * q[v];
+          }
+          const double square = std::norm(r[v]);
+          sums.Squares += square;
+          sums.Scaled += perDiagonal[v] * square;
+        }
+        return sums;
+      });
+  };
+  Sums sums = advance(0.0);
+  const double small = Tolerance * Tolerance * sums.Squares;
+  double keep = 0.0;
+  for (int step = 0; sums.Squares > small && step < MostSteps; ++step)
+  {
+    ForRows(b,
+      [&](Index begin, Index end)
+      {
+        const Index length = end - begin;
+        p.segment(begin, length) = keep * p.segment(begin, length) +
+          (perDiagonal.segment(begin, length) * r.segment(begin, length).array()).matrix();
+      });
+    const double before = sums.Scaled;
+    sums = advance(before / mass.Multiply(p, q));
+    keep = sums.Scaled / before;
+  }
+  return x;
+}
 }
 
 std::vector<double> DihedralAngles(
   const TriangleMesh& mesh, const std::vector<Vector3>& positions)
 {
   const auto point = [&](Index h) -> const Vector3& { return positions[mesh.Tail(h)]; };
-  const auto normal = [&](Index t) -> Vector3
-  {
-    const Vector3& a = point(3 * t);
-    return (point(3 * t + 1) - a)
-      .stableNormalized()
-      .cross((point(3 * t + 2) - a).stableNormalized())
-      .stableNormalized();
-  };
-  std::vector<double> angles(mesh.GetNumberOfEdges(), 0.0);
+  std::vector<Vector3> normals(mesh.GetNumberOfTriangles());
+  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        const Vector3& a = point(3 * t);
+        normals[t] = (point(3 * t + 1) - a)
+                       .stableNormalized()
+                       .cross((point(3 * t + 2) - a).stableNormalized())
+                       .stableNormalized();
+      }
+    });
+  std::vector<double> angles(mesh.GetNumberOfEdges());
   ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
     [&](Index begin, Index end)
     {
-      for (Index e = begin; e < end; ++e)
+      std::array<Complex, FewEdges> turns;
+      for (Index first = begin; first < end; first += FewEdges)
       {
-        const Index h = mesh.HalfEdge(e);
-        const Index twin = mesh.Twin(h);
-        if (twin != None)
+        const Index last = std::min(end, first + FewEdges);
+        for (Index e = first; e < last; ++e)
         {
-          const Vector3 left = normal(h / 3);
-          const Vector3 right = normal(twin / 3);
-          const Vector3 along = (point(twin) - point(h)).stableNormalized();
-          angles[e] = std::atan2(along.dot(left.cross(right)), left.dot(right));
+          const Index h = mesh.HalfEdge(e);
+          const Index twin = mesh.Twin(h);
+          turns[e - first] = 0.0;
+          if (twin != None)
+          {
+            const Vector3& left = normals[h / 3];
+            const Vector3& right = normals[twin / 3];
+            const Vector3 along = (point(twin) - point(h)).stableNormalized();
+            turns[e - first] = Complex(left.dot(right), along.dot(left.cross(right)));
+          }
         }
+        Arguments(turns.data(), last - first, angles.data() + first);
       }
     });
   return angles;
@@ -67,22 +156,23 @@ Curvature::Curvature(const TriangleMesh& mesh, const Metric& metric, const Conne
           for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
           {
             mesh.GetFan(v, fan);
-            double angle = 0.0;
             double area = 0.0;
             Vector3 laplacian = Vector3::Zero();
             for (const Index h : fan)
             {
-              const std::array<double, 3> corners = metric.CornerAngles(mesh, h / 3);
               const Index next = TriangleMesh::Next(h);
               const Index previous = TriangleMesh::Previous(h);
-              angle += corners[h % 3];
+              const double out = metric.SquaredLength[mesh.Edge(h)];
+              const double across = metric.SquaredLength[mesh.Edge(next)];
+              const double back = metric.SquaredLength[mesh.Edge(previous)];
+              // Half the cotangents of the corners opposite of the two edges at the vertex.
+              const double perArea = 0.125 / metric.Area[h / 3] / metric.Unit[c];
+              laplacian += perArea * (across + back - out) *
+                Vector3(positions[mesh.Tail(next)] - positions[v]);
+              laplacian += perArea * (out + across - back) *
+                Vector3(positions[mesh.Tail(previous)] - positions[v]);
               area += metric.Area[h / 3] / 3.0;
-              laplacian += 0.5 / std::tan(corners[previous % 3]) / metric.Unit[c] *
-                (positions[mesh.Tail(next)] - positions[v]);
-              laplacian += 0.5 / std::tan(corners[next % 3]) / metric.Unit[c] *
-                (positions[mesh.Tail(previous)] - positions[v]);
-              const double strength = -0.25 * dihedralAngles[mesh.Edge(h)] *
-                std::sqrt(metric.SquaredLength[mesh.Edge(h)]);
+              const double strength = -0.25 * dihedralAngles[mesh.Edge(h)] * std::sqrt(out);
               this->Hopf[v] += strength * std::polar(1.0, 2.0 * connection.EdgeAngle[h]);
             }
             laplacian /= area;
@@ -90,17 +180,12 @@ Curvature::Curvature(const TriangleMesh& mesh, const Metric& metric, const Conne
             const bool boundary = mesh.IsBoundary(v);
             this->Mean[v] =
               boundary ? -0.5 * outward : std::copysign(0.5 * laplacian.norm(), -outward);
-            this->Gaussian[v] = boundary ? 0.0 : (2.0 * Pi - angle) / area;
+            this->Gaussian[v] = boundary ? 0.0 : (2.0 * Pi - 2.0 * Pi / connection.Scale[v]) / area;
           }
         });
-      const SparseMatrix mass =
-        AssembleOperators(mesh, metric, connection, component, 2, 0.0).Mass;
-      // Scaled by its diagonal the mass matrix is well conditioned on any mesh.
-      Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(mass);
-      solver.setTolerance(1e-14);
       Eigen::Map<ComplexVector> hopf(
         this->Hopf.data() + component.FirstVertex, component.Vertices());
-      hopf = solver.solve(ComplexVector(hopf));
+      hopf = SolveMass(AssembleOperators(mesh, metric, connection, component, 2, 0.0), hopf);
     });
 }
 }

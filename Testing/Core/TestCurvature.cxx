@@ -4,6 +4,7 @@
 #include "Factorization.h"
 #include "Stages.h"
 #include "TestMeshes.h"
+#include "TestSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -224,4 +225,51 @@ TEST(Curvature, SphereIsUmbilic)
   }
   EXPECT_LT(meanError / static_cast<double>(curvature.Mean.size()), 0.01);
   EXPECT_LT(gaussianError / static_cast<double>(curvature.Mean.size()), 0.01);
+}
+
+/// In large components, which are computed on all threads, and small ones; angles and Laplacians by the
+/// formulas of trigonometry.
+TEST(Curvature, IsThatOfItsDefinitions)
+{
+  for (const Surface& surface : { Potato(6), Hemisphere(4), Scrambled(Square(20), 3), Tetrahedron() })
+  {
+    const System system(surface, 2, 0.0);
+    const std::vector<double> dihedral = DihedralAngles(system.Mesh, system.Positions);
+    const TangentFrames frames(system.Mesh, system.Transport, system.Positions);
+    const Curvature curvature(
+      system.Mesh, system.Lengths, system.Transport, frames, system.Positions, dihedral);
+    const Index vertices = system.Mesh.GetNumberOfVertices();
+    ComplexVector right = ComplexVector::Zero(vertices);
+    std::vector<Index> fan;
+    for (Index v = 0; v < vertices; ++v)
+    {
+      double angle = 0.0;
+      double area = 0.0;
+      Vector3 laplacian = Vector3::Zero();
+      system.Mesh.GetFan(v, fan);
+      for (const Index h : fan)
+      {
+        const std::array<double, 3> corners = system.Lengths.CornerAngles(system.Mesh, h / 3);
+        const Index next = TriangleMesh::Next(h);
+        const Index previous = TriangleMesh::Previous(h);
+        angle += corners[h % 3];
+        area += system.Lengths.Area[h / 3] / 3.0;
+        laplacian += 0.5 / std::tan(corners[previous % 3]) *
+          (system.Positions[system.Mesh.Tail(next)] - system.Positions[v]);
+        laplacian += 0.5 / std::tan(corners[next % 3]) *
+          (system.Positions[system.Mesh.Tail(previous)] - system.Positions[v]);
+        const Index edge = system.Mesh.Edge(h);
+        right[v] -= 0.25 * dihedral[edge] * std::sqrt(system.Lengths.SquaredLength[edge]) *
+          std::polar(1.0, 2.0 * system.Transport.EdgeAngle[h]);
+      }
+      laplacian /= system.Lengths.Unit[0] * area;
+      const bool boundary = system.Mesh.IsBoundary(v);
+      EXPECT_NEAR(std::abs(curvature.Mean[v]),
+        0.5 * (boundary ? std::abs(laplacian.dot(frames.Normal[v])) : laplacian.norm()),
+        1e-11 * (1.0 + laplacian.norm()));
+      EXPECT_NEAR(curvature.Gaussian[v], boundary ? 0.0 : (2.0 * Pi - angle) / area, 1e-13 / area);
+    }
+    const Eigen::Map<const ComplexVector> hopf(curvature.Hopf.data(), vertices);
+    EXPECT_LE((system.Matrices.Mass * hopf - right).norm(), 1e-13 * right.norm());
+  }
 }
