@@ -27,7 +27,8 @@ struct Rows
   LargeArray<Index> Size;
   std::vector<std::vector<std::pair<Index, Entry>>> Pieces;
 
-  /// @param sorted whether the entries of a row are in the order of their columns
+  /// @param sorted whether the entries of a row are in the order of their columns, each of which comes
+  ///               once then
   template <typename MakeRow>
   Rows(Index count, bool sorted, const MakeRow& makeRow)
     : Size(count)
@@ -40,11 +41,13 @@ struct Rows
         auto& piece = this->Pieces[begin / PieceRows];
         for (Index row = begin; row < end; ++row)
         {
-          sum.Clear();
           makeRow(row, sum);
-          const auto& entries = sum.Take(sorted);
-          this->Size[row] = static_cast<Index>(entries.size());
-          piece.insert(piece.end(), entries.begin(), entries.end());
+          const auto take = [&](auto first, auto last)
+          {
+            this->Size[row] = static_cast<Index>(last - first);
+            piece.insert(piece.end(), first, last);
+          };
+          sorted ? sum.TakeSorted(take) : sum.Take(take);
         }
       });
   }
@@ -129,6 +132,13 @@ struct TwoEntries
 {
   CompactComplex Energy = 0.0f;
   CompactComplex Mass = 0.0f;
+
+  TwoEntries& operator+=(const TwoEntries& other)
+  {
+    this->Energy += other.Energy;
+    this->Mass += other.Mass;
+    return *this;
+  }
 };
 }
 

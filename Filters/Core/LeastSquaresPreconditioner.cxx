@@ -86,7 +86,6 @@ SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
       SparseMatrix product(a.rows(), end - begin);
       for (Index column = begin; column < end; ++column)
       {
-        sum.Clear();
         for (SparseMatrix::InnerIterator outer(b, column); outer; ++outer)
         {
           for (SparseMatrix::InnerIterator it(a, outer.row()); it; ++it)
@@ -95,10 +94,14 @@ SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
           }
         }
         product.startVec(column - begin);
-        for (const auto& [row, value] : sum.Take(true))
-        {
-          product.insertBack(row, column - begin) = value;
-        }
+        sum.TakeSorted(
+          [&](auto first, auto last)
+          {
+            for (; first != last; ++first)
+            {
+              product.insertBack(first->first, column - begin) = first->second;
+            }
+          });
       }
       product.finalize();
       return product;

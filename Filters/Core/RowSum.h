@@ -7,88 +7,85 @@
 #include "Types.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace DirectionFields
 {
-/// Adds up the entries of one row by column.
+/// Adds up the entries of one row by column. Which of them are new is hard to predict: there is no
+/// branch that depends on it.
 template <typename Entry>
 class RowSum
 {
 public:
-  RowSum() { this->Resize(64); }
+  RowSum()
+    : Slots{}
+    , Row(64, { None, Entry{} })
+  {
+  }
 
   Entry& operator[](Index column)
   {
-    std::size_t at = this->Hash(column);
-    while (this->Slots[at] != None && this->Row[this->Slots[at]].first != column)
+    if (this->End + 1 == this->Row.size())
     {
-      at = (at + 1) & (this->Slots.size() - 1);
+      this->Row.resize(2 * this->Row.size(), { None, Entry{} });
     }
-    if (this->Slots[at] == None)
-    {
-      if (2 * this->Row.size() >= this->Slots.size())
-      {
-        this->Resize(2 * this->Slots.size());
-        return (*this)[column];
-      }
-      this->Slots[at] = static_cast<Index>(this->Row.size());
-      this->Row.emplace_back(column, Entry{});
-    }
-    return this->Row[this->Slots[at]].second;
+    std::uint32_t& slot = this->Slots[static_cast<std::uint32_t>(column) % SlotCount];
+    const std::uint32_t isNew = this->Row[slot].first != column ? 1 : 0;
+    const std::uint32_t at = slot + isNew * (this->End - slot);
+    this->End += isNew;
+    slot = at;
+    this->Row[at].first = column;
+    return this->Row[at].second;
   }
 
-  /// Valid until the next use.
-  /// @param sorted by column
-  std::vector<std::pair<Index, Entry>>& Take(bool sorted)
+  /// Calls take(begin, end) with the entries, then forgets them. Columns that share a slot may come
+  /// several times.
+  template <typename TakeEntries>
+  void Take(const TakeEntries& take)
   {
-    for (const auto& entry : this->Row)
+    take(this->Row.begin(), this->Row.begin() + this->End);
+    this->Forget();
+  }
+  /// Each column once, in ascending order.
+  template <typename TakeEntries>
+  void TakeSorted(const TakeEntries& take)
+  {
+    const auto begin = this->Row.begin();
+    const auto end = begin + this->End;
+    std::sort(begin, end, [](const auto& a, const auto& b) { return a.first < b.first; });
+    auto last = begin;
+    for (auto entry = begin; entry != end; ++entry)
     {
-      std::size_t at = this->Hash(entry.first);
-      while (this->Slots[at] != None)
+      if (entry != begin && entry->first == last->first)
       {
-        this->Slots[at] = None;
-        at = (at + 1) & (this->Slots.size() - 1);
+        last->second += entry->second;
+      }
+      else if (entry != begin)
+      {
+        *++last = *entry;
       }
     }
-    if (sorted)
-    {
-      std::sort(this->Row.begin(), this->Row.end(),
-        [](const auto& a, const auto& b) { return a.first < b.first; });
-    }
-    return this->Row;
+    take(begin, begin == end ? end : last + 1);
+    this->Forget();
   }
-  void Clear() { this->Row.clear(); }
 
 private:
-  std::size_t Hash(Index column) const
+  static constexpr std::uint32_t SlotCount = 1024;
+
+  void Forget()
   {
-    return (static_cast<std::uint32_t>(column) * 2654435769u) >> this->Shift;
-  }
-  void Resize(std::size_t slots)
-  {
-    this->Slots.assign(slots, None);
-    this->Shift = 32;
-    for (std::size_t size = slots; size > 1; size /= 2)
-    {
-      --this->Shift;
-    }
-    for (std::size_t k = 0; k < this->Row.size(); ++k)
-    {
-      std::size_t at = this->Hash(this->Row[k].first);
-      while (this->Slots[at] != None)
-      {
-        at = (at + 1) & (slots - 1);
-      }
-      this->Slots[at] = static_cast<Index>(k);
-    }
+    std::fill_n(this->Row.begin(), this->End, std::pair<Index, Entry>{ None, Entry{} });
+    this->End = 0;
   }
 
-  std::vector<Index> Slots;
+  /// Where the last entry of the columns that share a slot is, or was.
+  std::array<std::uint32_t, SlotCount> Slots;
+  /// Those at the end are none.
   std::vector<std::pair<Index, Entry>> Row;
-  int Shift = 32;
+  std::uint32_t End = 0;
 };
 }
 
