@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace DirectionFields
@@ -48,19 +49,43 @@ SparseMatrix Principal(const SparseMatrix& matrix, const std::vector<Index>& ver
     number[vertices[k]] = k;
   }
   SparseMatrix principal(n, n);
-  principal.reserve(matrix.nonZeros());
-  for (Index k = 0; k < n; ++k)
+  Index* const begin = principal.outerIndexPtr();
+  const auto forEntries = [&](Index k, const auto& body)
   {
-    principal.startVec(k);
     for (SparseMatrix::InnerIterator it(matrix, vertices[k]); it; ++it)
     {
       if (number[it.row()] != None)
       {
-        principal.insertBack(number[it.row()], k) = it.value();
+        body(number[it.row()], it.value());
       }
     }
-  }
-  principal.finalize();
+  };
+  ForRows(vertices,
+    [&](Index first, Index last)
+    {
+      for (Index k = first; k < last; ++k)
+      {
+        Index count = 0;
+        forEntries(k, [&](Index, const Complex&) { ++count; });
+        begin[k + 1] = count;
+      }
+    });
+  std::partial_sum(begin, begin + n + 1, begin);
+  principal.resizeNonZeros(begin[n]);
+  ForRows(vertices,
+    [&, rows = principal.innerIndexPtr(), values = principal.valuePtr()](Index first, Index last)
+    {
+      for (Index k = first; k < last; ++k)
+      {
+        Index at = begin[k];
+        forEntries(k,
+          [&](Index row, const Complex& value)
+          {
+            rows[at] = row;
+            values[at++] = value;
+          });
+      }
+    });
   return principal;
 }
 
