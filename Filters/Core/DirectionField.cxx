@@ -241,6 +241,7 @@ void DirectionField::MakeStages(const Options& options)
     return;
   }
   this->Kept.reset();
+  this->Points.reset();
   this->Merges = options.MergePoints;
   this->FirstPoint = this->Merges ? FirstAtSamePlace(*this->Input) : std::vector<Index>{};
   this->Kept = this->Merges ? std::make_unique<Stages>(Merged(*this->Input, this->FirstPoint))
@@ -422,7 +423,11 @@ Result DirectionField::Compute(
 
   AddTriangles(mesh, *this->Input,
     SingularityIndices(mesh, stages.GetConnection(), options.Degree, field), result);
-  OutputPoints points(mesh, *this->Input, this->FirstPoint);
+  if (!this->Points)
+  {
+    this->Points = std::make_unique<OutputPoints>(mesh, *this->Input, this->FirstPoint);
+  }
+  const OutputPoints& points = *this->Points;
   const Vector3 zero = Vector3::Zero();
   result.Representation = points.Spread(field, Complex(0.0));
   result.Normal = points.Spread(stages.GetFrames().Normal, zero);
@@ -437,8 +442,8 @@ Result DirectionField::Compute(
   {
     result.Curvature = ReportCurvature(stages, points);
   }
-  result.OriginalPoint = std::move(points.Original);
-  result.SplitTriangles = std::move(points.SplitTriangles);
+  result.OriginalPoint = points.Original;
+  result.SplitTriangles = points.SplitTriangles;
   return result;
 }
 }

@@ -14,6 +14,7 @@
 
 namespace DirectionFields
 {
+class OutputPoints;
 class Stages;
 
 /// Called with the fraction done, 0 to 1; false stops the computation.
@@ -66,6 +67,7 @@ private:
   bool Merges = false;
   std::vector<Index> FirstPoint;
   std::unique_ptr<Stages> Kept;
+  std::unique_ptr<OutputPoints> Points;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;
 };
