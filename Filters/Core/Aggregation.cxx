@@ -19,12 +19,24 @@ constexpr float StrongPart = 0.02f;
 constexpr float StrongPartDecay = 0.7f;
 /// The diagonal of the matrix without weak couplings is at least this part of the diagonal.
 constexpr float LeastFilteredDiagonal = 0.3f;
+/// All couplings of a vertex that sweeps solve for are no more than this part of the diagonal.
+constexpr float FewCouplings = 0.5f;
 
 /// Takes a value of the column's vertex to the row's.
 CompactComplex Transport(const CompactComplex& mass)
 {
   const float size = Modulus(mass);
   return size > 0.0f ? mass / size : CompactComplex(1.0f);
+}
+
+bool IsDominant(const CompactMatrix& energy, Index v)
+{
+  float couplings = 0.0f;
+  for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+  {
+    couplings += Modulus(energy.Value[k]);
+  }
+  return couplings <= FewCouplings * energy.Diagonal[v];
 }
 }
 
@@ -55,7 +67,8 @@ Couplings FindCouplings(const LevelMatrices& matrices, int level)
   return couplings;
 }
 
-Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
+Aggregates Aggregate(
+  const LevelMatrices& matrices, const Couplings& couplings, LeftOver leftOver)
 {
   const CompactMatrix& energy = matrices.Energy;
   const Index n = energy.Rows();
@@ -132,10 +145,8 @@ Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings)
     for (const Index v : piece)
     {
       aggregates.Number[v] = join(v, aggregates.Number);
-      if (aggregates.Number[v] == None)
+      if (aggregates.Number[v] == None && !(leftOver == LeftOver::Drop && IsDominant(energy, v)))
       {
-        // Coupled with nothing but itself: the sweeps solve for it. Yet a coarse level must be able
-        // to hold any section.
         aggregates.Number[v] = aggregates.Count++;
       }
     }

@@ -21,7 +21,8 @@ struct Couplings
 /// @param level 0 for the finest
 Couplings FindCouplings(const LevelMatrices& matrices, int level);
 
-/// The aggregate of each vertex and its value where the aggregate's root has 1.
+/// The aggregate of each vertex, None where it was left out, and its value where the aggregate's root
+/// has 1.
 struct Aggregates
 {
   LargeArray<Index> Number;
@@ -30,7 +31,8 @@ struct Aggregates
 };
 
 /// Whole neighbourhoods of strong couplings, first come, first served; what is left over joins them.
-Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings);
+Aggregates Aggregate(
+  const LevelMatrices& matrices, const Couplings& couplings, LeftOver leftOver);
 }
 
 #endif

@@ -223,14 +223,18 @@ template void Prolongator::AddTo<4>(float*, const float*) const;
 template void Prolongator::Restrict<1>(const float*, float*) const;
 template void Prolongator::Restrict<4>(const float*, float*) const;
 
-Prolongator MakeProlongator(const LevelMatrices& matrices, int level)
+Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver leftOver)
 {
   const CompactMatrix& energy = matrices.Energy;
   const Couplings couplings = FindCouplings(matrices, level);
-  const Aggregates aggregates = Aggregate(matrices, couplings);
+  const Aggregates aggregates = Aggregate(matrices, couplings, leftOver);
   const Rows<CompactComplex> rows(energy.Rows(), true,
     [&](Index i, RowSum<CompactComplex>& sum)
     {
+      if (aggregates.Number[i] == None)
+      {
+        return;
+      }
       float radius = couplings.Diagonal[i];
       for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
       {

@@ -45,6 +45,15 @@ struct Prolongator
   void Restrict(const float* x, float* y) const;
 };
 
+/// What becomes of vertices that couple with no others strongly. Sweeps solve for those whose diagonal
+/// outweighs all couplings, as between given values: if coarse levels keep them they hardly get
+/// smaller in the end. Yet for eigenvectors a coarse level must be able to hold any section.
+enum class LeftOver
+{
+  Keep,
+  Drop
+};
+
 /// Smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina, Computing 56, 1996) that knows the
 /// transport of sections: neighbouring vertices are aggregated where the energy couples their values
 /// after transport strongly and with the right sign, and a section of the coarse level is
@@ -53,7 +62,7 @@ struct Prolongator
 /// The transport is that of the mass matrix: the phases of its entries, unlike the energy's, do not
 /// change where a cotangent weight is negative.
 /// @param level 0 for the finest: what counts as strong gets weaker from level to level
-Prolongator MakeProlongator(const LevelMatrices& matrices, int level);
+Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver leftOver);
 
 /// P^* A P and P^* M P.
 LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolongator);

@@ -15,9 +15,12 @@ namespace DirectionFields
 {
 namespace
 {
-/// Coarsening ends where a level has more than this part of the rows of the finer one.
+/// Coarsening ends where a level would have more than this part of the rows of the finer one, and that
+/// could be factored.
 constexpr double SlowestCoarsening = 0.7;
-/// A level has at least this many rows.
+/// It ends anyway where a level would have more than this part.
+constexpr double NoCoarsening = 0.95;
+/// A level has at least this many rows where it is to hold eigenvectors.
 constexpr Index FewestRows = 16;
 /// Rows that the factor of the coarsest level may have where coarsening ends early.
 constexpr Index MostCoarsestRows = 1500;
@@ -62,7 +65,7 @@ LevelMatrices Finest(const Operators& operators)
 }
 }
 
-Multigrid::Multigrid(const Operators& operators, double scale)
+Multigrid::Multigrid(const Operators& operators, double scale, LeftOver leftOver)
   : Scale(scale)
 {
   this->Levels.push_back({ Finest(operators), {}, {} });
@@ -75,13 +78,15 @@ Multigrid::Multigrid(const Operators& operators, double scale)
       break;
     }
     Prolongator prolongator =
-      MakeProlongator(level.Matrices, static_cast<int>(this->Levels.size()) - 1);
+      MakeProlongator(level.Matrices, static_cast<int>(this->Levels.size()) - 1, leftOver);
     if (prolongator.CoarseRows() > SlowestCoarsening * level.Rows() &&
       level.Rows() <= MostCoarsestRows)
     {
       break;
     }
-    if (prolongator.CoarseRows() >= level.Rows() || prolongator.CoarseRows() < FewestRows)
+    const Index fewest = leftOver == LeftOver::Keep ? FewestRows : 1;
+    if (prolongator.CoarseRows() > NoCoarsening * level.Rows() ||
+      prolongator.CoarseRows() < fewest)
     {
       break;
     }

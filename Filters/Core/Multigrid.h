@@ -31,8 +31,9 @@ public:
     Index Rows() const { return this->Matrices.Energy.Rows(); }
   };
 
-  /// @param scale the order of magnitude of the smallest eigenvalue, as in EigenpairSettings
-  Multigrid(const Operators& operators, double scale);
+  /// @param scale    the order of magnitude of the smallest eigenvalue, as in EigenpairSettings
+  /// @param leftOver Drop for linear systems alone
+  Multigrid(const Operators& operators, double scale, LeftOver leftOver = LeftOver::Keep);
 
   const std::vector<Level>& GetLevels() const { return this->Levels; }
   double GetScale() const { return this->Scale; }

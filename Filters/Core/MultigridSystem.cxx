@@ -130,7 +130,7 @@ FreeSystem::FreeSystem(const Operators& operators, const std::vector<Index>& giv
         principal.Mass = Principal(operators.Mass, this->Free);
         return principal;
       }())
-  , Hierarchy(this->Matrices, scale)
+  , Hierarchy(this->Matrices, scale, LeftOver::Drop)
 {
 }
 

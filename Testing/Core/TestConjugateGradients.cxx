@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <utility>
 
 using namespace DirectionFields;
@@ -75,4 +76,37 @@ TEST(ConjugateGradients, TwiceTheDigitsTakeTwiceTheSteps)
   const int few = steps(1e-6);
   EXPECT_LE(few, 14);
   EXPECT_LE(steps(1e-12), 2 * few + 2);
+}
+
+/// Values given here and there leave patches that have little to do with each other, many of a few
+/// vertices.
+TEST(ConjugateGradients, HierarchiesOfPatchesBetweenGivenValuesGetSmall)
+{
+  const System system(Potato(6), 4, 0.0);
+  const auto n = static_cast<Index>(system.Matrices.Energy.rows());
+  std::mt19937 engine(1);
+  GivenValues given;
+  for (Index v = 0; v < n; ++v)
+  {
+    if (engine() % 2 == 0)
+    {
+      given.Vertices.push_back(v);
+    }
+  }
+  given.Values = RandomVector(static_cast<Eigen::Index>(given.Vertices.size()), 2);
+  FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
+  EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), Multigrid::CoarsestRows);
+  EXPECT_LE(freeSystem.Hierarchy.OperatorComplexity(), 1.6);
+  int steps = 0;
+  const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-10,
+    [&]
+    {
+      ++steps;
+      return true;
+    } };
+  const ComplexVector b = ComplexVector::Zero(n);
+  const SystemSolution fast = multigrid.SolveConstrainedEnergy(freeSystem, b, given);
+  const SystemSolution direct = SolveConstrainedEnergy(system.Matrices.Energy, b, given);
+  EXPECT_LT((fast.Vector - direct.Vector).norm(), 1e-9 * direct.Vector.norm());
+  EXPECT_LE(steps, 60);
 }
