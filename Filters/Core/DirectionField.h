@@ -67,6 +67,7 @@ private:
   bool Merges = false;
   std::vector<Index> FirstPoint;
   std::unique_ptr<Stages> Kept;
+  /// Where results are given, once there was one; of Kept.
   std::unique_ptr<OutputPoints> Points;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;

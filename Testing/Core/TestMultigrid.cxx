@@ -466,3 +466,29 @@ TEST(Multigrid, LeastSquaresStopWhenTold)
   EXPECT_GT(stopped.Residual, 1e-8);
   EXPECT_LE(calls, 8);
 }
+
+/// Pairs whose couplings become strong one after the other, as what counts as strong gets weaker.
+TEST(Multigrid, CoarseningEndsWhereItIsOfNoUse)
+{
+  constexpr Index pairs = 4000;
+  Operators operators;
+  for (SparseMatrix* const matrix : { &operators.Energy, &operators.Mass })
+  {
+    const double sign = matrix == &operators.Energy ? -1.0 : 1.0;
+    std::vector<Eigen::Triplet<Complex>> entries;
+    for (Index k = 0; k < pairs; ++k)
+    {
+      const double coupling = sign * std::pow(10.0, -1.0 - 6.0 * k / pairs);
+      for (const Index row : { 2 * k, 2 * k + 1 })
+      {
+        entries.emplace_back(row, row, 1.0);
+        entries.emplace_back(row, 4 * k + 1 - row, coupling);
+      }
+    }
+    matrix->resize(2 * pairs, 2 * pairs);
+    matrix->setFromTriplets(entries.begin(), entries.end());
+  }
+  const Multigrid hierarchy(operators, 1.0);
+  EXPECT_LE(hierarchy.GetLevels().size(), 3u);
+  EXPECT_FALSE(Cycle(hierarchy, 0.0).IsUsable());
+}
