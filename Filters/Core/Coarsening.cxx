@@ -8,6 +8,7 @@
 #include "Threads.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace DirectionFields
@@ -17,6 +18,8 @@ namespace
 constexpr Index PieceRows = CompactMatrix::PieceRows;
 /// Damping of the prolongator's smoothing, over the largest eigenvalue.
 constexpr float Damping = 4.0f / 3.0f;
+/// Likewise where it stays within its pattern; it would diverge from 2 on.
+constexpr float DampingWithinPattern = 1.9f;
 /// Parts of the rows of a prolongator that are transposed at once.
 constexpr Index AdjointParts = 8;
 
@@ -79,6 +82,105 @@ struct Rows
       });
   }
 };
+
+/// Entries added up for a few columns, as many as nearly all rows of a prolongator have.
+struct FewColumns
+{
+  static constexpr int Count = 4;
+  using Numbers = Eigen::Array<float, Count, 1>;
+
+  Index First;
+  /// Of the columns from the first one.
+  Numbers Distance;
+  Numbers Real = Numbers::Zero();
+  Numbers Imaginary = Numbers::Zero();
+
+  FewColumns(const Index* columns, Index count)
+    : First(*columns)
+  {
+    for (int c = 0; c < Count; ++c)
+    {
+      this->Distance[c] = c < count ? static_cast<float>(columns[c] - this->First)
+                                    : std::numeric_limits<float>::infinity();
+    }
+  }
+  /// Where it is one of the columns; without a branch.
+  void Add(Index column, const CompactComplex& value)
+  {
+    const Numbers isSame =
+      (1.0f - (this->Distance - static_cast<float>(column - this->First)).abs()).max(0.0f);
+    this->Real += isSame * value.real();
+    this->Imaginary += isSame * value.imag();
+  }
+};
+
+/// 0 of 0.
+CompactComplex Phase(const CompactComplex& value)
+{
+  return value * (1.0f / std::max(Modulus(value), std::numeric_limits<float>::min()));
+}
+
+/// One step towards columns of least energy that keeps the pattern and what transported constants are
+/// interpolated to.
+/// @param perRadius over what bounds the largest eigenvalue, times the diagonal
+void LowerEnergy(const CompactMatrix& energy, const Couplings& couplings,
+  const LargeArray<float>& perRadius, Prolongator& p)
+{
+  LargeArray<CompactComplex> lowered;
+  ResizePadded(lowered, p.Begin.back());
+  ParallelFor(energy.Rows(), PieceRows,
+    [to = lowered.data(), begins = p.Begin.data(), columns = p.Column.data(),
+      values = p.Value.data(), rows = energy.Begin.data(), neighbours = energy.Column.data(),
+      entries = energy.Value.data(), strength = couplings.Strength.data(),
+      diagonal = couplings.Diagonal.data(), perRadius = perRadius.data()](Index begin, Index end)
+    {
+      std::vector<CompactComplex> phases;
+      for (Index i = begin; i < end; ++i)
+      {
+        const Index first = begins[i];
+        const Index count = begins[i + 1] - first;
+        if (count < 2)
+        {
+          std::copy_n(values + first, count, to + first);
+          continue;
+        }
+        // Of row i of A P what is within the pattern.
+        phases.resize(count);
+        CompactComplex along = 0.0f;
+        for (Index at = 0; at < count; at += FewColumns::Count)
+        {
+          FewColumns sum(columns + first + at, count - at);
+          for (Index k = rows[i]; k < rows[i + 1]; ++k)
+          {
+            if (strength[k] > 0.0f)
+            {
+              const Index j = neighbours[k];
+              for (Index e = begins[j]; e < begins[j + 1]; ++e)
+              {
+                sum.Add(columns[e], entries[k] * values[e]);
+              }
+            }
+          }
+          for (Index c = at; c < std::min(at + FewColumns::Count, count); ++c)
+          {
+            const CompactComplex value = values[first + c];
+            const CompactComplex product = diagonal[i] * value +
+              CompactComplex(sum.Real[c - at], sum.Imaginary[c - at]);
+            phases[c] = Phase(value);
+            along += std::conj(phases[c]) * product;
+            to[first + c] = product;
+          }
+        }
+        along /= static_cast<float>(count);
+        const float step = DampingWithinPattern * perRadius[i];
+        for (Index c = 0; c < count; ++c)
+        {
+          to[first + c] = values[first + c] - step * (to[first + c] - along * phases[c]);
+        }
+      }
+    });
+  p.Value.swap(lowered);
+}
 
 /// P^*, its rows in ascending order of the fine vertices.
 void AddAdjoint(Prolongator& p, Index coarse)
@@ -228,9 +330,12 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver l
   const CompactMatrix& energy = matrices.Energy;
   const Couplings couplings = FindCouplings(matrices, level);
   const Aggregates aggregates = Aggregate(matrices, couplings, leftOver);
+  // The inverse of what bounds the largest eigenvalue, times the diagonal.
+  LargeArray<float> perRadius(energy.Rows());
   const Rows<CompactComplex> rows(energy.Rows(), true,
     [&](Index i, RowSum<CompactComplex>& sum)
     {
+      perRadius[i] = 0.0f;
       if (aggregates.Number[i] == None)
       {
         return;
@@ -240,8 +345,8 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver l
       {
         radius += couplings.Strength[k] > 0.0f ? Modulus(energy.Value[k]) : 0.0f;
       }
-      // Damping / (radius / diagonal) of (diagonal^-1 matrix).
-      const float step = Damping / radius;
+      perRadius[i] = 1.0f / radius;
+      const float step = Damping * perRadius[i];
       sum[aggregates.Number[i]] += (1.0f - step * couplings.Diagonal[i]) * aggregates.Phase[i];
       for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
       {
@@ -262,6 +367,7 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver l
       p.Column[p.Begin[row] + k] = entry.first;
       p.Value[p.Begin[row] + k] = entry.second;
     });
+  LowerEnergy(energy, couplings, perRadius, p);
   AddAdjoint(p, aggregates.Count);
   return p;
 }

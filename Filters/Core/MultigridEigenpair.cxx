@@ -25,7 +25,7 @@ constexpr Index PieceRows = CompactMatrix::PieceRows;
 constexpr Eigen::Index DirectRows = 3000;
 /// How far one Jacobi-Davidson step solves its correction equation: further is of no use before the
 /// eigenvalue in it is better known.
-constexpr double InnerReduction = 0.05;
+constexpr double InnerReduction = 0.02;
 /// In a space that grows with each step more steps pay.
 constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 40;

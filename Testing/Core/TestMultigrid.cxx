@@ -250,7 +250,8 @@ TEST(Multigrid, CyclesReduceTheErrorAtAnySize)
       reduction = std::sqrt(error.dot(energy * error).real()) / before;
       error /= error.norm();
     }
-    EXPECT_LT(reduction, 0.85) << energy.rows();
+    // Smoothed aggregation alone comes to 0.63.
+    EXPECT_LT(reduction, 0.6) << energy.rows();
   }
 }
 
@@ -274,13 +275,13 @@ TEST(Multigrid, FindsTheEigenvaluesOfTheDirectSolver)
 
 TEST(Multigrid, TakesFewCyclesWhateverTheMeshAndTheDegree)
 {
-  // Most take 15 to 25; more where many smallest eigenvalues lie together, as those of nearly
+  // Most take 10 to 15; more where many smallest eigenvalues lie together, as those of nearly
   // holomorphic fields do.
   const auto count = [&](const Surface& surface, int degree, double bias, const std::string& name)
   {
     const Eigenpair pair = ByMultigrid(System(surface, degree, bias));
     EXPECT_LE(pair.Residual, 1e-6) << name << " n = " << degree << ", s = " << bias;
-    EXPECT_LE(pair.Iterations, 66) << name << " n = " << degree << ", s = " << bias;
+    EXPECT_LE(pair.Iterations, 36) << name << " n = " << degree << ", s = " << bias;
     EXPECT_GE(pair.Iterations, 4) << name;
   };
   for (const auto& [name, surface] : Cases())
