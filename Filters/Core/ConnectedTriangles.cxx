@@ -42,11 +42,11 @@ public:
   }
 
 private:
-  std::vector<Index> Parent;
+  LargeArray<Index> Parent;
 };
 }
 
-ConnectedTriangles::ConnectedTriangles(const std::vector<Index>& twins)
+ConnectedTriangles::ConnectedTriangles(const LargeArray<Index>& twins)
   : Component(twins.size() / 3)
 {
   const auto triangles = static_cast<Index>(this->Component.size());

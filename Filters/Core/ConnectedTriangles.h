@@ -4,9 +4,9 @@
 #ifndef DirectionFields_ConnectedTriangles_h
 #define DirectionFields_ConnectedTriangles_h
 
+#include "LargeArray.h"
 #include "Types.h"
 
-#include <vector>
 
 namespace DirectionFields
 {
@@ -14,10 +14,10 @@ namespace DirectionFields
 struct ConnectedTriangles
 {
   /// @param twins the other side of each half-edge, three of each triangle, or None
-  explicit ConnectedTriangles(const std::vector<Index>& twins);
+  explicit ConnectedTriangles(const LargeArray<Index>& twins);
 
   /// Of each triangle.
-  std::vector<Index> Component;
+  LargeArray<Index> Component;
   Index Count = 0;
 };
 }

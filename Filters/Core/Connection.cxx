@@ -21,7 +21,7 @@ Connection::Connection(
   , Curvature(mesh.GetNumberOfTriangles())
 {
   // The corner angles first stand where the sums of those before them come.
-  std::vector<double>& cornerAngle = this->EdgeAngle;
+  LargeArray<double>& cornerAngle = this->EdgeAngle;
   ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
     [&](Index begin, Index end)
     {

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Connection_h
 #define DirectionFields_Connection_h
 
+#include "LargeArray.h"
 #include "Metric.h"
 #include "TriangleMesh.h"
 
@@ -25,18 +26,18 @@ struct Connection
   Connection(const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& positions);
 
   /// theta_i(ij) of each half-edge i -> j.
-  std::vector<double> EdgeAngle;
+  LargeArray<double> EdgeAngle;
   /// What scales the corner angles of each vertex: 2 pi over their sum, on the boundary 1.
-  std::vector<double> Scale;
+  LargeArray<double> Scale;
   /// Sum of the scaled corner angles of each vertex: 2 pi in the interior; on the boundary the
   /// angle of the last edge of the fan, which has no outgoing half-edge.
-  std::vector<double> AngleSum;
+  LargeArray<double> AngleSum;
   /// rho_ij = theta_j(ji) + pi - theta_i(ij) of each edge in its direction: a vector at angle phi
   /// in i arrives at angle phi + rho in j.
-  std::vector<double> Rotation;
+  LargeArray<double> Rotation;
   /// Curvature of each triangle, the sum of its scaled corner angles - pi; n times it is the
   /// holonomy Omega of a field of degree n.
-  std::vector<double> Curvature;
+  LargeArray<double> Curvature;
 
   /// Sets Rotation and Curvature from the angles.
   void Connect(const TriangleMesh& mesh);

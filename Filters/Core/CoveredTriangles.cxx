@@ -8,7 +8,7 @@
 namespace DirectionFields
 {
 CoveredTriangles::CoveredTriangles(
-  const std::vector<char>& isCovered, std::vector<Index>& corners, std::vector<Index>& twins)
+  const std::vector<char>& isCovered, LargeArray<Index>& corners, LargeArray<Index>& twins)
 {
   const auto triangles = static_cast<Index>(isCovered.size());
   this->Images.assign(triangles, None);

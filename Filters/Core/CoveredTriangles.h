@@ -4,6 +4,7 @@
 #ifndef DirectionFields_CoveredTriangles_h
 #define DirectionFields_CoveredTriangles_h
 
+#include "LargeArray.h"
 #include "Types.h"
 
 #include <vector>
@@ -20,10 +21,10 @@ struct CoveredTriangles
   /// @param corners   of the triangles, 3 each
   /// @param twins     of their half-edges
   CoveredTriangles(
-    const std::vector<char>& isCovered, std::vector<Index>& corners, std::vector<Index>& twins);
+    const std::vector<char>& isCovered, LargeArray<Index>& corners, LargeArray<Index>& twins);
 
   /// Of each triangle its other side, or None; and whether it is one that was appended.
-  std::vector<Index> Images;
+  LargeArray<Index> Images;
   std::vector<char> IsBack;
 };
 }

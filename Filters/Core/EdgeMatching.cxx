@@ -21,13 +21,13 @@ Index Next(Index h)
 }
 
 /// The corner of the triangle that a half-edge does not touch.
-Index Opposite(const std::vector<Index>& corners, Index h)
+Index Opposite(const LargeArray<Index>& corners, Index h)
 {
   return corners[Next(Next(h))];
 }
 
 /// The half-edge of a triangle that does not touch its least corner.
-Index ThirdSide(const std::vector<Index>& corners, Index t)
+Index ThirdSide(const LargeArray<Index>& corners, Index t)
 {
   const Index a = corners[3 * t];
   const Index b = corners[3 * t + 1];
@@ -49,17 +49,17 @@ struct Side
 /// Numbers from 0 on in groups: Members[Begin[k]] to Members[Begin[k + 1]], in ascending order.
 struct Groups
 {
-  std::vector<Index> Begin;
-  std::vector<Index> Members;
+  LargeArray<Index> Begin;
+  LargeArray<Index> Members;
 };
 
 /// The third sides of the triangles at their lower vertices.
-Groups GroupThirdSides(const std::vector<Index>& corners, Index vertices)
+Groups GroupThirdSides(const LargeArray<Index>& corners, Index vertices)
 {
   const auto triangles = static_cast<Index>(corners.size() / 3);
   const auto low = [&corners](Index h) { return std::min(corners[h], corners[Next(h)]); };
   // One place further than the group: filling moves the numbers back.
-  Groups groups{ std::vector<Index>(vertices + 2, 0), std::vector<Index>(triangles) };
+  Groups groups{ LargeArray<Index>(vertices + 2, 0), LargeArray<Index>(triangles) };
   for (Index t = 0; t < triangles; ++t)
   {
     ++groups.Begin[low(ThirdSide(corners, t)) + 2];
@@ -74,9 +74,9 @@ Groups GroupThirdSides(const std::vector<Index>& corners, Index vertices)
 }
 
 /// Where the triangles of each least corner begin.
-std::vector<Index> TrianglesOfLeastCorners(const std::vector<Index>& corners, Index vertices)
+LargeArray<Index> TrianglesOfLeastCorners(const LargeArray<Index>& corners, Index vertices)
 {
-  std::vector<Index> begin(vertices + 1, 0);
+  LargeArray<Index> begin(vertices + 1, 0);
   for (Index t = 0; 3 * t < static_cast<Index>(corners.size()); ++t)
   {
     ++begin[Opposite(corners, ThirdSide(corners, t)) + 1];
@@ -86,12 +86,15 @@ std::vector<Index> TrianglesOfLeastCorners(const std::vector<Index>& corners, In
 }
 }
 
-EdgeMatching::EdgeMatching(const std::vector<Index>& corners, Index vertices)
-  : Twins(corners.size(), None)
+EdgeMatching::EdgeMatching(const LargeArray<Index>& corners, Index vertices)
+  : Twins(corners.size())
 {
+  ParallelFor(static_cast<Index>(corners.size()), PieceSize,
+    [&](Index begin, Index end)
+    { std::fill(this->Twins.begin() + begin, this->Twins.begin() + end, None); });
   // Edges are matched at their lower vertices. Two sides of a triangle are found at its least
   // corner, by which the triangles are sorted; the third one is listed where it belongs.
-  const std::vector<Index> first = TrianglesOfLeastCorners(corners, vertices);
+  const LargeArray<Index> first = TrianglesOfLeastCorners(corners, vertices);
   const Groups third = GroupThirdSides(corners, vertices);
   std::vector<std::vector<Index>> crowded(NumberOfPieces(vertices, PieceSize));
   const auto counts = ParallelSum(vertices, PieceSize, Counts{},

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_EdgeMatching_h
 #define DirectionFields_EdgeMatching_h
 
+#include "LargeArray.h"
 #include "Types.h"
 
 #include <vector>
@@ -33,10 +34,10 @@ struct EdgeMatching
 
   /// @param corners  three of each triangle, all different; the triangles sorted by the least ones
   /// @param vertices number of vertices
-  EdgeMatching(const std::vector<Index>& corners, Index vertices);
+  EdgeMatching(const LargeArray<Index>& corners, Index vertices);
 
   /// The other side of each half-edge; None on the boundary and where the edge is crowded.
-  std::vector<Index> Twins;
+  LargeArray<Index> Twins;
   /// Whether the edge of a half-edge has more than two triangles; empty where none has.
   std::vector<char> IsCrowded;
   Counts Edges;

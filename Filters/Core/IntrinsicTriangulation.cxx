@@ -177,7 +177,7 @@ private:
     {
       this->Touched[this->Mesh.Tail(corner)] = 1;
     }
-    std::vector<double>& theta = this->Transport.EdgeAngle;
+    LargeArray<double>& theta = this->Transport.EdgeAngle;
     const double thetaH1 = theta[h1];
     theta[h1] = theta[h2];
     theta[h2] = theta[g1];

@@ -36,7 +36,7 @@ double Deficit(double a, double b, double c)
 class Mollification
 {
 public:
-  Mollification(const TriangleMesh& mesh, std::vector<double>& length)
+  Mollification(const TriangleMesh& mesh, LargeArray<double>& length)
     : Mesh(mesh)
     , Length(length)
   {
@@ -136,7 +136,7 @@ private:
   }
 
   const TriangleMesh& Mesh;
-  std::vector<double>& Length;
+  LargeArray<double>& Length;
 };
 
 struct EdgeSums
@@ -249,7 +249,7 @@ Metric::Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
 Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions, Index c)
 {
   const TriangleMesh::Component& component = mesh.GetComponents()[c];
-  std::vector<double>& length = this->SquaredLength;
+  LargeArray<double>& length = this->SquaredLength;
   const auto edgeVector = [&](Index e) -> Vector3
   {
     const Index h = mesh.HalfEdge(e);

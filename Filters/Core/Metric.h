@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Metric_h
 #define DirectionFields_Metric_h
 
+#include "LargeArray.h"
 #include "TriangleMesh.h"
 
 #include <vector>
@@ -29,9 +30,9 @@ struct Metric
   Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions);
 
   /// Squared length of each edge.
-  std::vector<double> SquaredLength;
+  LargeArray<double> SquaredLength;
   /// Area of each triangle.
-  std::vector<double> Area;
+  LargeArray<double> Area;
   /// Mean edge length of each component in the input's unit.
   std::vector<double> Unit;
   /// Area of each component, in Unit^2; of one side of a cover.

@@ -22,11 +22,15 @@ std::uint64_t Spread(std::uint64_t bits)
   return (bits | bits << 2) & 0x1249249249249249u;
 }
 
-std::vector<Index> Items(const std::vector<Keyed<std::uint64_t>>& order)
+LargeArray<Index> Items(const LargeArray<Keyed<std::uint64_t>>& order)
 {
-  std::vector<Index> items(order.size());
-  std::transform(order.begin(), order.end(), items.begin(),
-    [](const Keyed<std::uint64_t>& keyed) { return keyed.Item; });
+  LargeArray<Index> items(order.size());
+  ParallelFor(static_cast<Index>(order.size()), PieceSize,
+    [&](Index begin, Index end)
+    {
+      std::transform(order.begin() + begin, order.begin() + end, items.begin() + begin,
+        [](const Keyed<std::uint64_t>& keyed) { return keyed.Item; });
+    });
   return items;
 }
 }
@@ -54,8 +58,8 @@ std::uint64_t MortonCurve::Place(const Vector3& point) const
   return place;
 }
 
-std::vector<Index> MortonCurve::Sorted(
-  const std::vector<Vector3>& points, const std::vector<Index>& members)
+LargeArray<Index> MortonCurve::Sorted(
+  const std::vector<Vector3>& points, const LargeArray<Index>& members)
 {
   const auto count = static_cast<Index>(members.size());
   const MortonCurve curve(ParallelSum(count, PieceSize, BoundingBox{},
@@ -68,7 +72,7 @@ std::vector<Index> MortonCurve::Sorted(
       }
       return box;
     }));
-  std::vector<Keyed<std::uint64_t>> order(members.size());
+  LargeArray<Keyed<std::uint64_t>> order(members.size());
   ParallelFor(count, PieceSize,
     [&](Index begin, Index end)
     {
@@ -81,12 +85,12 @@ std::vector<Index> MortonCurve::Sorted(
   return Items(order);
 }
 
-std::vector<Index> MortonCurve::SortedInGroups(const std::vector<Vector3>& points,
-  const std::vector<Index>& members, const std::vector<Index>& group, Index groups)
+LargeArray<Index> MortonCurve::SortedInGroups(const std::vector<Vector3>& points,
+  const LargeArray<Index>& members, const LargeArray<Index>& group, Index groups)
 {
   const auto count = static_cast<Index>(members.size());
   std::vector<BoundingBox> boxes(groups);
-  std::vector<Keyed<std::uint64_t>> order(count);
+  LargeArray<Keyed<std::uint64_t>> order(count);
   for (Index k = 0; k < count; ++k)
   {
     boxes[group[k]].Add(points[members[k]]);

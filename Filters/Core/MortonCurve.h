@@ -4,6 +4,7 @@
 #ifndef DirectionFields_MortonCurve_h
 #define DirectionFields_MortonCurve_h
 
+#include "LargeArray.h"
 #include "Types.h"
 
 #include <cstdint>
@@ -43,15 +44,15 @@ public:
 
   /// Points in the order of a curve; those of the same place keep their order.
   /// @param members ids of finite points
-  static std::vector<Index> Sorted(
-    const std::vector<Vector3>& points, const std::vector<Index>& members);
+  static LargeArray<Index> Sorted(
+    const std::vector<Vector3>& points, const LargeArray<Index>& members);
 
   /// Positions of points in the order of their groups, within a group in that of a curve of its own,
   /// and at the same place of it in that of their ids.
   /// @param members  ids of finite points
   /// @param group    of each of them, 0 to groups - 1
-  static std::vector<Index> SortedInGroups(const std::vector<Vector3>& points,
-    const std::vector<Index>& members, const std::vector<Index>& group, Index groups);
+  static LargeArray<Index> SortedInGroups(const std::vector<Vector3>& points,
+    const LargeArray<Index>& members, const LargeArray<Index>& group, Index groups);
 
 private:
   Vector3 HalfLow;

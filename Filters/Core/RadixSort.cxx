@@ -14,7 +14,7 @@ constexpr Index PieceSize = 1 << 15;
 constexpr Index FewItems = 1 << 13;
 
 template <typename Key>
-void Sort(std::vector<Keyed<Key>>& items, int bits)
+void Sort(LargeArray<Keyed<Key>>& items, int bits)
 {
   const auto count = static_cast<Index>(items.size());
   const int widest = count < FewItems ? 8 : 12;
@@ -26,8 +26,8 @@ void Sort(std::vector<Keyed<Key>>& items, int bits)
   const int width = (bits + passes - 1) / passes;
   const Index buckets = 1 << width;
   const Index pieces = NumberOfPieces(count, PieceSize);
-  std::vector<Index> next(static_cast<std::size_t>(pieces) * buckets);
-  std::vector<Keyed<Key>> sorted(items.size());
+  LargeArray<Index> next(static_cast<std::size_t>(pieces) * buckets);
+  LargeArray<Keyed<Key>> sorted(items.size());
   for (int shift = 0; shift < bits; shift += width)
   {
     const auto digit = [shift, buckets](const Keyed<Key>& item)
@@ -70,12 +70,12 @@ void Sort(std::vector<Keyed<Key>>& items, int bits)
 }
 }
 
-void RadixSort(std::vector<Keyed<std::uint32_t>>& items, int bits)
+void RadixSort(LargeArray<Keyed<std::uint32_t>>& items, int bits)
 {
   Sort(items, bits);
 }
 
-void RadixSort(std::vector<Keyed<std::uint64_t>>& items, int bits)
+void RadixSort(LargeArray<Keyed<std::uint64_t>>& items, int bits)
 {
   Sort(items, bits);
 }

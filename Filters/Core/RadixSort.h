@@ -4,10 +4,10 @@
 #ifndef DirectionFields_RadixSort_h
 #define DirectionFields_RadixSort_h
 
+#include "LargeArray.h"
 #include "Types.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace DirectionFields
 {
@@ -22,8 +22,8 @@ struct Keyed
 /// Sorts by the keys; items of equal keys keep their order. Time is linear; the loops are shared
 /// out among the threads.
 /// @param bits of the largest key; all higher ones are zero
-void RadixSort(std::vector<Keyed<std::uint32_t>>& items, int bits);
-void RadixSort(std::vector<Keyed<std::uint64_t>>& items, int bits);
+void RadixSort(LargeArray<Keyed<std::uint32_t>>& items, int bits);
+void RadixSort(LargeArray<Keyed<std::uint64_t>>& items, int bits);
 
 /// How many bits the numbers below count have.
 inline int BitsBelow(Index count)

@@ -5,6 +5,7 @@
 
 #include "MortonCurve.h"
 #include "Threads.h"
+#include "VectorMath.h"
 
 #include <cmath>
 
@@ -78,7 +79,7 @@ ReferenceSection::ReferenceSection(const TangentFrames& frames,
 Complex ReferenceSection::Power(Index vertex, const Vector3& v) const
 {
   const Complex z = this->Frames.Tangential(this->Component.FirstVertex + vertex, v);
-  const double length = std::abs(z);
+  const double length = Modulus(z);
   return length > 0.0 ? length * IntegerPower(z / length, this->Degree) : Complex(0.0);
 }
 
@@ -130,7 +131,7 @@ void ReferenceSection::FixPhase(ComplexVector& u) const
         {
           const Complex term = std::conj(u[v]) * this->Power(v, Vector3::Unit(axis));
           part.Sum += term;
-          part.Size += std::abs(term);
+          part.Size += Modulus(term);
         }
         return part;
       });
@@ -149,7 +150,7 @@ void ReferenceSection::FixPhase(ComplexVector& u) const
       Largest part;
       for (Index v = begin; v < end; ++v)
       {
-        part += Largest{ std::abs(u[v]) * (2.0 + oblique.dot(this->Position(v))), v };
+        part += Largest{ Modulus(u[v]) * (2.0 + oblique.dot(this->Position(v))), v };
       }
       return part;
     }).Vertex;

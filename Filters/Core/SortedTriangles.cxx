@@ -95,7 +95,7 @@ SortedTriangles::SortedTriangles(const Surface& surface)
         ". Correct the connectivity of the mesh.");
   }
 
-  std::vector<Index> members;
+  LargeArray<Index> members;
   members.reserve(points);
   Found nonFinite;
   for (Index point = 0; point < points; ++point)
@@ -119,7 +119,7 @@ SortedTriangles::SortedTriangles(const Surface& surface)
   }
   this->Points = MortonCurve::Sorted(surface.Points, members);
   const auto vertices = static_cast<Index>(this->Points.size());
-  std::vector<Index> vertexOfPoint(points);
+  LargeArray<Index> vertexOfPoint(points);
   ParallelFor(vertices, PieceSize,
     [&](Index begin, Index end)
     {
@@ -129,7 +129,7 @@ SortedTriangles::SortedTriangles(const Surface& surface)
       }
     });
 
-  std::vector<Keyed<std::uint32_t>> order(triangles);
+  LargeArray<Keyed<std::uint32_t>> order(triangles);
   this->Collapsed = ParallelSum<Index>(triangles, PieceSize, 0,
     [&](Index begin, Index end)
     {
@@ -169,13 +169,13 @@ SortedTriangles::SortedTriangles(const Surface& surface)
 Index SortedTriangles::RemoveDuplicates()
 {
   const Index triangles = static_cast<Index>(this->Input.size());
-  std::vector<Triangle> sorted(triangles);
+  LargeArray<Triangle> sorted(triangles);
   for (Index t = 0; t < triangles; ++t)
   {
     std::copy_n(this->Corners.begin() + 3 * t, 3, sorted[t].begin());
     std::sort(sorted[t].begin(), sorted[t].end());
   }
-  std::vector<Index> order(triangles);
+  LargeArray<Index> order(triangles);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
     [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });

@@ -4,9 +4,9 @@
 #ifndef DirectionFields_SortedTriangles_h
 #define DirectionFields_SortedTriangles_h
 
+#include "LargeArray.h"
 #include "Surface.h"
 
-#include <vector>
 
 namespace DirectionFields
 {
@@ -22,12 +22,12 @@ struct SortedTriangles
   Index RemoveDuplicates();
 
   /// The points that they use, along a Morton curve.
-  std::vector<Index> Points;
+  LargeArray<Index> Points;
   /// Three of each triangle, as positions in Points. The triangles are sorted by their least ones,
   /// those that share it are in the order of the input.
-  std::vector<Index> Corners;
+  LargeArray<Index> Corners;
   /// Each triangle's number in the surface.
-  std::vector<Index> Input;
+  LargeArray<Index> Input;
   /// Triangles left out because they use a point twice.
   Index Collapsed = 0;
 };

@@ -3,6 +3,7 @@
 
 #include "TangentFrames.h"
 
+#include "LargeArray.h"
 #include "Threads.h"
 #include "VectorMath.h"
 
@@ -46,6 +47,10 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Connection& connect
   : Normal(mesh.GetNumberOfVertices())
   , X(mesh.GetNumberOfVertices())
 {
+  for (std::vector<Vector3>* axes : { &this->Normal, &this->X })
+  {
+    PreferLargePages(axes->data(), axes->size() * sizeof(Vector3));
+  }
   ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)
     {
@@ -107,7 +112,7 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Connection& connect
               (1.0 / std::sqrt(projected));
           }
         }
-        const double length = std::abs(fit);
+        const double length = Modulus(fit);
         fit = length > 1e-12 ? fit / length : Complex(1.0);
         this->Normal[v] = normal;
         this->X[v] = fit.real() * a + fit.imag() * b;

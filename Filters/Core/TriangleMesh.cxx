@@ -78,6 +78,7 @@ void TriangleMesh::ForEachComponent(const std::function<void(Index)>& body) cons
 std::vector<Vector3> TriangleMesh::Positions(const std::vector<Vector3>& points) const
 {
   std::vector<Vector3> positions(this->VertexPoint.size());
+  PreferLargePages(positions.data(), positions.size() * sizeof(Vector3));
   ParallelFor(this->GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)
     {
@@ -222,7 +223,7 @@ void TriangleMesh::Turn(const std::vector<char>& turned)
 {
   const auto renumbered = [&turned](Index h)
   { return turned[h / 3] ? 3 * (h / 3) + 2 - h % 3 : h; };
-  const std::vector<Index> twins = std::move(this->Twins);
+  const LargeArray<Index> twins = std::move(this->Twins);
   const std::vector<char> crowded = std::move(this->Crowded);
   this->Twins.resize(twins.size());
   this->Crowded.resize(crowded.size());
@@ -302,10 +303,10 @@ TriangleMesh::Fan TriangleMesh::FindFan(Index start) const
 /// Numbers the fans as vertices where a point has several of them.
 void TriangleMesh::SplitPoints()
 {
-  const std::vector<Index> pointOf = std::move(this->VertexPoint);
+  const LargeArray<Index> pointOf = std::move(this->VertexPoint);
   std::vector<char> fans(pointOf.size(), 0);
   std::vector<char> done(this->Corners.size(), 0);
-  std::vector<Keyed<std::uint32_t>> order;
+  LargeArray<Keyed<std::uint32_t>> order;
   for (Index h = 0; h < this->GetNumberOfHalfEdges(); ++h)
   {
     if (done[h])

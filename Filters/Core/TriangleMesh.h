@@ -4,6 +4,7 @@
 #ifndef DirectionFields_TriangleMesh_h
 #define DirectionFields_TriangleMesh_h
 
+#include "LargeArray.h"
 #include "Surface.h"
 #include "Types.h"
 
@@ -156,25 +157,25 @@ private:
   void NumberEdges();
   void ChooseFrontVertices();
 
-  std::vector<Index> Corners;
-  std::vector<Index> Twins;
-  std::vector<Index> Edges;
-  std::vector<Index> EdgeHalfEdge;
+  LargeArray<Index> Corners;
+  LargeArray<Index> Twins;
+  LargeArray<Index> Edges;
+  LargeArray<Index> EdgeHalfEdge;
   std::vector<char> Crowded;
   bool Flipped = false;
-  std::vector<Index> VertexHalfEdge;
-  std::vector<Index> VertexPoint;
-  std::vector<Index> TriangleInput;
+  LargeArray<Index> VertexHalfEdge;
+  LargeArray<Index> VertexPoint;
+  LargeArray<Index> TriangleInput;
   /// Of each triangle its copy on the other side of a cover, or None, and whether it is on the back;
   /// all are empty without covers.
-  std::vector<Index> Images;
+  LargeArray<Index> Images;
   std::vector<char> IsBack;
   std::vector<char> IsBackVertex;
   std::vector<Component> Components;
   Repairs Repaired;
 
   /// While building: the component of each triangle.
-  std::vector<Index> TriangleComponent;
+  LargeArray<Index> TriangleComponent;
 };
 }
 

@@ -26,7 +26,7 @@ void TriangleMesh::OrderComponents()
 {
   const Index triangles = this->GetNumberOfTriangles();
   const auto components = static_cast<Index>(this->Components.size());
-  std::vector<Keyed<std::uint32_t>> first(components);
+  LargeArray<Keyed<std::uint32_t>> first(components);
   for (Index c = 0; c < components; ++c)
   {
     first[c] = { std::numeric_limits<std::uint32_t>::max(), c };
@@ -40,7 +40,7 @@ void TriangleMesh::OrderComponents()
     last = std::max(last, input);
   }
   RadixSort(first, BitsBelow(static_cast<Index>(last) + 1));
-  std::vector<Index> place(components);
+  LargeArray<Index> place(components);
   for (Index c = 0; c < components; ++c)
   {
     place[first[c].Item] = c;
@@ -57,8 +57,8 @@ void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
 {
   const Index vertices = this->GetNumberOfVertices();
   const auto components = static_cast<Index>(this->Components.size());
-  std::vector<Index> component(vertices);
-  std::vector<Index> begin(components + 1, 0);
+  LargeArray<Index> component(vertices);
+  LargeArray<Index> begin(components + 1, 0);
   for (Index v = 0; v < vertices; ++v)
   {
     component[v] = this->TriangleComponent[this->VertexHalfEdge[v] / 3];
@@ -70,12 +70,12 @@ void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
     this->Components[c].FirstVertex = begin[c];
     this->Components[c].EndVertex = begin[c + 1];
   }
-  const std::vector<Index> order =
+  const LargeArray<Index> order =
     MortonCurve::SortedInGroups(points, this->VertexPoint, component, components);
 
-  std::vector<Index> number(vertices);
-  const std::vector<Index> pointOf = std::move(this->VertexPoint);
-  const std::vector<Index> halfEdgeOf = std::move(this->VertexHalfEdge);
+  LargeArray<Index> number(vertices);
+  const LargeArray<Index> pointOf = std::move(this->VertexPoint);
+  const LargeArray<Index> halfEdgeOf = std::move(this->VertexHalfEdge);
   this->VertexPoint.resize(vertices);
   this->VertexHalfEdge.resize(vertices);
   ParallelFor(vertices, PieceSize,
@@ -102,8 +102,8 @@ void TriangleMesh::SortVertices(const std::vector<Vector3>& points)
 void TriangleMesh::SortTriangles()
 {
   const Index triangles = this->GetNumberOfTriangles();
-  std::vector<Keyed<std::uint32_t>> order(triangles);
-  std::vector<Index> begin(this->Components.size() + 1, 0);
+  LargeArray<Keyed<std::uint32_t>> order(triangles);
+  LargeArray<Index> begin(this->Components.size() + 1, 0);
   Index last = 0;
   for (Index t = 0; t < triangles; ++t)
   {
@@ -125,15 +125,15 @@ void TriangleMesh::SortTriangles()
   }
   RadixSort(order, BitsBelow(this->GetNumberOfVertices()));
 
-  std::vector<Index> number(triangles);
+  LargeArray<Index> number(triangles);
   for (Index t = 0; t < triangles; ++t)
   {
     number[order[t].Item] = t;
   }
   const auto renumbered = [&number](Index h) { return 3 * number[h / 3] + h % 3; };
-  const std::vector<Index> corners = std::move(this->Corners);
-  const std::vector<Index> twins = std::move(this->Twins);
-  const std::vector<Index> input = std::move(this->TriangleInput);
+  const LargeArray<Index> corners = std::move(this->Corners);
+  const LargeArray<Index> twins = std::move(this->Twins);
+  const LargeArray<Index> input = std::move(this->TriangleInput);
   const std::vector<char> crowded = std::move(this->Crowded);
   this->Corners.resize(corners.size());
   this->Twins.resize(twins.size());
@@ -159,7 +159,7 @@ void TriangleMesh::SortTriangles()
     });
   if (!this->Images.empty())
   {
-    const std::vector<Index> images = std::move(this->Images);
+    const LargeArray<Index> images = std::move(this->Images);
     const std::vector<char> isBack = std::move(this->IsBack);
     this->Images.resize(images.size());
     this->IsBack.resize(isBack.size());

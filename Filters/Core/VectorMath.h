@@ -6,8 +6,17 @@
 
 #include "Types.h"
 
+#include <cmath>
+
 namespace DirectionFields
 {
+/// The modulus, for numbers whose squares neither overflow nor matter if they vanish: a third of the
+/// time that std::abs takes.
+inline double Modulus(const Complex& z)
+{
+  return std::sqrt(std::norm(z));
+}
+
 /// Elementary functions of many finite numbers at once. Where the C library has them for vectors of
 /// numbers, they take a third of the time, and are accurate to a few units in the last place.
 

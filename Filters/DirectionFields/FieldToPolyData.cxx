@@ -5,6 +5,7 @@
 
 #include "LargeArray.h"
 #include "Threads.h"
+#include "VectorMath.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -281,7 +282,7 @@ bool AddPointArrays(const Result& field,
         const Vector3* direction = directions.data();
         for (Index i = first; i < last; ++i)
         {
-          moduli[i] = static_cast<Value>(std::abs(field.Representation[i]));
+          moduli[i] = static_cast<Value>(Modulus(field.Representation[i]));
           for (Value* const values : tuples)
           {
             WriteVector(*direction++, values, i);
