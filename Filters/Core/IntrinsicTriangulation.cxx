@@ -237,11 +237,11 @@ private:
   Metric& Geometry;
   Connection& Transport;
   /// Of each edge.
-  std::vector<double> Length;
+  LargeArray<double> Length;
   /// Of the corner at the tail of each half-edge, not scaled.
-  std::vector<double> Angle;
+  LargeArray<double> Angle;
   /// Edges that may not be Delaunay.
-  std::vector<char> Open;
+  LargeArray<char> Open;
   /// Edges on the stack.
   std::vector<char> Queued;
   /// Vertices of flipped triangles.
