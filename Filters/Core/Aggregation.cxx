@@ -20,7 +20,7 @@ constexpr float StrongPartDecay = 0.7f;
 /// The diagonal of the matrix without weak couplings is at least this part of the diagonal.
 constexpr float LeastFilteredDiagonal = 0.3f;
 /// All couplings of a vertex that sweeps solve for are no more than this part of the diagonal.
-constexpr float FewCouplings = 0.5f;
+constexpr float FewCouplings = 0.9f;
 
 /// Takes a value of the column's vertex to the row's.
 CompactComplex Transport(const CompactComplex& mass)

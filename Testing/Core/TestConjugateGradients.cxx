@@ -95,7 +95,7 @@ TEST(ConjugateGradients, HierarchiesOfPatchesBetweenGivenValuesGetSmall)
   }
   given.Values = RandomVector(static_cast<Eigen::Index>(given.Vertices.size()), 2);
   FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
-  EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), 2 * Multigrid::CoarsestRows);
+  EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), Multigrid::CoarsestRows);
   EXPECT_LE(freeSystem.Hierarchy.OperatorComplexity(), 1.6);
   int steps = 0;
   const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-10,
