@@ -17,6 +17,8 @@ namespace
 /// A gap lambda_1 - lambda_t below this part of sigma leaves the smoothest field: what the guidance
 /// still changes there is below rounding.
 constexpr double SmallestGap = 1e-8;
+/// Where A - lambda_t M turns out to be indefinite the gap grows by this factor.
+constexpr double GapGrowth = 8.0;
 
 /// K = A - lambda_t M = Energy A + Mass M and the factor lambda_1 - lambda_t of M q, all over any
 /// positive number.
@@ -169,6 +171,22 @@ const GuidanceTerms& GetTerms(const ComponentProblem& problem)
   return *terms;
 }
 
+/// The factor times M q, zero where constraints have a say; zero without guidance.
+ComplexVector RightHandSide(
+  const ComponentProblem& problem, const GuidanceTerms& terms, double factor)
+{
+  if (terms.MassTimes.size() == 0)
+  {
+    return ComplexVector::Zero(problem.Matrices.Energy.rows());
+  }
+  ComplexVector b = Uninitialized(terms.MassTimes.size());
+  ForRows(b,
+    [&](Index begin, Index end)
+    { b.segment(begin, end - begin) = factor * terms.MassTimes.segment(begin, end - begin); });
+  ForEachNearConstraints(problem, [&](Index v) { b[v] = 0.0; });
+  return b;
+}
+
 SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& options,
   const Factors& factors, const ComplexVector& b)
 {
@@ -284,7 +302,7 @@ ComplexVector SolveComponent(
   const GuidanceTerms& terms = GetTerms(problem);
   const bool guided = terms.MassTimes.size() > 0;
   const bool constrained = !problem.Given.Vertices.empty();
-  const double gap = Gap(problem, options);
+  double gap = Gap(problem, options);
   const bool smoothest = gap <= SmallestGap * std::max(smallest, problem.Scale);
 
   SystemSolution solution;
@@ -308,27 +326,29 @@ ComplexVector SolveComponent(
   }
   else
   {
-    report.Lambda = !guided ? 0.0
-      : std::isinf(gap)     ? std::numeric_limits<double>::lowest()
-                            : PerSquare(smallest - gap, unit);
-    const Factors factors = guided ? MakeFactors(smallest, gap) : Factors{ 1.0, 0.0, 0.0 };
-    ComplexVector b;
-    if (!guided)
+    for (bool solved = false; !solved;)
     {
-      b = ComplexVector::Zero(matrices.Energy.rows());
-    }
-    else
-    {
-      b = Uninitialized(terms.MassTimes.size());
-      ForRows(b,
-        [&](Index begin, Index end)
+      report.Lambda = !guided ? 0.0
+        : std::isinf(gap)     ? std::numeric_limits<double>::lowest()
+                              : PerSquare(smallest - gap, unit);
+      const Factors factors = guided ? MakeFactors(smallest, gap) : Factors{ 1.0, 0.0, 0.0 };
+      try
+      {
+        solution = SolveSystem(
+          problem, options, factors, RightHandSide(problem, terms, factors.Guidance), report);
+        solved = true;
+      }
+      catch (const NotPositiveDefinite&)
+      {
+        // Of a section that has not converged, the quotient may exceed lambda_1 by more than that
+        // section lets expect. lambda_t = 0 is safe.
+        if (!guided || gap >= smallest)
         {
-          b.segment(begin, end - begin) =
-            factors.Guidance * terms.MassTimes.segment(begin, end - begin);
-        });
-      ForEachNearConstraints(problem, [&](Index v) { b[v] = 0.0; });
+          throw;
+        }
+        gap = std::min(smallest, GapGrowth * gap);
+      }
     }
-    solution = SolveSystem(problem, options, factors, b, report);
     if (solution.Vector.isZero(0.0))
     {
       // Nothing came of it, or of constraints that are zero: better a field than none.

@@ -58,8 +58,7 @@ void Factor(const SparseMatrix& matrix, const GoOnFunction& goOn, Factorization&
       return;
     }
   }
-  throw std::runtime_error("The linear system could not be factored: the mesh has triangles of too "
-                           "different sizes or shapes. Remesh it more evenly.");
+  throw NotPositiveDefinite();
 }
 
 /// Solves by a factor and refines with the matrix itself: what the factor loses to rounding or to

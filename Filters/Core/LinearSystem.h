@@ -9,6 +9,7 @@
 #include "Types.h"
 
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 namespace DirectionFields
@@ -33,7 +34,19 @@ struct GivenValues
   ComplexVector Values;
 };
 
-/// Solves K u = b for a Hermitian positive definite K. This and the others throw Stopped.
+/// K cannot be factored: it is not positive definite, or rounding makes it so.
+class NotPositiveDefinite : public std::runtime_error
+{
+public:
+  NotPositiveDefinite()
+    : std::runtime_error("The linear system could not be factored: the mesh has triangles of too "
+                         "different sizes or shapes. Remesh it more evenly.")
+  {
+  }
+};
+
+/// Solves K u = b for a Hermitian positive definite K. This and the others throw Stopped and
+/// NotPositiveDefinite.
 SystemSolution SolveAligned(const SparseMatrix& matrix, const ComplexVector& rightHandSide,
   const GoOnFunction& goOn = {});
 
