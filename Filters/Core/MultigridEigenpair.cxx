@@ -24,8 +24,9 @@ constexpr Index PieceRows = CompactMatrix::PieceRows;
 /// Rows up to which Automatic takes the direct solver: it is about as fast there.
 constexpr Eigen::Index DirectRows = 3000;
 /// How far one Jacobi-Davidson step solves its correction equation: further is of no use before the
-/// eigenvalue in it is better known.
+/// eigenvalue in it is better known, which it is to the square of the residual.
 constexpr double InnerReduction = 0.02;
+constexpr double InnerReductionPerResidual = 10.0;
 /// In a space that grows with each step more steps pay.
 constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 40;
@@ -292,8 +293,10 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     }
     SetFirst(u.Vector, others.Vectors);
     SetFirst(u.Mass, others.Mass);
-    const double reduction = std::max(
-      space ? InnerReductionInSpace : InnerReduction, Margin * settings.Tolerance / relative);
+    const double reduction =
+      std::max(space ? InnerReductionInSpace
+                     : std::min(InnerReduction, InnerReductionPerResidual * relative),
+        Margin * settings.Tolerance / relative);
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
       std::min(left, MostInnerSteps),
