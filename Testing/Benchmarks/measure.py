@@ -151,8 +151,10 @@ class Report:
                 math.log(t1 / t0) / math.log(n1 / n0), REQUIRED_EXPONENT)
         by_size = dict(sizes)
         if 1600000 in by_size and 6400000 in by_size:
-            add("time at 6.4 over that at 1.6 million",
-                by_size[6400000]["seconds"] / by_size[1600000]["seconds"], REQUIRED_GROWTH)
+            # Beyond four million triangles the C library keeps no memory from run to run.
+            for runs, key in ("first runs", "first_seconds"), ("best runs", "seconds"):
+                add(f"time at 6.4 over that at 1.6 million, {runs}",
+                    by_size[6400000][key] / by_size[1600000][key], REQUIRED_GROWTH)
         last = sizes[-1][1]
         add(f"peak memory at {last['triangles']:.0f} triangles", last["peak_bytes"] / 1e9,
             REQUIRED_BYTES / 1e9, " GB")
