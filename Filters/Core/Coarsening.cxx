@@ -350,9 +350,10 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver l
       sum[aggregates.Number[i]] += (1.0f - step * couplings.Diagonal[i]) * aggregates.Phase[i];
       for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
       {
-        if (couplings.Strength[k] > 0.0f)
+        const Index j = energy.Column[k];
+        // Rounding may make a coupling strong on one side only, and the other vertex was left out.
+        if (couplings.Strength[k] > 0.0f && aggregates.Number[j] != None)
         {
-          const Index j = energy.Column[k];
           sum[aggregates.Number[j]] -= step * energy.Value[k] * aggregates.Phase[j];
         }
       }

@@ -346,7 +346,9 @@ ComplexVector SolveComponent(
         {
           throw;
         }
-        gap = std::min(smallest, GapGrowth * gap);
+        gap = std::min(smallest,
+          std::max(GapGrowth * gap, SmallestGap * std::max(smallest, problem.Scale)));
+        report.SolverUsed = problem.Smoothest.SolverUsed;
       }
     }
     if (solution.Vector.isZero(0.0))

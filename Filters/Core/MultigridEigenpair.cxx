@@ -34,10 +34,10 @@ constexpr int MostInnerSteps = 40;
 constexpr double Margin = 1.0;
 /// A step that does not reduce the residual by this factor is slow. Few in a row, or a matrix that is
 /// not positive definite, show that other eigenvalues are near; the iteration stalls where so many
-/// V-cycles have gone into slow ones.
+/// V-cycles have gone into slow ones, more than in those few.
 constexpr double SlowReduction = 0.7;
 constexpr int FewSlowSteps = 2;
-constexpr int MostSlowCycles = 80;
+constexpr int MostSlowCycles = 100;
 
 Complex Entry(const CompactSections& block, Index v, int b)
 {

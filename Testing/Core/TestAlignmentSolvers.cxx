@@ -92,6 +92,63 @@ TEST(AlignmentSolvers, ASystemThatIsNotSolvedLeavesTheSmoothestField)
   EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
 }
 
+/// As an eigenpair that has not converged may have it, whatever its residual.
+TEST(AlignmentSolvers, WhereLambda1WasOverestimatedLambdaTIsLess)
+{
+  const System system(Potato(3), 4, 0.0);
+  EigenpairSettings settings;
+  settings.Scale = system.Scale;
+  const Eigenpair exact = FindSmallestPairs(system.Matrices,
+    [&] { return RandomVector(system.Matrices.Energy.rows(), 2); }, Solver::Direct, settings, {})
+                            .First;
+  SmallestPairs pairs;
+  pairs.First = exact;
+  pairs.First.Value = 3.0 * exact.Value;
+  pairs.First.Residual = 1e-3;
+  std::unique_ptr<FreeSystem> free;
+  ReducedBasis solved;
+  std::optional<GuidanceTerms> terms;
+  const ComponentProblem problem{ system.Matrices, pairs, free, solved, terms, system.Scale, 1.0,
+    RandomVector(system.Matrices.Energy.rows(), 1), {}, {} };
+  Options options;
+  options.UseShift = true;
+  for (const double shift : { 0.1 * exact.Value, 1e-4 * exact.Value })
+  {
+    options.Shift = shift;
+    ComponentReport report;
+    SolveComponent(problem, options, report);
+    EXPECT_LT(report.Lambda, exact.Value);
+    EXPECT_LE(report.SystemResidual, 1e-9);
+    EXPECT_GT(report.SmoothnessEnergy, 0.999 * exact.Value);
+  }
+}
+
+TEST(AlignmentSolvers, WhatNoGapMakesDefiniteIsAnError)
+{
+  System system(Potato(3), 4, 0.0);
+  system.Matrices.Energy = SparseMatrix(-system.Matrices.Energy);
+  SmallestPairs pairs;
+  std::unique_ptr<FreeSystem> free;
+  ReducedBasis solved;
+  std::optional<GuidanceTerms> terms;
+  ComponentProblem problem{ system.Matrices, pairs, free, solved, terms, system.Scale, 1.0,
+    RandomVector(system.Matrices.Energy.rows(), 1), { { 0 }, ComplexVector::Ones(1) }, {} };
+  Options options;
+  options.UseShift = true;
+  options.ConstraintSolver = ConstraintSolver::Energy;
+  for (const double value : { 0.0, 1e-17, 1.0 })
+  {
+    pairs.First.Value = value;
+    for (const double shift : { 0.0, 1e-300, 1e-3 })
+    {
+      options.Shift = shift;
+      ComponentReport report;
+      EXPECT_THROW(SolveComponent(problem, options, report), NotPositiveDefinite)
+        << value << ", " << shift;
+    }
+  }
+}
+
 TEST(AlignmentSolvers, GuidanceAndConstraintsMayChangeBetweenCalls)
 {
   const Surface surface = Hemisphere(3);

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 
 using namespace DirectionFields;
 using namespace TestMeshes;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
 
 using namespace DirectionFields;
 using namespace TestMeshes;
