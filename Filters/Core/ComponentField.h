@@ -71,7 +71,9 @@ inline double SystemTolerance(const Options& options)
 /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained vertices
 /// and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where alpha is 1:
 /// u tends to q where lambda_t tends to minus infinity, and guidance and constraints are of one
-/// size. lambda_t = 0 where there are constraints only. Without either the smoothest field.
+/// size. lambda_t = 0 where there are constraints only. Without either the smoothest field. Where
+/// lambda_1 was overestimated, as by a section that has not converged, lambda_t is as much less as
+/// makes the system definite.
 /// The field is scaled to modulus 1 in the mean square over the component.
 /// Fills in Lambda, SmoothnessEnergy, SystemResidual and SolverUsed of the report.
 ComplexVector SolveComponent(

@@ -7,7 +7,6 @@
 #include "LargeArray.h"
 #include "Types.h"
 
-
 namespace DirectionFields
 {
 /// The connected components of triangles, numbered by their first triangles.

@@ -7,7 +7,6 @@
 #include "LargeArray.h"
 #include "Surface.h"
 
-
 namespace DirectionFields
 {
 /// The triangles of a surface that have three corners, sorted so that what is close in space is

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 using namespace DirectionFields;
 using namespace TestMeshes;
@@ -466,6 +467,25 @@ TEST(Multigrid, LeastSquaresStopWhenTold)
     freeSystem, ComplexVector::Zero(system.Matrices.Energy.rows()), given);
   EXPECT_GT(stopped.Residual, 1e-8);
   EXPECT_LE(calls, 8);
+}
+
+/// Products that a coarse matrix consists of may be added up in another order below the diagonal.
+TEST(Multigrid, CouplingsMayBeStrongOnOneSideOnly)
+{
+  Eigen::MatrixXcd energy(3, 3);
+  energy << 1.0, -0.5, 0.0, -0.5, 1.0, -0.020001, 0.0, -0.020001, 1.0;
+  LevelMatrices matrices;
+  matrices.Energy = CompactMatrix(SparseMatrix(energy.sparseView()));
+  matrices.MassValue.assign(matrices.Energy.Value.size(), 1.0f);
+  matrices.MassDiagonal.assign(3, 1.0f);
+  // The last row's.
+  matrices.Energy.Value[matrices.Energy.Begin[2]] = -0.019999f;
+  const Prolongator p = MakeProlongator(matrices, 0, LeftOver::Drop);
+  EXPECT_EQ(p.CoarseRows(), 1);
+  const std::vector<Index> begin(p.Begin.begin(), p.Begin.end());
+  EXPECT_EQ(begin, (std::vector<Index>{ 0, 1, 2, 2 }));
+  EXPECT_EQ(p.Column[0], 0);
+  EXPECT_EQ(p.Column[1], 0);
 }
 
 /// Pairs whose couplings become strong one after the other, as what counts as strong gets weaker.
