@@ -254,7 +254,7 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
   CompactVector p(b.size());
   CompactVector q;
   double left = SetRest(b, product, unit, r);
-  double error = 0.0;
+  double error = UpdateError * left;
   double size = norm;
   // By which u has not been advanced yet.
   double step = 0.0;
@@ -267,7 +267,7 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
       step = 0.0;
       matrix.Multiply(u, product);
       left = SetRest(b, product, unit, r);
-      error = 0.0;
+      error = UpdateError * left;
       continue;
     }
     const Preconditioner::Result z = preconditioner.Apply(r);
@@ -278,8 +278,9 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
     {
       return;
     }
+    const double before = left;
     left = Update(step, q, r);
-    error += UpdateError * left;
+    error += UpdateError * std::max(before, left);
     if (steps == ManySteps)
     {
       size = Size(system, u, unit * left, norm);
