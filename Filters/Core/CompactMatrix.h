@@ -11,15 +11,11 @@
 
 namespace DirectionFields
 {
-/// Hermitian matrix in single precision with the sweeps of a smoother. Compressed rows; the diagonal
-/// stands apart.
-///
-/// Sweeps are Gauss-Seidel within blocks of BlockRows rows and Jacobi between them, so that blocks
-/// run at once and results do not depend on the number of threads. What couples a row with other
-/// blocks is added to its diagonal, which keeps the sweep convergent (the l1 smoother of
-/// A. Baker et al., SIAM J. Sci. Comput. 33, 2011).
+/// Hermitian matrix in single precision, as sweeps go through it. Compressed rows; the diagonal stands
+/// apart.
 struct CompactMatrix
 {
+  /// Of a block, which is swept by itself.
   static constexpr Index BlockRows = 4096;
   /// Rows of a piece where rows do not depend on each other.
   static constexpr Index PieceRows = 2048;
@@ -40,6 +36,16 @@ struct CompactMatrix
   LargeArray<Index> OutsideBegin;
   LargeArray<Index> OutsideColumn;
   LargeArray<CompactComplex> OutsideValue;
+  /// A row that is swept more often.
+  struct LocalRow
+  {
+    Index Row;
+    /// The row counted in the boundary, or None.
+    Index Boundary;
+  };
+  /// Rows whose couplings add up to much more than the diagonal, as at slivers, and what they are
+  /// coupled with, ascending: coarser levels correct them badly. Empty before FindLocalRows.
+  std::vector<LocalRow> Local;
 
   CompactMatrix() = default;
   /// Rounds a Hermitian matrix.
@@ -50,6 +56,9 @@ struct CompactMatrix
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
   /// Fills in what only sweeps need: ColumnInBlock and the couplings of the boundary.
   void PrepareSweeps();
+  /// Fills in Local. Where many rows are like that, the worst ones only: more would take longer than
+  /// they save.
+  void FindLocalRows();
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
   /// But for the diagonal.
@@ -68,43 +77,6 @@ struct CompactMatrix
     return sum;
   }
 };
-
-/// The matrix A + shift m that is swept, but for its entries.
-struct SweepDiagonal
-{
-  SweepDiagonal() = default;
-  /// @param m, shift   as above
-  /// @param relaxation how far a sweep goes towards each row's solution, above 0 and below 2
-  SweepDiagonal(const CompactMatrix& matrix, const LargeArray<float>& m, float shift,
-    float relaxation = 1.0f);
-
-  float Relaxation = 1.0f;
-  LargeArray<float> Diagonal;
-  /// The relaxation over the diagonal and the couplings to other blocks.
-  LargeArray<float> Inverse;
-  /// The couplings to other blocks of each row of the boundary.
-  LargeArray<float> Extra;
-};
-
-/// In the order of the rows, or in the opposite one: sweeps adjoint to each other.
-enum class SweepOrder
-{
-  Down,
-  Up
-};
-
-/// One sweep for (A + shift m) x = b that goes on from x.
-/// @param b, x    B sections each
-/// @param r       b - (A + shift m) x once swept, in the same pass over the matrix; or null
-/// @param product Re b^* x once swept, of all sections, likewise
-template <int B>
-void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
-  const float* b, float* x, float* r = nullptr, double* product = nullptr);
-
-/// One sweep down that starts from zero.
-template <int B>
-void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  float* x, float* r = nullptr);
 }
 
 #endif

@@ -107,6 +107,8 @@ Multigrid::Multigrid(const Operators& operators, double scale, LeftOver leftOver
   {
     level.Matrices.Energy.PrepareSweeps();
   }
+  // On coarser levels more sweeps would save no cycles.
+  this->Levels.front().Matrices.Energy.FindLocalRows();
 }
 
 double Multigrid::OperatorComplexity() const

@@ -6,6 +6,7 @@
 
 #include "Coarsening.h"
 #include "Operators.h"
+#include "Sweeps.h"
 
 #include <vector>
 

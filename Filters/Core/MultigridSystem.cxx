@@ -21,6 +21,11 @@ namespace
 /// In 1 / unit^2; above it the mass matrix is all that counts.
 constexpr double LargestShift = 1e8;
 
+/// Least squares take as many steps as they need, which on triangles of very different shapes are more
+/// the more vertices there are, but end where so many have not halved the gradient.
+constexpr int MostLeastSquaresSteps = 3000;
+constexpr int MostSlowSteps = 100;
+
 std::vector<Index> Complement(const std::vector<Index>& given, Index count)
 {
   std::vector<char> isGiven(count, 0);
@@ -211,7 +216,8 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
   ComplexVector x = ComplexVector::Zero(b.size());
   int steps = 0;
   for (int restart = 0;
-       preconditioner.IsUsable() && restart < MostRestarts && steps < MostSteps; ++restart)
+       preconditioner.IsUsable() && restart < MostRestarts && steps < MostLeastSquaresSteps;
+       ++restart)
   {
     ComplexVector better = x;
     ComplexVector r;
@@ -228,7 +234,9 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     ComplexVector deflatedSum;
     double step = 0.0;
     double previous = 0.0;
-    for (; steps < MostSteps && this->GoOn(); ++steps)
+    double halved = slope;
+    int lastHalved = steps;
+    for (; steps < MostLeastSquaresSteps && steps - lastHalved <= MostSlowSteps && this->GoOn(); ++steps)
     {
       const double product = preconditioner.Apply(gradient, slope);
       const double keep = previous == 0.0 ? 0.0 : product / previous;
@@ -270,6 +278,11 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
       {
         ++steps;
         break;
+      }
+      if (slope <= 0.5 * halved)
+      {
+        halved = slope;
+        lastHalved = steps;
       }
     }
     if (step > 0.0)

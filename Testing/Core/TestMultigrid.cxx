@@ -23,28 +23,6 @@ using namespace TestMeshes;
 
 namespace
 {
-/// One section in single precision.
-CompactSections Compact(const ComplexVector& x)
-{
-  CompactSections compact;
-  for (const Complex& z : x)
-  {
-    compact.push_back(static_cast<float>(z.real()));
-    compact.push_back(static_cast<float>(z.imag()));
-  }
-  return compact;
-}
-
-ComplexVector Widened(const CompactSections& x)
-{
-  ComplexVector wide(static_cast<Eigen::Index>(x.size() / 2));
-  for (Eigen::Index v = 0; v < wide.size(); ++v)
-  {
-    wide[v] = Complex(x[2 * v], x[2 * v + 1]);
-  }
-  return wide;
-}
-
 ComplexVector Applied(const Cycle& cycle, const ComplexVector& b)
 {
   const CompactSections right = Compact(b);
@@ -144,54 +122,6 @@ TEST(Multigrid, InterpolatesParallelSectionsExactly)
   const ComplexVector nearest =
     p * (p.adjoint() * p).ldlt().solve(p.adjoint() * parallel);
   EXPECT_LT((nearest - parallel).norm(), 1e-3 * parallel.norm());
-}
-
-/// Of several blocks of rows.
-TEST(Multigrid, SweepsInOppositeOrdersAreAdjoint)
-{
-  const System system(Potato(5), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
-  const Multigrid::Level& finest = hierarchy.GetLevels()[0];
-  const CompactMatrix& matrix = finest.Matrices.Energy;
-  const auto rows = static_cast<std::size_t>(matrix.Rows());
-  ASSERT_GT(matrix.Rows(), 2 * CompactMatrix::BlockRows);
-  EXPECT_GT(matrix.Boundary.size(), 10u);
-  EXPECT_LT(matrix.Boundary.size(), rows / 4);
-  const double shift = 3.0 * system.Scale;
-  const SweepDiagonal diagonal(matrix, finest.LumpedMass, static_cast<float>(shift));
-  const ComplexVector b = RandomVector(matrix.Rows(), 1);
-  const ComplexVector c = RandomVector(matrix.Rows(), 2);
-  CompactSections down(2 * rows);
-  CompactSections up(2 * rows, 0.0f);
-  SweepFromZero<1>(matrix, diagonal, Compact(b).data(), down.data());
-  Sweep<1>(matrix, diagonal, SweepOrder::Up, Compact(c).data(), up.data());
-  const Complex one = c.dot(Widened(down));
-  const Complex other = Widened(up).dot(b);
-  EXPECT_LT(std::abs(one - other), 1e-5 * b.norm() * Widened(up).norm());
-
-  const auto restOf = [&](const CompactSections& x)
-  {
-    const ComplexVector wide = Widened(x);
-    ComplexVector rest = b - system.Matrices.Energy * wide;
-    for (Index v = 0; v < matrix.Rows(); ++v)
-    {
-      rest[v] -= shift * finest.LumpedMass[v] * wide[v];
-    }
-    return rest;
-  };
-  // To go on from x is to add what a sweep finds for the rest. Both tell what is left.
-  const ComplexVector before = restOf(up);
-  CompactSections correction(2 * rows);
-  CompactSections left(2 * rows);
-  CompactSections rest(2 * rows);
-  SweepFromZero<1>(matrix, diagonal, Compact(before).data(), correction.data(), left.data());
-  const ComplexVector sum = Widened(up) + Widened(correction);
-  Sweep<1>(matrix, diagonal, SweepOrder::Down, Compact(b).data(), up.data(), rest.data());
-  EXPECT_LT((Widened(up) - sum).norm(), 1e-5 * sum.norm());
-  const ComplexVector after = restOf(up);
-  EXPECT_GT((after - before).norm(), 0.1 * before.norm());
-  EXPECT_LT((Widened(rest) - after).norm(), 1e-5 * after.norm());
-  EXPECT_LT((Widened(left) - after).norm(), 1e-5 * after.norm());
 }
 
 TEST(Multigrid, CyclesAreSymmetricAndPositive)
@@ -420,53 +350,6 @@ TEST(Multigrid, StopsWhenTold)
     system.Matrices, hierarchy, Settings(system), [&](int) { return ++calls < 20; }, lowest);
   EXPECT_TRUE(pair.Aborted);
   EXPECT_EQ(calls, 20);
-}
-
-TEST(Multigrid, LeastSquaresAreThoseOfTheDirectSolverInFewSteps)
-{
-  for (const auto& [levels, most] : { std::pair(4, 16), std::pair(5, 24) })
-  {
-    const System system(Hemisphere(levels), 4, 0.0);
-    const auto n = static_cast<Index>(system.Matrices.Energy.rows());
-    GivenValues given;
-    for (Index v = 0; v < n; ++v)
-    {
-      if (system.Mesh.IsBoundary(v))
-      {
-        given.Vertices.push_back(v);
-      }
-    }
-    given.Values = RandomVector(static_cast<Eigen::Index>(given.Vertices.size()), 3);
-    const ComplexVector b = system.Scale * (system.Matrices.Mass * RandomVector(n, 4));
-    const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
-    int steps = 0;
-    const MultigridSystem multigrid{ system.Matrices, 1.0, 0.5 * system.Scale, 4e-9,
-      [&]
-      {
-        ++steps;
-        return true;
-      } };
-    const SystemSolution fast = multigrid.SolveConstrainedLeastSquares(freeSystem, b, given);
-    const SparseMatrix k = system.Matrices.Energy + 0.5 * system.Scale * system.Matrices.Mass;
-    const SystemSolution direct = SolveConstrainedLeastSquares(k, b, given);
-    EXPECT_LE(fast.Residual, 5e-9);
-    EXPECT_LT((fast.Vector - direct.Vector).norm(), 1e-6 * direct.Vector.norm());
-    EXPECT_EQ(ComplexVector(fast.Vector(given.Vertices)), given.Values);
-    EXPECT_LE(steps, most);
-  }
-}
-
-TEST(Multigrid, LeastSquaresStopWhenTold)
-{
-  const System system(Hemisphere(4), 4, 0.0);
-  GivenValues given{ { 0, 700 }, ComplexVector::Ones(2) };
-  const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
-  int calls = 0;
-  const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-8, [&] { return ++calls < 4; } };
-  const SystemSolution stopped = multigrid.SolveConstrainedLeastSquares(
-    freeSystem, ComplexVector::Zero(system.Matrices.Energy.rows()), given);
-  EXPECT_GT(stopped.Residual, 1e-8);
-  EXPECT_LE(calls, 8);
 }
 
 /// Products that a coarse matrix consists of may be added up in another order below the diagonal.

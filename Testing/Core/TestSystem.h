@@ -4,6 +4,7 @@
 #ifndef DirectionFields_TestSystem_h
 #define DirectionFields_TestSystem_h
 
+#include "CompactValues.h"
 #include "Operators.h"
 
 #include <random>
@@ -42,6 +43,28 @@ inline ComplexVector RandomVector(Eigen::Index n, unsigned seed)
     z = std::polar(1.0, engine() / 4294967296.0 * 2.0 * Pi);
   }
   return v;
+}
+
+/// One section in single precision.
+inline CompactSections Compact(const ComplexVector& x)
+{
+  CompactSections compact;
+  for (const Complex& z : x)
+  {
+    compact.push_back(static_cast<float>(z.real()));
+    compact.push_back(static_cast<float>(z.imag()));
+  }
+  return compact;
+}
+
+inline ComplexVector Widened(const CompactSections& x)
+{
+  ComplexVector wide(static_cast<Eigen::Index>(x.size() / 2));
+  for (Eigen::Index v = 0; v < wide.size(); ++v)
+  {
+    wide[v] = Complex(x[2 * v], x[2 * v + 1]);
+  }
+  return wide;
 }
 }
 
