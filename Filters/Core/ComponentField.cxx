@@ -191,7 +191,7 @@ SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& 
   const Factors& factors, const ComplexVector& b)
 {
   const MultigridSystem system{ problem.Matrices, factors.Energy, factors.Mass,
-    SystemTolerance(options), problem.GoOn };
+    SystemTolerance(options), problem.GoOn, options.OthersFollow };
   if (problem.Given.Vertices.empty())
   {
     return system.Solve(*problem.Smoothest.Hierarchy, problem.Smoothest.Lowest, b, problem.Solved);
@@ -287,9 +287,13 @@ std::vector<Complex> CurvatureSection(
   const std::vector<Complex>& hopf, int degree, CurvatureDirection direction)
 {
   std::vector<Complex> section(hopf.size());
-  std::transform(hopf.begin(), hopf.end(), section.begin(),
-    [&](const Complex& q)
-    { return degree == 4 ? q * q : direction == CurvatureDirection::Minimum ? -q : q; });
+  ParallelFor(static_cast<Index>(hopf.size()), VectorPiece,
+    [&](Index begin, Index end)
+    {
+      std::transform(hopf.begin() + begin, hopf.begin() + end, section.begin() + begin,
+        [&](const Complex& q)
+        { return degree == 4 ? q * q : direction == CurvatureDirection::Minimum ? -q : q; });
+    });
   return section;
 }
 

@@ -29,6 +29,10 @@ constexpr double UpdateError = 1e-7;
 /// Part of a residual that what has been added to it may be, before it is computed anew (H. van der
 /// Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
 constexpr double MostError = 0.25;
+/// Derivatives of the first solution that the next ones begin with, and their relative residual: more
+/// of either saves no more steps than it costs.
+constexpr int Derivatives = 2;
+constexpr double DerivativeTolerance = 0.3;
 /// Rows whose squares are added up in single precision.
 constexpr Index FewRows = 256;
 
@@ -159,6 +163,20 @@ double Size(const MultigridSystem& system, const ComplexVector& u, double rest, 
     ? norm
     : std::max(norm,
         RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
+}
+
+/// |b - K u|
+double RestOf(const MultigridSystem& system, const ComplexVector& b, const SectionProducts& u)
+{
+  const auto squares = ParallelSum<double>(static_cast<Index>(b.size()), VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      const Index length = end - begin;
+      return (b.segment(begin, length) - system.EnergyFactor * u.Energy.segment(begin, length) -
+        system.MassFactor * u.Mass.segment(begin, length))
+        .squaredNorm();
+    });
+  return std::sqrt(squares);
 }
 
 /// K u
@@ -294,6 +312,33 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
 }
 }
 
+namespace
+{
+/// Adds K^-1 M u, K^-1 M K^-1 M u ..., approximately: derivatives of a solution u by the factor of M,
+/// but for their scale.
+void AddDerivatives(const MultigridSystem& system, const CombinedMatrix& matrix,
+  Preconditioner& preconditioner, const SectionProducts& u, ReducedBasis& solved)
+{
+  const MultigridSystem rough{ system.Matrices, system.EnergyFactor, system.MassFactor,
+    DerivativeTolerance, system.GoOn };
+  SectionProducts last;
+  for (int order = 1; order <= Derivatives; ++order)
+  {
+    const ComplexVector& b = order == 1 ? u.Mass : last.Mass;
+    const double norm = Norm(b);
+    ComplexVector t = Zeros(b.size());
+    int steps = 0;
+    Iterate(rough, matrix, preconditioner, b, norm, Zeros(b.size()), norm, t, steps);
+    if (steps == 0 || !system.GoOn())
+    {
+      return;
+    }
+    last.Set(system.Matrices, std::move(t));
+    solved.Add(last);
+  }
+}
+}
+
 SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid& hierarchy,
   const LowestSections* lowest, const ComplexVector& b, ReducedBasis& solved)
 {
@@ -332,8 +377,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid
     ComplexVector u = Copied(best.Vector);
     Iterate(system, matrix, preconditioner, b, norm, std::move(product), rest, u, steps);
     SectionProducts products(system.Matrices, std::move(u));
-    product = ProductOf(system, products);
-    rest = RestOf(b, product);
+    rest = RestOf(system, b, products);
     const double relative = rest / Size(system, products.Vector, rest, norm);
     const bool stalls = !(relative < 0.5 * solution.Residual);
     if (relative < solution.Residual)
@@ -345,10 +389,16 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid
     {
       break;
     }
+    product = ProductOf(system, best);
   }
   if (solution.Residual <= system.Tolerance)
   {
     solved.Add(best, system.EnergyFactor, system.MassFactor, b, solution.Residual);
+    // Where K = M they are the solution itself.
+    if (system.OthersFollow && solved.Size() == 1 && system.EnergyFactor > 0.0)
+    {
+      AddDerivatives(system, matrix, preconditioner, best, solved);
+    }
   }
   solution.Vector = std::move(best.Vector);
   solution.Energy = std::move(best.Energy);

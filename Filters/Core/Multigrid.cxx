@@ -21,7 +21,7 @@ constexpr double SlowestCoarsening = 0.7;
 /// It ends anyway where a level would have more than this part.
 constexpr double NoCoarsening = 0.95;
 /// A level has at least this many rows where it is to hold eigenvectors.
-constexpr Index FewestRows = 16;
+constexpr Index FewestRows = 8;
 /// Rows that the factor of the coarsest level may have where coarsening ends early.
 constexpr Index MostCoarsestRows = 1500;
 /// Added to the coarsest energy, relative to the scale of its smallest eigenvalue: that may be 0.

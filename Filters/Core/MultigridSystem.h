@@ -41,6 +41,9 @@ struct MultigridSystem
   /// Of the relative residual.
   double Tolerance;
   std::function<bool()> GoOn;
+  /// Whether others with other factors are to follow: the first solution then takes longer, and they
+  /// take fewer steps.
+  bool OthersFollow = false;
 
   /// m / a, within the range of the hierarchy.
   double Shift() const;

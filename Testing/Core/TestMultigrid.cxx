@@ -124,6 +124,18 @@ TEST(Multigrid, InterpolatesParallelSectionsExactly)
   EXPECT_LT((nearest - parallel).norm(), 1e-3 * parallel.norm());
 }
 
+/// Its factor would take a fifth of a slider's move.
+TEST(Multigrid, CoarsestMatricesAreSmallAtAnySize)
+{
+  for (int cells = 20; cells <= 160; cells += 7)
+  {
+    const System system(Torus(cells, cells), 4, 0.0);
+    const Multigrid hierarchy(system.Matrices, system.Scale);
+    EXPECT_LE(hierarchy.GetLevels().back().Rows(), Multigrid::CoarsestRows) << cells;
+    EXPECT_GE(hierarchy.GetLevels().back().Rows(), 2 * SectionBlock::Width) << cells;
+  }
+}
+
 TEST(Multigrid, CyclesAreSymmetricAndPositive)
 {
   for (const double shift : { 0.0, 0.05 })
