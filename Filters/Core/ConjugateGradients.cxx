@@ -261,10 +261,10 @@ double SetRest(const ComplexVector& b, const ComplexVector& r, double unit, Comp
 /// Steps from u on until the residual is small enough.
 /// @param product K u; overwritten
 /// @param rest    the norm of b - K u
-/// @param steps   of all restarts
+/// @param steps   of all restarts, up to mostSteps
 void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
   Preconditioner& preconditioner, const ComplexVector& b, double norm, ComplexVector product,
-  double rest, ComplexVector& u, int& steps)
+  double rest, int mostSteps, ComplexVector& u, int& steps)
 {
   // Of residuals and directions, so that nothing leaves the range of single precision.
   const double unit = rest;
@@ -277,7 +277,8 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
   // By which u has not been advanced yet.
   double step = 0.0;
   double previous = 0.0;
-  while (unit * left > ResidualMargin * system.Tolerance * size && steps < MostSteps && system.GoOn())
+  while (unit * left > ResidualMargin * system.Tolerance * size && steps < mostSteps &&
+    system.GoOn())
   {
     if (error > MostError * left)
     {
@@ -316,8 +317,9 @@ namespace
 {
 /// Adds K^-1 M u, K^-1 M K^-1 M u ..., approximately: derivatives of a solution u by the factor of M,
 /// but for their scale.
+/// @param mostSteps for each
 void AddDerivatives(const MultigridSystem& system, const CombinedMatrix& matrix,
-  Preconditioner& preconditioner, const SectionProducts& u, ReducedBasis& solved)
+  Preconditioner& preconditioner, const SectionProducts& u, int mostSteps, ReducedBasis& solved)
 {
   const MultigridSystem rough{ system.Matrices, system.EnergyFactor, system.MassFactor,
     DerivativeTolerance, system.GoOn };
@@ -328,7 +330,7 @@ void AddDerivatives(const MultigridSystem& system, const CombinedMatrix& matrix,
     const double norm = Norm(b);
     ComplexVector t = Zeros(b.size());
     int steps = 0;
-    Iterate(rough, matrix, preconditioner, b, norm, Zeros(b.size()), norm, t, steps);
+    Iterate(rough, matrix, preconditioner, b, norm, Zeros(b.size()), norm, mostSteps, t, steps);
     if (steps == 0 || !system.GoOn())
     {
       return;
@@ -375,7 +377,8 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid
   for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
   {
     ComplexVector u = Copied(best.Vector);
-    Iterate(system, matrix, preconditioner, b, norm, std::move(product), rest, u, steps);
+    Iterate(
+      system, matrix, preconditioner, b, norm, std::move(product), rest, MostSteps, u, steps);
     SectionProducts products(system.Matrices, std::move(u));
     rest = RestOf(system, b, products);
     const double relative = rest / Size(system, products.Vector, rest, norm);
@@ -397,7 +400,7 @@ SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid
     // Where K = M they are the solution itself.
     if (system.OthersFollow && solved.Size() == 1 && system.EnergyFactor > 0.0)
     {
-      AddDerivatives(system, matrix, preconditioner, best, solved);
+      AddDerivatives(system, matrix, preconditioner, best, steps / 2, solved);
     }
   }
   solution.Vector = std::move(best.Vector);

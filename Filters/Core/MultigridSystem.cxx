@@ -23,8 +23,8 @@ constexpr double LargestShift = 1e8;
 
 /// Least squares take as many steps as they need, which on triangles of very different shapes are more
 /// the more vertices there are, but end where so many have not halved the gradient.
-constexpr int MostLeastSquaresSteps = 3000;
-constexpr int MostSlowSteps = 100;
+constexpr int MostLeastSquaresSteps = 1200;
+constexpr int MostSlowSteps = 60;
 
 std::vector<Index> Complement(const std::vector<Index>& given, Index count)
 {
@@ -236,7 +236,8 @@ SystemSolution MultigridSystem::SolveConstrainedLeastSquares(const FreeSystem& f
     double previous = 0.0;
     double halved = slope;
     int lastHalved = steps;
-    for (; steps < MostLeastSquaresSteps && steps - lastHalved <= MostSlowSteps && this->GoOn(); ++steps)
+    for (; steps < MostLeastSquaresSteps && steps - lastHalved <= MostSlowSteps && this->GoOn();
+         ++steps)
     {
       const double product = preconditioner.Apply(gradient, slope);
       const double keep = previous == 0.0 ? 0.0 : product / previous;
