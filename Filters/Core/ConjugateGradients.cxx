@@ -297,9 +297,8 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
     {
       return;
     }
-    const double before = left;
     left = Update(step, q, r);
-    error += UpdateError * std::max(before, left);
+    error += UpdateError * left;
     if (steps == ManySteps)
     {
       size = Size(system, u, unit * left, norm);
