@@ -13,9 +13,10 @@ namespace DirectionFields
 namespace
 {
 constexpr Index PieceRows = CompactMatrix::PieceRows;
-/// A coupling is strong above this part of the mean of the two diagonal entries; on each coarser
-/// level by the second factor less.
-constexpr float StrongPart = 0.02f;
+/// A coupling is strong above this part of the mean of the two diagonal entries (Vanek, Mandel, Brezina
+/// 1996); on each coarser level by the second factor less. Where triangles are stretched it keeps
+/// couplings across the stretch out of the aggregates: along these sweeps do not smooth.
+constexpr float StrongPart = 0.08f;
 constexpr float StrongPartDecay = 0.7f;
 /// The diagonal of the matrix without weak couplings is at least this part of the diagonal.
 constexpr float LeastFilteredDiagonal = 0.3f;

@@ -4,6 +4,7 @@
 #include "DeflatedGradients.h"
 
 #include "Threads.h"
+#include "VectorOperations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
   float* const z = this->Preconditioned.data();
   float* const q = this->Product.data();
   Outcome outcome;
-  solution.resize(rows);
+  Resize(solution, rows);
   const double size = std::sqrt(ParallelSum<double>(rows, PieceRows, 0.0,
     [&](Index begin, Index end) { return rightHandSide.segment(begin, end - begin).squaredNorm(); }));
   if (!(size > 0.0) || !std::isfinite(size))

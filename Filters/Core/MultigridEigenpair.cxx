@@ -47,7 +47,7 @@ Complex Entry(const CompactSections& block, Index v, int b)
 
 ComplexVector Section(const SectionBlock& block, int b)
 {
-  ComplexVector section(block.Rows());
+  ComplexVector section = Uninitialized(block.Rows());
   ParallelFor(block.Rows(), PieceRows,
     [&](Index begin, Index end)
     {
@@ -132,7 +132,7 @@ Projected Project(
 ComplexVector Combined(
   const SectionBlock& block, const Sections& sections, const Eigen::VectorXcd& coefficients)
 {
-  ComplexVector sum(block.Rows());
+  ComplexVector sum = Uninitialized(block.Rows());
   ParallelFor(block.Rows(), PieceRows,
     [&](Index begin, Index end)
     {
@@ -227,7 +227,7 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
   DeflatedGradients gradients(hierarchy.GetLevels().front(), cycle, others);
   const double terms = SumOfMagnitudes(operators.Energy, u.Vector) /
     std::sqrt(std::max(RealDot(u.Vector, u.Mass), std::numeric_limits<double>::min()));
-  ComplexVector residual(rows);
+  ComplexVector residual = Uninitialized(rows);
   /// The last step.
   SectionProducts search;
   /// Steps in a row.
@@ -282,7 +282,7 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
     if (relative < best.Residual)
     {
       best.Value = value;
-      best.Vector = u.Vector;
+      Copy(u.Vector, best.Vector);
       best.Residual = relative;
     }
     const int left = settings.MaximumIterations - best.Iterations;

@@ -45,12 +45,18 @@ inline ComplexVector Zeros(Eigen::Index size)
   return vector;
 }
 
+inline void Copy(const ComplexVector& from, ComplexVector& to)
+{
+  Resize(to, from.size());
+  ForRows(to,
+    [&](Index begin, Index end)
+    { to.segment(begin, end - begin) = from.segment(begin, end - begin); });
+}
+
 inline ComplexVector Copied(const ComplexVector& a)
 {
-  ComplexVector copy = Uninitialized(a.size());
-  ForRows(copy,
-    [&](Index begin, Index end)
-    { copy.segment(begin, end - begin) = a.segment(begin, end - begin); });
+  ComplexVector copy;
+  Copy(a, copy);
   return copy;
 }
 

@@ -174,14 +174,15 @@ TEST(Multigrid, CyclesAreBoundedWhereTheEigenvalueIsZero)
   EXPECT_GT(cycle.GetCoarsestShift(), 1e-3 * system.Scale);
 }
 
+/// Also where triangles are stretched, so that a vertex is coupled much more in one direction.
 TEST(Multigrid, CyclesReduceTheErrorAtAnySize)
 {
-  for (const int levels : { 3, 4, 5 })
+  const auto reduce = [](const Surface& surface, double least)
   {
-    const System system(Potato(levels), 4, 0.0);
+    const System system(surface, 4, 0.0);
     const SparseMatrix& energy = system.Matrices.Energy;
     const Multigrid hierarchy(system.Matrices, system.Scale);
-    EXPECT_LT(hierarchy.OperatorComplexity(), 1.5);
+    EXPECT_LT(hierarchy.OperatorComplexity(), 1.6);
     const Cycle cycle(hierarchy, 0.0);
     // The slowest error, by the power method.
     ComplexVector error = RandomVector(energy.rows(), 3);
@@ -193,9 +194,15 @@ TEST(Multigrid, CyclesReduceTheErrorAtAnySize)
       reduction = std::sqrt(error.dot(energy * error).real()) / before;
       error /= error.norm();
     }
-    // Smoothed aggregation alone comes to 0.63.
-    EXPECT_LT(reduction, 0.6) << energy.rows();
+    EXPECT_LT(reduction, least) << energy.rows();
+  };
+  // Smoothed aggregation alone comes to 0.63, couplings of 0.02 taken for strong to 0.67.
+  for (const int levels : { 3, 4, 5, 6 })
+  {
+    reduce(Potato(levels), 0.6);
   }
+  // Those to 0.87.
+  reduce(Torus(600, 60), 0.65);
 }
 
 TEST(Multigrid, FindsTheEigenvaluesOfTheDirectSolver)
@@ -266,7 +273,7 @@ TEST(Multigrid, SeparatesNearlyEqualEigenvalues)
       for (int b = 0; b < SectionBlock::Width; ++b)
       {
         EXPECT_NEAR(products[0](b, b).real() / products[1](b, b).real(), lowest.Values[b],
-          1e-4 * direct.Value)
+          1e-4 * lowest.Values[b])
           << degree << ", " << bias << ", " << b;
       }
     }
