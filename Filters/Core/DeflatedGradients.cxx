@@ -17,6 +17,8 @@ constexpr int Width = SectionBlock::Width;
 constexpr Index PieceRows = CompactMatrix::PieceRows;
 /// Rows whose products are added up in single precision.
 constexpr Index FewRows = 256;
+/// A section is tested by what K makes of it where its value in K is above this part of that in A.
+constexpr double SmallestPart = 0.01;
 
 /// Products of a section with the four of a block, and another sum.
 struct Sums
@@ -88,13 +90,16 @@ Sums SumRows(Index rows, const Body& body)
 /// Row v of a block times coefficients.
 struct Coefficients
 {
-  explicit Coefficients(const Sums& sums)
+  Coefficients(const Eigen::Matrix4cd& matrix, const Sums& sums)
   {
+    Eigen::Vector4cd products;
     for (int b = 0; b < Width; ++b)
     {
-      this->Values.Real[b] = static_cast<float>(sums.Real[b]);
-      this->Values.Imaginary[b] = static_cast<float>(sums.Imaginary[b]);
+      products[b] = Complex(sums.Real[b], sums.Imaginary[b]);
     }
+    products = matrix * products;
+    this->Values.Real = products.real().cast<float>();
+    this->Values.Imaginary = products.imag().cast<float>();
   }
   CompactComplex Times(const CompactSections& block, Index v) const
   {
@@ -118,6 +123,56 @@ DeflatedGradients::DeflatedGradients(
   {
     section->resize(size);
   }
+  this->Tested.resize(deflated.Vectors.size());
+}
+
+void DeflatedGradients::Prepare(double shift)
+{
+  const float* const mass = this->Finest.LumpedMass.data();
+  const CompactSections& vectors = this->Deflated.Vectors;
+  const CompactSections& energies = this->Deflated.Energy;
+  // By energy and by lumped mass.
+  const Sums values = SumRows(this->Deflated.Rows(),
+    [&](Index v, FewSums& sums)
+    {
+      const CompactValues<Width> x(vectors.data(), v);
+      const CompactValues<Width> energy(energies.data(), v);
+      sums.Products.Real += x.Real * energy.Real + x.Imaginary * energy.Imaginary;
+      sums.Products.Imaginary += mass[v] * (x.Real * x.Real + x.Imaginary * x.Imaginary);
+    });
+  // Of the products by energy, and of those by mass.
+  CompactValues<Width> factors;
+  for (int b = 0; b < Width; ++b)
+  {
+    const bool byMatrix = b > 0 &&
+      values.Real[b] + shift * values.Imaginary[b] > SmallestPart * values.Real[b];
+    factors.Real[b] = byMatrix ? 1.0f : 0.0f;
+    factors.Imaginary[b] = byMatrix ? static_cast<float>(shift) : 1.0f;
+  }
+  ParallelFor(this->Deflated.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const CompactValues<Width> x(vectors.data(), v);
+        CompactValues<Width> tested(energies.data(), v);
+        tested.Real = factors.Real * tested.Real + mass[v] * factors.Imaginary * x.Real;
+        tested.Imaginary =
+          factors.Real * tested.Imaginary + mass[v] * factors.Imaginary * x.Imaginary;
+        tested.Store(this->Tested.data(), v);
+      }
+    });
+  Eigen::Matrix4cd products =
+    Products(this->Deflated.Rows(), { { &this->Tested, &vectors } }).front();
+  for (int b = 0; b < Width; ++b)
+  {
+    // A section that is zero.
+    if (products(b, b) == 0.0)
+    {
+      products(b, b) = 1.0;
+    }
+  }
+  this->Inverse = products.inverse();
 }
 
 DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHandSide,
@@ -141,8 +196,10 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     return outcome;
   }
 
+  this->Prepare(shift);
   // Of unit length, so that nothing leaves the range of single precision.
-  const Coefficients outside(SumRows(rows,
+  const Eigen::Matrix4cd inverseAdjoint = this->Inverse.adjoint();
+  const Coefficients outside(inverseAdjoint, SumRows(rows,
     [&](Index v, FewSums& sums)
     {
       const Complex value = rightHandSide[v] / size;
@@ -153,7 +210,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     [&](Index v, FewSums& sums)
     {
       const CompactComplex value =
-        CompactComplex(rightHandSide[v] / size) - outside.Times(this->Deflated.Mass, v);
+        CompactComplex(rightHandSide[v] / size) - outside.Times(this->Tested, v);
       r[2 * v] = value.real();
       r[2 * v + 1] = value.imag();
       t[2 * v] = 0.0f;
@@ -170,8 +227,8 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
       break;
     }
     this->Preconditioner.Apply<1>(r, z);
-    const Coefficients along(SumRows(rows,
-      [&](Index v, FewSums& sums) { sums.Add(this->Deflated.Mass, v, z[2 * v], z[2 * v + 1]); }));
+    const Coefficients along(this->Inverse, SumRows(rows,
+      [&](Index v, FewSums& sums) { sums.Add(this->Tested, v, z[2 * v], z[2 * v + 1]); }));
     const double product = SumRows(rows,
       [&](Index v, FewSums& sums)
       {
@@ -207,12 +264,12 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
       this->Solution.swap(this->Direction);
       break;
     }
-    const Coefficients out(products);
+    const Coefficients out(inverseAdjoint, products);
     const auto step = static_cast<float>(product / products.Other);
     const double rest = SumRows(rows,
       [&](Index v, FewSums& sums)
       {
-        const CompactComplex projected = out.Times(this->Deflated.Mass, v);
+        const CompactComplex projected = out.Times(this->Tested, v);
         t[2 * v] += step * p[2 * v];
         t[2 * v + 1] += step * p[2 * v + 1];
         r[2 * v] -= step * (q[2 * v] - projected.real());

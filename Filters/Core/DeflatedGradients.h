@@ -11,14 +11,16 @@
 
 namespace DirectionFields
 {
-/// Conjugate gradients with V-cycles in single precision, on the sections M-orthogonal to a few
-/// others: solves (1 - M V V^*) (A + shift m) (1 - V V^* M) t = (1 - M V V^*) r, m the lumped mass, V
-/// the deflated sections, orthonormal in M.
+/// Conjugate gradients with V-cycles in single precision, beside a few sections V that are left out:
+/// solves P^* K P t = P^* r, K = A + shift m, m the lumped mass, P = 1 - V (W^* V)^-1 W^*. A column of
+/// W is K times one of V, which leaves it out without an error (Nicolaides 1987), or m times it where
+/// K nearly vanishes.
 class DeflatedGradients
 {
 public:
-  /// All must outlive the object. Of the block the vectors and their mass products count; sections
-  /// that are zero deflate nothing.
+  /// All must outlive the object. Of the block, which may change between solves, the vectors and
+  /// their energy products count; those of the first section are not needed. Sections that are zero
+  /// deflate nothing.
   DeflatedGradients(const Multigrid::Level& finest, const Cycle& cycle, const SectionBlock& deflated);
 
   struct Outcome
@@ -36,9 +38,16 @@ public:
     const std::function<bool()>& goOn, ComplexVector& solution);
 
 private:
+  /// W and the inverse.
+  void Prepare(double shift);
+
   const Multigrid::Level& Finest;
   const Cycle& Preconditioner;
   const SectionBlock& Deflated;
+  /// W.
+  CompactSections Tested;
+  /// The inverse of W^* V.
+  Eigen::Matrix4cd Inverse;
   CompactSections Solution;
   CompactSections Residual;
   CompactSections Direction;

@@ -23,15 +23,15 @@ constexpr int Width = SectionBlock::Width;
 constexpr Index PieceRows = CompactMatrix::PieceRows;
 /// Rows up to which Automatic takes the direct solver: it is about as fast there.
 constexpr Eigen::Index DirectRows = 3000;
-/// How far one Jacobi-Davidson step solves its correction equation: further is of no use before the
-/// eigenvalue in it is better known, which it is to the square of the residual.
-constexpr double InnerReduction = 0.02;
-constexpr double InnerReductionPerResidual = 10.0;
+/// How far one Jacobi-Davidson step solves its correction equation: further is of no use with the
+/// eigenvalue that is in it. Each step takes as long as two V-cycles besides.
+constexpr double InnerReduction = 0.001;
 /// In a space that grows with each step more steps pay.
 constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 40;
-/// How far the last step goes, in parts of the tolerance: what the projection adds is enough.
-constexpr double Margin = 1.0;
+/// How far the last step goes, in parts of the tolerance: the residual of the pair is a little larger
+/// than that of the equation.
+constexpr double Margin = 0.9;
 /// A step that does not reduce the residual by this factor is slow. Few in a row, or a matrix that is
 /// not positive definite, show that other eigenvalues are near; the iteration stalls where so many
 /// V-cycles have gone into slow ones, more than in those few.
@@ -292,11 +292,8 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       break;
     }
     SetFirst(u.Vector, others.Vectors);
-    SetFirst(u.Mass, others.Mass);
-    const double reduction =
-      std::max(space ? InnerReductionInSpace
-                     : std::min(InnerReduction, InnerReductionPerResidual * relative),
-        Margin * settings.Tolerance / relative);
+    const double reduction = std::max(
+      space ? InnerReductionInSpace : InnerReduction, Margin * settings.Tolerance / relative);
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
       std::min(left, MostInnerSteps),

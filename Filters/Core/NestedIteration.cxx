@@ -286,7 +286,7 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
       return pairs;
     }
   }
-  Free(pairs.Block.Energy);
+  Free(pairs.Block.Mass);
   return pairs;
 }
 }

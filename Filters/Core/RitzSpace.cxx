@@ -145,7 +145,7 @@ void RitzSpace::WriteNext(SectionBlock& block) const
           }
         };
         write(&SectionProducts::Vector, block.Vectors);
-        write(&SectionProducts::Mass, block.Mass);
+        write(&SectionProducts::Energy, block.Energy);
       }
     });
 }

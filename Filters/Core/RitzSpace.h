@@ -32,7 +32,7 @@ public:
   /// The Ritz vector of the smallest value, of unit length in M.
   SectionProducts First() const;
   /// Writes the Ritz vectors of the next values, as far as there are any, to the sections 1, 2, 3 of
-  /// a block, without Energy.
+  /// a block, without Mass.
   void WriteNext(SectionBlock& block) const;
 
 private:

@@ -83,7 +83,7 @@ std::vector<SmallMatrix> Products(
 }
 
 void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
-  SectionBlock& target, bool withEnergy)
+  SectionBlock& target, bool withMass)
 {
   struct Factor
   {
@@ -102,14 +102,14 @@ void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& ter
     factors.push_back(factor);
   }
   std::vector<CompactSections SectionBlock::*> members{ &SectionBlock::Vectors,
-    &SectionBlock::Mass };
-  if (withEnergy)
+    &SectionBlock::Energy };
+  if (withMass)
   {
-    members.push_back(&SectionBlock::Energy);
+    members.push_back(&SectionBlock::Mass);
   }
   else
   {
-    Free(target.Energy);
+    Free(target.Mass);
   }
   ParallelFor(target.Rows(), CompactMatrix::PieceRows,
     [&](Index begin, Index end)

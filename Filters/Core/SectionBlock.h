@@ -67,9 +67,9 @@ std::vector<SmallMatrix> Products(
   Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs);
 
 /// target = sum of a c over the pairs (block a, 4 x 4 matrix c), for vectors and products alike, or
-/// without Energy, which is emptied. The target may be one of the blocks.
+/// without Mass, which is emptied. The target may be one of the blocks.
 void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
-  SectionBlock& target, bool withEnergy = true);
+  SectionBlock& target, bool withMass = true);
 
 /// The smallest pairs of a projected eigenvalue problem.
 struct RitzPairs

@@ -45,19 +45,21 @@ TEST(RitzSpace, HasTheRitzPairsOfItsSections)
   SectionBlock block(static_cast<Index>(n));
   // All but the first section are written.
   block.Vectors.assign(block.Vectors.size(), 0.0f);
-  block.Mass.assign(block.Mass.size(), 0.0f);
+  block.Energy.assign(block.Energy.size(), 0.0f);
   space.WriteNext(block);
-  const SmallMatrix products = Products(block.Rows(), { { &block.Vectors, &block.Mass } })[0];
+  SectionBlock multiplied(static_cast<Index>(n));
+  Multiply(
+    system.Matrices, block.Vectors.data(), multiplied.Energy.data(), multiplied.Mass.data());
+  const std::vector<SmallMatrix> products = Products(block.Rows(),
+    { { &block.Vectors, &multiplied.Mass }, { &block.Vectors, &block.Energy },
+      { &block.Vectors, &multiplied.Energy } });
   SmallMatrix unit = SmallMatrix::Identity(4, 4);
   unit(0, 0) = 0.0;
-  EXPECT_LT((products - unit).norm(), 1e-5);
-  const Operators& matrices = system.Matrices;
-  SectionBlock multiplied = block;
-  Multiply(matrices, block.Vectors.data(), multiplied.Energy.data(), multiplied.Mass.data());
-  const SmallMatrix energy = Products(block.Rows(), { { &block.Vectors, &multiplied.Energy } })[0];
+  EXPECT_LT((products[0] - unit).norm(), 1e-5);
   for (int b = 1; b < SectionBlock::Width; ++b)
   {
-    EXPECT_NEAR(energy(b, b).real(), space.GetValues()[b], 1e-5 * space.GetValues()[b]);
+    EXPECT_NEAR(products[1](b, b).real(), space.GetValues()[b], 1e-5 * space.GetValues()[b]);
+    EXPECT_NEAR(products[2](b, b).real(), space.GetValues()[b], 1e-5 * space.GetValues()[b]);
   }
 }
 
