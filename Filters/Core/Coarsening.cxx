@@ -22,6 +22,8 @@ constexpr float Damping = 4.0f / 3.0f;
 constexpr float DampingWithinPattern = 1.9f;
 /// Parts of the rows of a prolongator that are transposed at once.
 constexpr Index AdjointParts = 8;
+/// Rows of a piece that tell about how much storage it will take.
+constexpr Index FirstRows = 64;
 
 /// Rows made in pieces, put one after the other.
 template <typename Entry>
@@ -44,6 +46,10 @@ struct Rows
         auto& piece = this->Pieces[begin / PieceRows];
         for (Index row = begin; row < end; ++row)
         {
+          if (row == begin + FirstRows)
+          {
+            piece.reserve(piece.size() * (end - begin) / FirstRows * 9 / 8);
+          }
           makeRow(row, sum);
           const auto take = [&](auto first, auto last)
           {

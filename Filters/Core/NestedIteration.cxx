@@ -23,10 +23,8 @@ constexpr float Tolerance = 0.2f;
 constexpr double ZeroPart = 1e-3;
 constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
-/// On the finest level, where each step costs a few of those to come, also where one has changed the
-/// smallest value by no more than this part.
-constexpr double SettledChange = 0.01;
-constexpr int MostStepsOnFinest = 4;
+/// Each costs as much there as five V-cycles of the one section that it is about in the end.
+constexpr int MostStepsOnFinest = 1;
 
 /// Squared norms of A u - theta M u and of A u for one pair.
 struct Norms
@@ -50,7 +48,6 @@ public:
     : Finest(operators)
     , Zero(ZeroPart * scale)
     , Matrices(level.Matrices)
-    , IsCoarsest(level.FromCoarser.Begin.empty())
     , Pairs(pairs)
     , Correction(level.Rows())
   {
@@ -114,8 +111,8 @@ public:
     return static_cast<float>(std::sqrt(norms.Residual / norms.Energy));
   }
 
-  /// One step with the residuals that Residuals left. Whether it is the last one.
-  bool Step(const Cycle& cycle, std::size_t level, bool isLast)
+  /// One step with the residuals that Residuals left. The last one leaves no search directions.
+  void Step(const Cycle& cycle, std::size_t level, bool isLast)
   {
     SectionBlock& x = this->Pairs.Block;
     SectionBlock& w = this->Correction;
@@ -157,18 +154,11 @@ public:
     {
       set(other, 2, products[4 + 2 * other], products[5 + 2 * other]);
     }
-    const int first = this->FirstNonzero();
-    const double before = this->Pairs.Values[first];
     this->Take(RayleighRitz(energy, mass, Width));
     if (!this->IsWhole())
     {
-      return true;
+      return;
     }
-    // Without a coarser level the first steps say nothing; and where the value rises, what the
-    // coarser level took for it was rounding.
-    const double now = this->Pairs.Values[first];
-    isLast = isLast ||
-      (level == 0 && !this->IsCoarsest && std::abs(before - now) <= SettledChange * now);
     std::vector<std::pair<const SectionBlock*, SmallMatrix>> terms{
       { &x, SmallMatrix(this->Ritz.Vectors.topRows(Width)) }, { &w, this->OfCorrection() }
     };
@@ -186,7 +176,6 @@ public:
       s = SectionBlock(x.Rows());
       Combine({ { &w, this->OfCorrection() } }, s);
     }
-    return isLast;
   }
 
 private:
@@ -223,7 +212,6 @@ private:
   const Operators* Finest;
   double Zero;
   const LevelMatrices& Matrices;
-  bool IsCoarsest;
   NestedPairs& Pairs;
   /// Its vectors are the residuals before the step.
   SectionBlock Correction;
@@ -266,19 +254,21 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
     }
     BlockIteration iteration(level == 0 ? &operators : nullptr, levels[level],
       hierarchy.GetScale(), pairs);
-    const int most = level == 0 ? MostStepsOnFinest
-      : level + 1 == levels.size() ? MostStepsOnCoarsest
-                                   : MostSteps;
-    bool goes = iteration.IsWhole();
-    for (int step = 0; goes && step < most; ++step)
+    const int most = level + 1 == levels.size() ? MostStepsOnCoarsest
+      : level == 0                               ? MostStepsOnFinest
+                                                 : MostSteps;
+    for (int step = 0; iteration.IsWhole() && step < most; ++step)
     {
       if (!goOn())
       {
         pairs.Values.resize(0);
         return pairs;
       }
-      goes = iteration.Residuals() > Tolerance &&
-        !iteration.Step(cycle, level, step + 1 == most);
+      if (!(iteration.Residuals() > Tolerance))
+      {
+        break;
+      }
+      iteration.Step(cycle, level, step + 1 == most);
     }
     if (!iteration.IsWhole())
     {
