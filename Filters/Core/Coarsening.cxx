@@ -8,6 +8,7 @@
 #include "Threads.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -236,17 +237,45 @@ void AddAdjoint(Prolongator& p, Index coarse)
     });
 }
 
+/// An entry of the energy and one of the mass, whose real and imaginary parts fit a register together.
 struct TwoEntries
 {
-  CompactComplex Energy = 0.0f;
-  CompactComplex Mass = 0.0f;
+  using Numbers = Eigen::Array4f;
 
+  std::array<float, 4> Parts{};
+
+  CompactComplex Energy() const { return { this->Parts[0], this->Parts[1] }; }
+  CompactComplex Mass() const { return { this->Parts[2], this->Parts[3] }; }
+  void Add(const Numbers& numbers)
+  {
+    Eigen::Map<Numbers> own(this->Parts.data());
+    own += numbers;
+  }
   TwoEntries& operator+=(const TwoEntries& other)
   {
-    this->Energy += other.Energy;
-    this->Mass += other.Mass;
+    this->Add(Eigen::Map<const Numbers>(other.Parts.data()));
     return *this;
   }
+};
+
+/// Products of two numbers with others.
+class TwoFactors
+{
+public:
+  TwoFactors(const CompactComplex& energy, const CompactComplex& mass)
+    : Both(energy.real(), energy.imag(), mass.real(), mass.imag())
+    , Turned(-energy.imag(), energy.real(), -mass.imag(), mass.real())
+  {
+  }
+  TwoEntries::Numbers Times(const CompactComplex& other) const
+  {
+    return this->Both * other.real() + this->Turned * other.imag();
+  }
+
+private:
+  TwoEntries::Numbers Both;
+  /// Times i.
+  TwoEntries::Numbers Turned;
 };
 }
 
@@ -388,11 +417,10 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
     {
       const auto add = [&](Index j, const CompactComplex& a, const CompactComplex& m)
       {
+        const TwoFactors factors(a, m);
         for (Index k = prolongator.Begin[j]; k < prolongator.Begin[j + 1]; ++k)
         {
-          TwoEntries& entry = sum[prolongator.Column[k]];
-          entry.Energy += a * prolongator.Value[k];
-          entry.Mass += m * prolongator.Value[k];
+          sum[prolongator.Column[k]].Add(factors.Times(prolongator.Value[k]));
         }
       };
       add(i, energy.Diagonal[i], matrices.MassDiagonal[i]);
@@ -412,9 +440,8 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
         const auto* entry = products.Pieces[piece].data() + (begin[i] - begin[piece * PieceRows]);
         for (Index e = 0; e < products.Size[i]; ++e, ++entry)
         {
-          TwoEntries& total = sum[entry->first];
-          total.Energy += prolongator.AdjointValue[k] * entry->second.Energy;
-          total.Mass += prolongator.AdjointValue[k] * entry->second.Mass;
+          const TwoFactors factors(entry->second.Energy(), entry->second.Mass());
+          sum[entry->first].Add(factors.Times(prolongator.AdjointValue[k]));
         }
       }
     });
@@ -438,14 +465,14 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
       }
       if (entry.first == row)
       {
-        coarse.Energy.Diagonal[row] = entry.second.Energy.real();
-        coarse.MassDiagonal[row] = entry.second.Mass.real();
+        coarse.Energy.Diagonal[row] = entry.second.Energy().real();
+        coarse.MassDiagonal[row] = entry.second.Mass().real();
         return;
       }
       const Index at = start + k - (entry.first > row ? 1 : 0);
       coarse.Energy.Column[at] = entry.first;
-      coarse.Energy.Value[at] = entry.second.Energy;
-      coarse.MassValue[at] = entry.second.Mass;
+      coarse.Energy.Value[at] = entry.second.Energy();
+      coarse.MassValue[at] = entry.second.Mass();
     });
   coarse.Energy.OrderByBlocks(&coarse.MassValue);
   return coarse;
