@@ -32,7 +32,7 @@ constexpr double MostError = 0.25;
 /// Derivatives of the first solution that the next ones begin with, and their relative residual: more
 /// of either saves no more steps than it costs.
 constexpr int Derivatives = 2;
-constexpr double DerivativeTolerance = 0.3;
+constexpr double DerivativeTolerance = 0.1;
 /// Rows whose squares are added up in single precision.
 constexpr Index FewRows = 256;
 
