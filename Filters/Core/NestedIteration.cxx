@@ -23,8 +23,12 @@ constexpr float Tolerance = 0.2f;
 constexpr double ZeroPart = 1e-3;
 constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
-/// Each costs as much there as five V-cycles of the one section that it is about in the end.
-constexpr int MostStepsOnFinest = 1;
+/// On the finest level each step costs as much as five V-cycles of the one section that it is about in
+/// the end. There it ends, too, where a step has changed the smallest value by no more than a part: the
+/// first one by what interpolation had added, as a rule.
+constexpr int MostStepsOnFinest = 4;
+constexpr double FirstChange = 0.25;
+constexpr double SettledChange = 0.1;
 
 /// Squared norms of A u - theta M u and of A u for one pair.
 struct Norms
@@ -48,6 +52,7 @@ public:
     : Finest(operators)
     , Zero(ZeroPart * scale)
     , Matrices(level.Matrices)
+    , IsCoarsest(level.FromCoarser.Begin.empty())
     , Pairs(pairs)
     , Correction(level.Rows())
   {
@@ -111,8 +116,8 @@ public:
     return static_cast<float>(std::sqrt(norms.Residual / norms.Energy));
   }
 
-  /// One step with the residuals that Residuals left. The last one leaves no search directions.
-  void Step(const Cycle& cycle, std::size_t level, bool isLast)
+  /// One step with the residuals that Residuals left. Whether it is the last one.
+  bool Step(const Cycle& cycle, std::size_t level, bool isLast)
   {
     SectionBlock& x = this->Pairs.Block;
     SectionBlock& w = this->Correction;
@@ -154,11 +159,19 @@ public:
     {
       set(other, 2, products[4 + 2 * other], products[5 + 2 * other]);
     }
+    const int first = this->FirstNonzero();
+    const double before = this->Pairs.Values[first];
     this->Take(RayleighRitz(energy, mass, Width));
     if (!this->IsWhole())
     {
-      return;
+      return true;
     }
+    // Without a coarser level the first steps say nothing; and where the value rises, what the
+    // coarser level took for it was rounding.
+    const double now = this->Pairs.Values[first];
+    isLast = isLast ||
+      (level == 0 && !this->IsCoarsest &&
+        std::abs(before - now) <= (searched ? SettledChange : FirstChange) * now);
     std::vector<std::pair<const SectionBlock*, SmallMatrix>> terms{
       { &x, SmallMatrix(this->Ritz.Vectors.topRows(Width)) }, { &w, this->OfCorrection() }
     };
@@ -176,6 +189,7 @@ public:
       s = SectionBlock(x.Rows());
       Combine({ { &w, this->OfCorrection() } }, s);
     }
+    return isLast;
   }
 
 private:
@@ -212,6 +226,7 @@ private:
   const Operators* Finest;
   double Zero;
   const LevelMatrices& Matrices;
+  bool IsCoarsest;
   NestedPairs& Pairs;
   /// Its vectors are the residuals before the step.
   SectionBlock Correction;
@@ -257,18 +272,16 @@ NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy
     const int most = level + 1 == levels.size() ? MostStepsOnCoarsest
       : level == 0                               ? MostStepsOnFinest
                                                  : MostSteps;
-    for (int step = 0; iteration.IsWhole() && step < most; ++step)
+    bool goes = iteration.IsWhole();
+    for (int step = 0; goes && step < most; ++step)
     {
       if (!goOn())
       {
         pairs.Values.resize(0);
         return pairs;
       }
-      if (!(iteration.Residuals() > Tolerance))
-      {
-        break;
-      }
-      iteration.Step(cycle, level, step + 1 == most);
+      goes = iteration.Residuals() > Tolerance &&
+        !iteration.Step(cycle, level, step + 1 == most);
     }
     if (!iteration.IsWhole())
     {
