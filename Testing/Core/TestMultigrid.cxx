@@ -6,6 +6,7 @@
 #include "LinearSystem.h"
 #include "MultigridEigenpair.h"
 #include "MultigridSystem.h"
+#include "NestedIteration.h"
 #include "OperatorProducts.h"
 #include "TestMeshes.h"
 #include "TestSystem.h"
@@ -303,6 +304,23 @@ TEST(Multigrid, AnIndefiniteMatrixIsShownByASection)
       shift * solution.dot(system.Matrices.Mass * solution).real();
     EXPECT_EQ(outcome.Indefinite, part > 1.0);
     EXPECT_EQ(form < 0.0, part > 1.0);
+  }
+}
+
+TEST(Multigrid, TheEigenvalueIsNearlyKnownBeforeSingleSectionsAre)
+{
+  // Where fields are concentrated on a part of the surface, as with s = 0.9, interpolation adds much.
+  for (const double bias : { -0.9, 0.0, 0.9 })
+  {
+    const System system(Potato(5), 4, bias);
+    const Multigrid hierarchy(system.Matrices, system.Scale);
+    const Cycle cycle(hierarchy, 0.0);
+    const NestedPairs pairs =
+      IterateNested(system.Matrices, hierarchy, cycle, [] { return true; });
+    ASSERT_EQ(pairs.Values.size(), SectionBlock::Width);
+    const double smallest = ByMultigrid(system).Value;
+    EXPECT_GT(pairs.Values[0], smallest);
+    EXPECT_LT(pairs.Values[0], 1.01 * smallest) << bias;
   }
 }
 
