@@ -261,7 +261,8 @@ TEST(Multigrid, SeparatesNearlyEqualEigenvalues)
       const Eigenpair fast =
         SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
       EXPECT_LE(fast.Residual, 1e-6) << degree << ", " << bias;
-      EXPECT_LE(fast.Iterations, 170) << degree << ", " << bias;
+      // Of three or five eigenvectors the four sections lack one at most.
+      EXPECT_LE(fast.Iterations, degree <= 2 ? 12 : 170) << degree << ", " << bias;
       const Eigenpair direct = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
         RandomVector(system.Matrices.Energy.rows(), 5), Settings(system));
       EXPECT_NEAR(fast.Value, direct.Value, 1e-9 * direct.Value) << degree << ", " << bias;
