@@ -26,6 +26,9 @@ constexpr Eigen::Index DirectRows = 3000;
 /// How far one Jacobi-Davidson step solves its correction equation: further is of no use with the
 /// eigenvalue that is in it. Each step takes as long as two V-cycles besides.
 constexpr double InnerReduction = 0.001;
+/// Nor below this part of what the step before has left: near other eigenvalues steps gain little,
+/// however far they go.
+constexpr double InnerPart = 0.1;
 /// In a space that grows with each step more steps pay.
 constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 40;
@@ -230,6 +233,8 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
   ComplexVector residual = Uninitialized(rows);
   /// The last step.
   SectionProducts search;
+  /// The relative residual before it.
+  double before = std::numeric_limits<double>::infinity();
   /// Steps in a row.
   int slow = 0;
   /// V-cycles before the first of them.
@@ -292,8 +297,11 @@ Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarc
       break;
     }
     SetFirst(u.Vector, others.Vectors);
-    const double reduction = std::max(
-      space ? InnerReductionInSpace : InnerReduction, Margin * settings.Tolerance / relative);
+    const double reduction =
+      std::max(space ? InnerReductionInSpace
+                     : std::clamp(InnerPart * relative / before, InnerReduction, InnerPart),
+        Margin * settings.Tolerance / relative);
+    before = relative;
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = gradients.Solve(residual, -value, reduction,
       std::min(left, MostInnerSteps),

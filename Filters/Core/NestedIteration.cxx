@@ -28,7 +28,7 @@ constexpr int MostStepsOnCoarsest = 20;
 /// first one by what interpolation had added, as a rule.
 constexpr int MostStepsOnFinest = 4;
 constexpr double FirstChange = 0.25;
-constexpr double SettledChange = 0.1;
+constexpr double SettledChange = 0.02;
 
 /// Squared norms of A u - theta M u and of A u for one pair.
 struct Norms
