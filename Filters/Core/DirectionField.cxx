@@ -3,16 +3,17 @@
 
 #include "DirectionField.h"
 
-#include "ComponentField.h"
-#include "Constraints.h"
-#include "DoubleCover.h"
-#include "MergePoints.h"
-#include "OutputPoints.h"
-#include "OwnedParts.h"
-#include "Singularities.h"
-#include "Stages.h"
-#include "Threads.h"
-#include "VectorMath.h"
+#include "Field/ComponentField.h"
+#include "Field/Constraints.h"
+#include "Field/Guidance.h"
+#include "Field/Stages.h"
+#include "Mesh/MergePoints.h"
+#include "Mesh/OutputPoints.h"
+#include "Mesh/OwnedParts.h"
+#include "Sections/DoubleCover.h"
+#include "Sections/Singularities.h"
+#include "Support/Threads.h"
+#include "Support/VectorMath.h"
 
 #include <algorithm>
 #include <array>
@@ -79,18 +80,6 @@ std::vector<Vector3> InSpace(
       }
     });
   return vectors;
-}
-
-/// Sets a section to zero on components that cannot be oriented.
-void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section)
-{
-  for (const TriangleMesh::Component& component : mesh.GetComponents())
-  {
-    if (component.IsCover)
-    {
-      std::fill(section.begin() + component.FirstVertex, section.begin() + component.EndVertex, 0.0);
-    }
-  }
 }
 
 CurvatureReport ReportCurvature(Stages& stages, const OutputPoints& points)

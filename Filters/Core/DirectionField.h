@@ -6,19 +6,16 @@
 
 #include "MeshError.h"
 #include "Options.h"
+#include "Progress.h"
 #include "Result.h"
 #include "Surface.h"
 
-#include <functional>
 #include <memory>
 
 namespace DirectionFields
 {
 class OutputPoints;
 class Stages;
-
-/// Called with the fraction done, 0 to 1; false stops the computation.
-using ProgressFunction = std::function<bool(double)>;
 
 /// The globally optimal direction field of a triangle mesh: for every connected component the
 /// eigenvector to the smallest eigenvalue of the smoothness energy of

@@ -3,9 +3,9 @@
 
 #include "FieldToPolyData.h"
 
-#include "LargeArray.h"
-#include "Threads.h"
-#include "VectorMath.h"
+#include "Support/LargeArray.h"
+#include "Support/Threads.h"
+#include "Support/VectorMath.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -3,7 +3,7 @@
 
 #include "PolyDataToSurface.h"
 
-#include "Threads.h"
+#include "Support/Threads.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCallbackCommand.h"

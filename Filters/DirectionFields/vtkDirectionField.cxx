@@ -6,7 +6,7 @@
 #include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
 #include "PolyDataToSurface.h"
-#include "Threads.h"
+#include "Support/Threads.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"

@@ -8,11 +8,11 @@
 // MESH is a number of triangles or a file (see BenchmarkMeshes.h); without any, 10^4 to 6.4 10^6.
 
 #include "BenchmarkMeshes.h"
-#include "IntrinsicTriangulation.h"
-#include "MultigridEigenpair.h"
-#include "Operators.h"
-#include "TestGeometry.h"
-#include "Threads.h"
+#include "Geometry/IntrinsicTriangulation.h"
+#include "Meshes/Geometry.h"
+#include "Sections/Assembly.h"
+#include "Solvers/Eigenpairs/MultigridEigenpair.h"
+#include "Support/Threads.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
@@ -27,7 +27,7 @@
 #include <vector>
 
 using namespace DirectionFields;
-using TestGeometry::Geometry;
+using SurfaceParts::Geometry;
 
 namespace
 {

@@ -3,7 +3,7 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
@@ -46,7 +46,7 @@ class Subdivision
 public:
   explicit Subdivision(int frequency)
     : Frequency(frequency)
-    , Coarse(TestMeshes::Icosahedron())
+    , Coarse(Meshes::Icosahedron())
   {
     this->Points->SetDataTypeToFloat();
     for (const Vector3& corner : this->Coarse.Points)
@@ -245,6 +245,6 @@ vtkSmartPointer<vtkPolyData> Make(const std::string& name)
   const std::size_t at = name.rfind('@');
   vtkSmartPointer<vtkPolyData> mesh = ReadFile(name.substr(0, at));
   const int levels = at == std::string::npos ? 0 : std::stoi(name.substr(at + 1));
-  return levels == 0 ? mesh : FromSurface(TestMeshes::FlatlySubdivided(ToSurface(mesh), levels));
+  return levels == 0 ? mesh : FromSurface(Meshes::FlatlySubdivided(ToSurface(mesh), levels));
 }
 }

@@ -19,12 +19,12 @@
 // property, and 1, without figures, where the filter reports an error.
 
 #include "BenchmarkMeshes.h"
-#include "IntrinsicTriangulation.h"
+#include "Geometry/IntrinsicTriangulation.h"
 #include "MemoryBandwidth.h"
-#include "Operators.h"
-#include "TestGeometry.h"
+#include "Meshes/Geometry.h"
+#include "Sections/Assembly.h"
+#include "Support/Threads.h"
 #include "ThesisAlgorithm.h"
-#include "Threads.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
@@ -279,7 +279,7 @@ void MeasureStages(const DirectionFields::Surface& surface, Figures& figures)
   }
   Threads threads;
   const Threads::Scope scope(threads);
-  std::optional<TestGeometry::Geometry> g;
+  std::optional<SurfaceParts::Geometry> g;
   figures.Add("setup_seconds", Least(Repeated([&] { g.emplace(surface); })));
   figures.Add("flip_seconds",
     Least(Repeated(

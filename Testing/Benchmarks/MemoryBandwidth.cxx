@@ -3,7 +3,7 @@
 
 #include "MemoryBandwidth.h"
 
-#include "Threads.h"
+#include "Support/Threads.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,12 +3,12 @@
 
 #include "ThesisAlgorithm.h"
 
-#include "Connection.h"
-#include "Metric.h"
-#include "Operators.h"
-#include "Singularities.h"
-#include "SmallestEigenpair.h"
-#include "TriangleMesh.h"
+#include "Geometry/Connection.h"
+#include "Geometry/Metric.h"
+#include "Mesh/TriangleMesh.h"
+#include "Sections/Assembly.h"
+#include "Sections/Singularities.h"
+#include "Solvers/Eigenpairs/SmallestEigenpair.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -9,7 +9,7 @@
 //   TimeOverPolygons [LEVELS]     20 4^level polygons for the levels 3 to LEVELS, default 7
 
 #include "DirectionField.h"
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include <algorithm>
 #include <chrono>
@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
   std::printf("polygons,vertices,smooth,aligned,constrained\n");
   for (int level = 3; level <= last; ++level)
   {
-    const Surface surface = TestMeshes::Potato(level);
+    const Surface surface = Meshes::Potato(level);
     Options aligned;
     aligned.Alignment = Alignment::PrincipalCurvature;
     Options constrained = aligned;

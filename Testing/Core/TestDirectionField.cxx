@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <numeric>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {

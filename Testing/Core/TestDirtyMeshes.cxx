@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
-#include "Soundness.h"
-#include "TestMeshes.h"
+#include "Meshes/Soundness.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {

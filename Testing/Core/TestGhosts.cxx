@@ -4,14 +4,14 @@
 // Surfaces in pieces, each with triangles of the others for ghosts.
 
 #include "DirectionField.h"
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {

@@ -3,16 +3,16 @@
 //
 // Fields whose energy is that of the intrinsic Delaunay triangulation.
 
-#include "IntrinsicTriangulation.h"
-#include "TestGeometry.h"
+#include "Geometry/IntrinsicTriangulation.h"
+#include "Meshes/Geometry.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
-using TestGeometry::Geometry;
+using namespace Meshes;
+using SurfaceParts::Geometry;
 
 namespace
 {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "DoubleCover.h"
-#include "FieldInterpolation.h"
-#include "Operators.h"
-#include "Stages.h"
-#include "TestFields.h"
-#include "TestMeshes.h"
+#include "Field/Stages.h"
+#include "Meshes/Fields.h"
+#include "Meshes/Surfaces.h"
+#include "Sections/DoubleCover.h"
+#include "Sections/Assembly.h"
+#include "Tracing/FieldInterpolation.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include <string>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {
@@ -297,7 +297,7 @@ TEST(NonOrientable, GlyphsLieAlongTheFieldWhereCornersMeanDifferentSides)
     const Surface strip = MoebiusStrip(120, 8);
     const Result result = Compute(strip, degree);
     const SurfaceIncidence incidence(strip);
-    const PointDirections field = TestFields::Of(result);
+    const PointDirections field = Fields::Of(result);
     const FieldInterpolation interpolation(incidence, field);
     int torn = 0;
     for (Index t = 0; t < incidence.GetNumberOfTriangles(); ++t)

@@ -3,7 +3,7 @@
 //
 // What other programs for direction fields were seen to get wrong, one test each.
 
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <utility>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {

@@ -3,7 +3,7 @@
 //
 // Sizes and places of surfaces, and how many components they have.
 
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {

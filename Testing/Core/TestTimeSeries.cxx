@@ -4,7 +4,7 @@
 // Surfaces that move and change their shape little by little: their fields do so, too.
 
 #include "DirectionField.h"
-#include "TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <functional>
 
 using namespace DirectionFields;
-using namespace TestMeshes;
+using namespace Meshes;
 
 namespace
 {

@@ -3,7 +3,7 @@
 
 #include "CoreMeshes.h"
 
-#include "../Core/TestMeshes.h"
+#include "Meshes/Surfaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -37,11 +37,11 @@ vtkSmartPointer<vtkPolyData> Make(const std::string& name)
 {
   if (name == "disk")
   {
-    return Convert(TestMeshes::FourfoldDisk(7));
+    return Convert(Meshes::FourfoldDisk(7));
   }
   if (name == "icosahedron")
   {
-    return Convert(TestMeshes::FlatlySubdivided(TestMeshes::Icosahedron(), 2));
+    return Convert(Meshes::FlatlySubdivided(Meshes::Icosahedron(), 2));
   }
   return nullptr;
 }

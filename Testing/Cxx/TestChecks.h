@@ -6,7 +6,7 @@
 #ifndef TestChecks_h
 #define TestChecks_h
 
-#include "TestMeshes.h"
+#include "PolyMeshes.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -157,10 +157,10 @@ inline int SumOfIndices(vtkDataSetAttributes* data)
 }
 
 /// The angle-weighted unit normal of each point of a mesh of triangles; zero at unused points.
-inline std::vector<TestMeshes::Point> Normals(vtkPolyData* mesh)
+inline std::vector<PolyMeshes::Point> Normals(vtkPolyData* mesh)
 {
-  std::vector<TestMeshes::Point> normals(
-    static_cast<size_t>(mesh->GetNumberOfPoints()), TestMeshes::Point{ 0.0, 0.0, 0.0 });
+  std::vector<PolyMeshes::Point> normals(
+    static_cast<size_t>(mesh->GetNumberOfPoints()), PolyMeshes::Point{ 0.0, 0.0, 0.0 });
   vtkNew<vtkIdList> ids;
   for (vtkIdType t = 0; t < mesh->GetPolys()->GetNumberOfCells(); ++t)
   {
@@ -193,7 +193,7 @@ inline std::vector<TestMeshes::Point> Normals(vtkPolyData* mesh)
 /// The n directions are unit, tangent and stand counter-clockwise about the normal, 2 pi / n apart.
 inline void CheckDirections(vtkPolyData* field, int degree, double tolerance)
 {
-  const double angle = 2.0 * TestMeshes::Pi / degree;
+  const double angle = 2.0 * PolyMeshes::Pi / degree;
   const auto normals = Normals(field);
   CHECK(Direction(field, degree) == nullptr);
   for (int k = 0; k < degree; ++k)
@@ -231,7 +231,7 @@ inline double LargestAngle(vtkPolyData* one, vtkPolyData* other, int degree)
   {
     double d[3], e[3];
     Direction(one, 0)->GetTuple(i, d);
-    double smallest = TestMeshes::Pi;
+    double smallest = PolyMeshes::Pi;
     for (int k = 0; k < degree; ++k)
     {
       Direction(other, k)->GetTuple(i, e);

@@ -107,7 +107,7 @@ int TestDirectionFieldAbort(int, char*[])
   const auto field = []
   {
     auto filter = vtkSmartPointer<vtkDirectionField>::New();
-    filter->SetInputData(TestMeshes::Pebble(3));
+    filter->SetInputData(PolyMeshes::Pebble(3));
     return filter;
   };
   TestEveryReport(field, 15);
@@ -116,7 +116,7 @@ int TestDirectionFieldAbort(int, char*[])
     {
       auto filter = field();
       filter->SetInputData(
-        TestMeshes::BesideEachOther(TestMeshes::Pebble(3), TestMeshes::QuadTorus(20, 10), 4.0));
+        PolyMeshes::BesideEachOther(PolyMeshes::Pebble(3), PolyMeshes::QuadTorus(20, 10), 4.0));
       filter->SetDegree(2);
       filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
       filter->ConstrainCurvatureOn();

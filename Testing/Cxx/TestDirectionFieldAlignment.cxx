@@ -65,9 +65,9 @@ void TestError(
 }
 
 /// A pebble with arrays to choose from.
-TestMeshes::Mesh WithArrays(int precision = VTK_DOUBLE)
+PolyMeshes::Mesh WithArrays(int precision = VTK_DOUBLE)
 {
-  auto mesh = TestMeshes::Pebble(2, precision);
+  auto mesh = PolyMeshes::Pebble(2, precision);
   const vtkIdType points = mesh->GetNumberOfPoints();
   vtkNew<vtkDoubleArray> around, upper, pairs, zero;
   vtkNew<vtkStringArray> labels;
@@ -134,16 +134,16 @@ void TestArrays()
     filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
     filter->SetGuidanceVectors("around");
   };
-  CheckArrays(FieldOf(TestMeshes::Square(6), [](vtkDirectionField*) {}), false, false);
-  CheckArrays(FieldOf(TestMeshes::Square(6), constrain), true, false);
-  CheckArrays(FieldOf(TestMeshes::Pebble(2), align), false, true);
-  CheckArrays(FieldOf(TestMeshes::Pebble(2), curved), true, true);
+  CheckArrays(FieldOf(PolyMeshes::Square(6), [](vtkDirectionField*) {}), false, false);
+  CheckArrays(FieldOf(PolyMeshes::Square(6), constrain), true, false);
+  CheckArrays(FieldOf(PolyMeshes::Pebble(2), align), false, true);
+  CheckArrays(FieldOf(PolyMeshes::Pebble(2), curved), true, true);
   CheckArrays(FieldOf(WithArrays(), vectors), false, false);
 
   // Floats where the points are.
   for (const int precision : { VTK_FLOAT, VTK_DOUBLE })
   {
-    auto field = FieldOf(TestMeshes::Pebble(2, precision), curved);
+    auto field = FieldOf(PolyMeshes::Pebble(2, precision), curved);
     CheckArrays(field, true, true);
     vtkPointData* data = field->GetPointData();
     CHECK(data->GetArray("ConstraintKind")->GetDataType() == VTK_INT);
@@ -166,7 +166,7 @@ void TestArrays()
 
   // Not those that an earlier filter left.
   vtkNew<vtkDirectionField> first, second;
-  first->SetInputData(TestMeshes::Pebble(2));
+  first->SetInputData(PolyMeshes::Pebble(2));
   curved(first);
   second->SetInputConnection(first->GetOutputPort());
   second->Update();
@@ -182,7 +182,7 @@ void TestArrays()
 void TestFieldData()
 {
   auto mesh =
-    TestMeshes::BesideEachOther(TestMeshes::Pebble(2), TestMeshes::QuadTorus(24, 12), 4.0);
+    PolyMeshes::BesideEachOther(PolyMeshes::Pebble(2), PolyMeshes::QuadTorus(24, 12), 4.0);
   const auto figures = [](vtkPolyData* field, const char* name, vtkIdType c)
   {
     vtkDataArray* array = field->GetFieldData()->GetArray(name);
@@ -242,7 +242,7 @@ void TestGuidance()
       // There is no direction at the poles.
       if (vtkMath::Norm(vector) > 1e-6 && (!upperHalf || mesh->GetPoint(i)[2] > 0.1))
       {
-        double smallest = TestMeshes::Pi;
+        double smallest = PolyMeshes::Pi;
         for (int k = 0; k < degree; ++k)
         {
           double d[3];
@@ -363,8 +363,8 @@ void TestDegrees()
       filter->SetDegree(degree);
       filter->ConstrainCurvatureOn();
     };
-    TestError(TestMeshes::Pebble(1), align, { "Degree", "2 or 4", "Point Vectors" });
-    TestError(TestMeshes::Pebble(1), constrain, { "Degree", "2 or 4" });
+    TestError(PolyMeshes::Pebble(1), align, { "Degree", "2 or 4", "Point Vectors" });
+    TestError(PolyMeshes::Pebble(1), constrain, { "Degree", "2 or 4" });
   }
 }
 

@@ -63,7 +63,7 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
     filter->GetOutput()->GetPoints()->GetData(), fresh->GetOutput()->GetPoints()->GetData()));
 }
 
-TestMeshes::Mesh WithVectors(TestMeshes::Mesh mesh)
+PolyMeshes::Mesh WithVectors(PolyMeshes::Mesh mesh)
 {
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("vectors");
@@ -138,7 +138,7 @@ void TestSettings()
     },
   };
   // Stretched, so that some edges are not Delaunay, and open, so that there is a boundary.
-  auto mesh = WithVectors(TestMeshes::Pebble(3));
+  auto mesh = WithVectors(PolyMeshes::Pebble(3));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -188,7 +188,7 @@ void TestSettings()
 /// A change of the input is noticed, however it is made.
 void TestInput()
 {
-  auto mesh = WithVectors(TestMeshes::Pebble(2));
+  auto mesh = WithVectors(PolyMeshes::Pebble(2));
   vtkNew<vtkDirectionField> filter;
   filter->SetInputData(mesh);
   filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
@@ -275,7 +275,7 @@ void TestInput()
 /// Also at the end of what is compared in pieces, and in each way of storing it.
 void TestLargeInput()
 {
-  auto mesh = TestMeshes::Pebble(6);
+  auto mesh = PolyMeshes::Pebble(6);
   vtkNew<vtkDirectionField> filter;
   filter->SetInputData(mesh);
   vtkIdType last = mesh->GetNumberOfPoints() - 1;
@@ -349,7 +349,7 @@ void TestCurvature()
   // Cut along an equator, where the points are there twice, so that MergePoints counts; of that the
   // filters warn.
   vtkObject::GlobalWarningDisplayOff();
-  auto mesh = TestMeshes::Pebble(2, VTK_FLOAT);
+  auto mesh = PolyMeshes::Pebble(2, VTK_FLOAT);
   std::map<vtkIdType, vtkIdType> twins;
   vtkNew<vtkCellArray> polys;
   vtkNew<vtkIdList> ids;
@@ -413,8 +413,8 @@ void TestCurvature()
 /// Filters that take turns do not disturb each other.
 void TestTwoFilters()
 {
-  auto mesh = TestMeshes::Pebble(2);
-  auto other = TestMeshes::QuadTorus(20, 10);
+  auto mesh = PolyMeshes::Pebble(2);
+  auto other = PolyMeshes::QuadTorus(20, 10);
   vtkNew<vtkDirectionField> one, two;
   one->SetInputData(mesh);
   two->SetInputData(mesh);
@@ -442,7 +442,7 @@ void TestTwoFilters()
 /// progress is not heard of.
 void TestSaving()
 {
-  auto mesh = WithVectors(TestMeshes::Pebble(3));
+  auto mesh = WithVectors(PolyMeshes::Pebble(3));
   int solving = 0;
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&solving);

@@ -43,7 +43,7 @@ void TestQuads()
   CHECK(SumOfIndices(flat->GetCellData()) == 0);
 
   // The quads of a torus, and the same cut by VTK.
-  auto quads = TestMeshes::QuadTorus(24, 12);
+  auto quads = PolyMeshes::QuadTorus(24, 12);
   vtkNew<vtkTriangleFilter> cut;
   cut->SetInputData(quads);
   cut->Update();
@@ -71,7 +71,7 @@ void TestQuads()
 /// Strips in whatever order give the field of their triangles; the index of a strip is the sum.
 void TestStrips()
 {
-  auto mesh = TestMeshes::Pebble(2);
+  auto mesh = PolyMeshes::Pebble(2);
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(mesh);
   stripper->Update();
@@ -89,14 +89,14 @@ void TestStrips()
 /// Vertices and lines stay, count in the order of the cells, and have the index 0.
 void TestVertsAndLines()
 {
-  auto mesh = TestMeshes::Pebble(2);
+  auto mesh = PolyMeshes::Pebble(2);
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(mesh);
   stripper->Update();
   vtkPolyData* strips = stripper->GetOutput();
 
   // All four kinds: the first half of the triangles, and the strips of another pebble.
-  auto twice = TestMeshes::BesideEachOther(mesh, mesh, 5.0);
+  auto twice = PolyMeshes::BesideEachOther(mesh, mesh, 5.0);
   const vtkIdType triangles = mesh->GetNumberOfCells();
   const vtkIdType points = mesh->GetNumberOfPoints();
   vtkNew<vtkCellArray> polys, stripCells, verts, lines;
@@ -201,7 +201,7 @@ void TestWithoutSurface()
 void TestPolygons()
 {
   // An L of one polygon; the fan from its first corner would leave it.
-  auto concave = TestMeshes::Make(
+  auto concave = PolyMeshes::Make(
     { { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 } },
     { { 5, 0, 1, 2, 3, 4 } });
   auto field = FieldOf(concave);
@@ -218,8 +218,8 @@ void TestPolygons()
   }
 
   // Corners repeated one after the other, at the ends too, change nothing.
-  auto repeated = TestMeshes::QuadCube();
-  auto cells = TestMeshes::Cells{ { 0, 0, 3, 2, 2, 1, 0 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 },
+  auto repeated = PolyMeshes::QuadCube();
+  auto cells = PolyMeshes::Cells{ { 0, 0, 3, 2, 2, 1, 0 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 },
     { 1, 2, 6, 5 }, { 2, 3, 7, 6, 6 }, { 3, 0, 4, 7 } };
   vtkNew<vtkCellArray> polys;
   for (const auto& cell : cells)
@@ -233,7 +233,7 @@ void TestPolygons()
   CHECK(std::abs(FieldValue(mended, "Eigenvalue") - FieldValue(clean, "Eigenvalue")) < 1e-9);
 
   // Nothing to triangulate: a polygon of two corners beside a triangle.
-  auto two = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1 }, { 0, 1, 2 } });
+  auto two = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1 }, { 0, 1, 2 } });
   auto onTwo = FieldOf(two);
   CHECK(onTwo->GetNumberOfCells() == 2);
   CHECK(FieldValue(onTwo, "EulerCharacteristic") == 1);
@@ -245,7 +245,7 @@ void TestFlatPolygon()
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  filter->SetInputData(TestMeshes::Make(
+  filter->SetInputData(PolyMeshes::Make(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 } },
     { { 0, 1, 2, 3 }, { 3, 5, 4, 0 } }));
   filter->Update();
@@ -261,7 +261,7 @@ void TestFlatPolygon()
 /// Cells marked as hidden take no part, as if they were absent.
 void TestHiddenCells()
 {
-  auto mesh = TestMeshes::Pebble(1);
+  auto mesh = PolyMeshes::Pebble(1);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName("vtkGhostType");
   ghosts->SetNumberOfTuples(mesh->GetNumberOfCells());
@@ -278,7 +278,7 @@ void TestHiddenCells()
 /// and what counts adds up to it.
 void TestGhostCells()
 {
-  auto mesh = TestMeshes::QuadTorus(24, 12);
+  auto mesh = PolyMeshes::QuadTorus(24, 12);
   auto whole = FieldOf(mesh, 3);
   auto wholeIndex = whole->GetCellData()->GetArray("SingularityIndex");
   double characteristic = 0.0;

@@ -28,7 +28,7 @@ void TestError(vtkPolyData* mesh, std::initializer_list<const char*> words)
   CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
 
   // The filter is none the worse for it.
-  filter->SetInputData(TestMeshes::Icosphere(1));
+  filter->SetInputData(PolyMeshes::Icosphere(1));
   filter->Update();
   CHECK(messages->Errors.size() == 1);
   CHECK(FieldValue(filter->GetOutput(), "IndexSum") == 8);
@@ -38,19 +38,19 @@ void TestErrors()
 {
   for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    auto notFinite = TestMeshes::Icosphere(1);
+    auto notFinite = PolyMeshes::Icosphere(1);
     notFinite->GetPoints()->SetPoint(17, 0.0, bad, 0.0);
     TestError(notFinite, { "point 17" });
     // Also where a polygon has to be cut first.
-    auto quads = TestMeshes::QuadCube();
+    auto quads = PolyMeshes::QuadCube();
     quads->GetPoints()->SetPoint(3, bad, 0.0, 0.0);
     TestError(quads, { "point 3" });
   }
 
-  const std::vector<TestMeshes::Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  TestError(TestMeshes::Make(points, { { 0, 1, 99 } }), { "point 99" });
-  TestError(TestMeshes::Make(points, { { 0, 1, 2, -1 } }), { "point -1" });
-  TestError(TestMeshes::Make(points, { { 0, 1, 5000000000 } }), { "point" });
+  const std::vector<PolyMeshes::Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  TestError(PolyMeshes::Make(points, { { 0, 1, 99 } }), { "point 99" });
+  TestError(PolyMeshes::Make(points, { { 0, 1, 2, -1 } }), { "point -1" });
+  TestError(PolyMeshes::Make(points, { { 0, 1, 5000000000 } }), { "point" });
 }
 
 vtkSmartPointer<vtkPolyData> TestWarning(
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkPolyData> TestWarningOfSplit()
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  filter->SetInputData(TestMeshes::Make(
+  filter->SetInputData(PolyMeshes::Make(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
     { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }));
   filter->Update();
@@ -109,10 +109,10 @@ vtkSmartPointer<vtkPolyData> TestWarningOfSplit()
 }
 
 /// The pebble with some of its triangles replaced and others added.
-TestMeshes::Mesh Changed(
-  const std::map<vtkIdType, std::vector<vtkIdType>>& replaced, const TestMeshes::Cells& added)
+PolyMeshes::Mesh Changed(
+  const std::map<vtkIdType, std::vector<vtkIdType>>& replaced, const PolyMeshes::Cells& added)
 {
-  auto mesh = TestMeshes::Pebble(1);
+  auto mesh = PolyMeshes::Pebble(1);
   vtkNew<vtkCellArray> polys;
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
@@ -139,12 +139,12 @@ TestMeshes::Mesh Changed(
 void TestWarnings()
 {
   vtkNew<vtkDirectionField> clean;
-  clean->SetInputData(TestMeshes::Pebble(1));
+  clean->SetInputData(PolyMeshes::Pebble(1));
   clean->Update();
   auto corners = [](vtkIdType cell)
   {
     vtkNew<vtkIdList> ids;
-    TestMeshes::Pebble(1)->GetCellPoints(cell, ids);
+    PolyMeshes::Pebble(1)->GetCellPoints(cell, ids);
     return std::vector<vtkIdType>{ ids->GetId(0), ids->GetId(1), ids->GetId(2) };
   };
 
@@ -172,14 +172,14 @@ void TestWarnings()
   CHECK(RepairCount(both, "CollapsedTriangles") == 1);
   CHECK(RepairCount(both, "ReversedTriangles") == 0);
 
-  auto strip = TestWarning(TestMeshes::Moebius(20), { "1 connected component that cannot be oriented" });
+  auto strip = TestWarning(PolyMeshes::Moebius(20), { "1 connected component that cannot be oriented" });
   CHECK(FieldValue(strip, "EulerCharacteristic") == 0);
   CHECK(RepairCount(strip, "NonOrientableComponents") == 1);
   CHECK(strip->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
 
   // Point 3 lies on the edge from 0 to 1, so that the triangle between has no area.
   auto flat = TestWarning(
-    TestMeshes::Make({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 1, -1, 0 } },
+    PolyMeshes::Make({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 1, -1, 0 } },
       { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 4, 3 }, { 3, 4, 1 } }),
     { "1 triangle without area" });
   CHECK(RepairCount(flat, "DegenerateTriangles") == 1);
@@ -202,9 +202,9 @@ void TestWarnings()
 /// Triangles that share places but no points: a warning names the remedy, and it is one.
 void TestSoup()
 {
-  auto pebble = TestMeshes::Pebble(1);
-  std::vector<TestMeshes::Point> points;
-  TestMeshes::Cells triangles;
+  auto pebble = PolyMeshes::Pebble(1);
+  std::vector<PolyMeshes::Point> points;
+  PolyMeshes::Cells triangles;
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < pebble->GetNumberOfPolys(); ++i)
   {
@@ -217,7 +217,7 @@ void TestSoup()
       pebble->GetPoint(ids->GetId(k), points.back().data());
     }
   }
-  auto soup = TestMeshes::Make(points, triangles, VTK_FLOAT);
+  auto soup = PolyMeshes::Make(points, triangles, VTK_FLOAT);
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
@@ -249,7 +249,7 @@ void TestConvergence()
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  filter->SetInputData(TestMeshes::Pebble(4));
+  filter->SetInputData(PolyMeshes::Pebble(4));
   filter->SetMaximumIterations(1);
   filter->SetTolerance(1e-12);
   filter->Update();
@@ -265,7 +265,7 @@ void TestNotANumber()
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  filter->SetInputData(TestMeshes::Icosphere(1));
+  filter->SetInputData(PolyMeshes::Icosphere(1));
   filter->SetTolerance(std::nan(""));
   filter->Update();
   CHECK(messages->IsOneError({ "olerance" }));

@@ -49,7 +49,7 @@ void TestArrays()
   {
     for (const int degree : { 1, 2, 4, 6 })
     {
-      auto field = Field(TestMeshes::Pebble(3, precision), degree);
+      auto field = Field(PolyMeshes::Pebble(3, precision), degree);
       for (int type = 0; type <= 4; ++type)
       {
         vtkNew<vtkDirectionFieldGlyphs> filter;
@@ -109,7 +109,7 @@ void TestAllPoints()
 {
   for (const int degree : { 1, 3, 4 })
   {
-    auto field = Field(TestMeshes::Pebble(3), degree);
+    auto field = Field(PolyMeshes::Pebble(3), degree);
     const auto normals = Normals(field);
     vtkNew<vtkDirectionFieldGlyphs> filter;
     filter->SetInputData(field);
@@ -157,7 +157,7 @@ void TestAllPoints()
 /// centers than half the scaled spacing.
 void TestOnSurface()
 {
-  auto field = Field(TestMeshes::Pebble(3), 4);
+  auto field = Field(PolyMeshes::Pebble(3), 4);
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(field);
   locator->BuildLocator();
@@ -191,14 +191,14 @@ void TestOnSurface()
 
       // Diameter, up to the curvature.
       const auto number = static_cast<vtkIdType>(FieldValue(glyphs, "NumberOfGlyphs"));
-      std::vector<std::vector<TestMeshes::Point>> points(static_cast<size_t>(number));
+      std::vector<std::vector<PolyMeshes::Point>> points(static_cast<size_t>(number));
       vtkNew<vtkIdList> ids;
       for (vtkIdType i = 0; i < glyphs->GetNumberOfCells(); ++i)
       {
         glyphs->GetCellPoints(i, ids);
         for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
         {
-          TestMeshes::Point p;
+          PolyMeshes::Point p;
           glyphs->GetPoint(ids->GetId(k), p.data());
           points[static_cast<size_t>(CellValue(glyphs, "Location", i))].push_back(p);
         }
@@ -237,11 +237,11 @@ void TestOnSurface()
 /// Quads and strips have the glyphs of the same triangles.
 void TestPolygons()
 {
-  auto torus = TestMeshes::QuadTorus(28, 12);
+  auto torus = PolyMeshes::QuadTorus(28, 12);
   auto glyphs = Glyphs(Field(torus, 4));
   CHECK(FieldValue(glyphs, "NumberOfGlyphs") > 170);
 
-  auto pebble = TestMeshes::Pebble(3);
+  auto pebble = PolyMeshes::Pebble(3);
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(pebble);
   stripper->Update();

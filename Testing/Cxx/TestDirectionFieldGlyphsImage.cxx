@@ -35,7 +35,7 @@ constexpr TestPictures::Limits Limits{ 0.25, 0.5 };
 
 struct Scene
 {
-  TestMeshes::Mesh Mesh;
+  PolyMeshes::Mesh Mesh;
   int Glyphs;
   double Position[3];
   double FocalPoint[3];
@@ -45,9 +45,9 @@ struct Scene
 };
 
 /// A sphere with bumps and hollows.
-TestMeshes::Mesh BumpySphere()
+PolyMeshes::Mesh BumpySphere()
 {
-  auto mesh = TestMeshes::Icosphere(4);
+  auto mesh = PolyMeshes::Icosphere(4);
   vtkPoints* points = mesh->GetPoints();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
@@ -62,9 +62,9 @@ TestMeshes::Mesh BumpySphere()
 }
 
 /// A coarse surface with a sharp valley and a sharp ridge.
-TestMeshes::Mesh Valley()
+PolyMeshes::Mesh Valley()
 {
-  return TestMeshes::Make({ { -1.6, -1, 0.8 }, { -0.8, -1, 0 }, { 0, -1, 0.8 }, { 0.8, -1, 0 },
+  return PolyMeshes::Make({ { -1.6, -1, 0.8 }, { -0.8, -1, 0 }, { 0, -1, 0.8 }, { 0.8, -1, 0 },
                             { 1.6, -1, 0.8 }, { -1.6, 1, 0.8 }, { -0.8, 1, 0 }, { 0, 1, 0.8 },
                             { 0.8, 1, 0 }, { 1.6, 1, 0.8 } },
     { { 0, 1, 6 }, { 0, 6, 5 }, { 1, 2, 7 }, { 1, 7, 6 }, { 2, 3, 8 }, { 2, 8, 7 }, { 3, 4, 9 },

@@ -92,7 +92,7 @@ void TestErrors()
     CHECK(messages->IsOneError({ "Direction0", "Apply Direction Field" }));
     CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   };
-  auto mesh = TestMeshes::Pebble(1);
+  auto mesh = PolyMeshes::Pebble(1);
   checkError(mesh);
   vtkNew<vtkDoubleArray> scalars;
   scalars->SetName("Direction0");
@@ -107,7 +107,7 @@ void TestEmpty()
 {
   vtkNew<vtkPolyData> empty;
   vtkNew<vtkPolyData> zero;
-  zero->DeepCopy(Field(TestMeshes::Pebble(1), 4));
+  zero->DeepCopy(Field(PolyMeshes::Pebble(1), 4));
   for (int k = 0; k < 4; ++k)
   {
     for (int c = 0; c < 3; ++c)
@@ -139,7 +139,7 @@ void TestEmpty()
 void TestNotFinite()
 {
   vtkNew<vtkPolyData> field;
-  field->DeepCopy(Field(TestMeshes::Pebble(3), 4));
+  field->DeepCopy(Field(PolyMeshes::Pebble(3), 4));
   field->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
   for (int k = 0; k < 4; ++k)
   {
@@ -174,7 +174,7 @@ void TestNotFinite()
 void TestGhosts()
 {
   vtkNew<vtkPolyData> field;
-  field->DeepCopy(Field(TestMeshes::Square(10), 4));
+  field->DeepCopy(Field(PolyMeshes::Square(10), 4));
   vtkNew<vtkUnsignedCharArray> cells, points;
   cells->SetName(vtkDataSetAttributes::GhostArrayName());
   points->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -211,9 +211,9 @@ void TestGhosts()
 /// Two runs give the same bytes, however the pipeline was used before.
 void TestRepetition()
 {
-  auto field = Field(TestMeshes::Pebble(4), 6);
+  auto field = Field(PolyMeshes::Pebble(4), 6);
   vtkNew<vtkDirectionFieldGlyphs> one, other;
-  other->SetInputData(Field(TestMeshes::Square(4), 2));
+  other->SetInputData(Field(PolyMeshes::Square(4), 2));
   other->Update();
   for (vtkDirectionFieldGlyphs* filter : { one.Get(), other.Get() })
   {
@@ -236,7 +236,7 @@ void TestRepetition()
 
 void TestProgressAndAbort()
 {
-  auto field = Field(TestMeshes::Pebble(4), 4);
+  auto field = Field(PolyMeshes::Pebble(4), 4);
   std::vector<double> steps;
   vtkNew<vtkCallbackCommand> record;
   record->SetClientData(&steps);
@@ -293,8 +293,8 @@ void TestProgressAndAbort()
 void TestComposite()
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Field(TestMeshes::Pebble(2), 4));
-  blocks->SetBlock(2, Field(TestMeshes::QuadTorus(20, 10), 2));
+  blocks->SetBlock(0, Field(PolyMeshes::Pebble(2), 4));
+  blocks->SetBlock(2, Field(PolyMeshes::QuadTorus(20, 10), 2));
   vtkNew<vtkDirectionFieldGlyphs> filter;
   filter->SetInputDataObject(blocks);
   filter->Update();

@@ -39,7 +39,7 @@ constexpr TestPictures::Limits Limits{ 0.5, 1.0 };
 
 struct Scene
 {
-  TestMeshes::Mesh Mesh;
+  PolyMeshes::Mesh Mesh;
   double Position[3];
   double FocalPoint[3];
   double ViewUp[3];
@@ -51,12 +51,12 @@ Scene MakeScene(const std::string& mesh)
 {
   if (mesh == "pebble")
   {
-    return { TestMeshes::Pebble(2), { 4.0, -6.0, 3.0 }, { 0.15, 0.0, 0.0 }, { 0.0, 0.0, 1.0 },
+    return { PolyMeshes::Pebble(2), { 4.0, -6.0, 3.0 }, { 0.15, 0.0, 0.0 }, { 0.0, 0.0, 1.0 },
       1.12 };
   }
   if (mesh == "torus")
   {
-    return { TestMeshes::QuadTorus(28, 12), { 2.0, -3.0, 6.0 }, { 0.0, 0.0, 0.0 },
+    return { PolyMeshes::QuadTorus(28, 12), { 2.0, -3.0, 6.0 }, { 0.0, 0.0, 0.0 },
       { 0.0, 1.0, 0.0 }, 1.55 };
   }
   if (mesh == "disk")
@@ -240,7 +240,7 @@ void CheckOptions(vtkPolyData* field, int degree, const std::set<std::string>& o
       CHECK(kind->GetTuple1(i) == (options.count("boundary") ? 1.0 : 2.0));
       double given[3], d[3];
       field->GetPointData()->GetArray("ConstraintDirection")->GetTuple(i, given);
-      double nearest = TestMeshes::Pi;
+      double nearest = PolyMeshes::Pi;
       for (int k = 0; k < degree; ++k)
       {
         Direction(field, k)->GetTuple(i, d);
@@ -260,7 +260,7 @@ void CheckOptions(vtkPolyData* field, int degree, const std::set<std::string>& o
   {
     double wanted[3], d[3];
     principal->GetTuple(i, wanted);
-    double nearest = TestMeshes::Pi;
+    double nearest = PolyMeshes::Pi;
     for (int k = 0; k < degree; ++k)
     {
       Direction(field, k)->GetTuple(i, d);

@@ -89,7 +89,7 @@ void TestClosed(vtkPolyData* mesh, int degree, int euler)
 void TestSingularitiesOnSphere()
 {
   vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(TestMeshes::Icosphere(2));
+  filter->SetInputData(PolyMeshes::Icosphere(2));
   filter->Update();
   vtkPolyData* singularities = filter->GetOutput(1);
   CHECK(singularities->GetNumberOfPoints() == 8);
@@ -116,7 +116,7 @@ void TestSingularitiesOnSphere()
 void TestDirections(int degree, int precision)
 {
   vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(TestMeshes::Pebble(2, precision));
+  filter->SetInputData(PolyMeshes::Pebble(2, precision));
   filter->SetDegree(degree);
   filter->Update();
   vtkPolyData* field = filter->GetOutput();
@@ -136,7 +136,7 @@ void TestDirections(int degree, int precision)
 void TestEigenvalue()
 {
   vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(TestMeshes::Icosphere(4));
+  filter->SetInputData(PolyMeshes::Icosphere(4));
   for (const double bias : { -1.0, 0.0, 0.5 })
   {
     filter->SetEnergyBias(bias);
@@ -151,7 +151,7 @@ void TestFlat()
 {
   for (const int precision : { VTK_DOUBLE, VTK_FLOAT, VTK_INT })
   {
-    auto mesh = TestMeshes::Square(5);
+    auto mesh = PolyMeshes::Square(5);
     vtkNew<vtkPoints> points;
     points->SetDataType(precision);
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -191,10 +191,10 @@ void TestFlat()
 /// Two components: two tuples, and on each what it has alone.
 void TestTwoComponents()
 {
-  auto pebble = TestMeshes::Pebble(2);
-  auto torus = TestMeshes::QuadTorus(24, 12);
+  auto pebble = PolyMeshes::Pebble(2);
+  auto torus = PolyMeshes::QuadTorus(24, 12);
   vtkNew<vtkDirectionField> both, alone;
-  both->SetInputData(TestMeshes::BesideEachOther(pebble, torus, 5.0));
+  both->SetInputData(PolyMeshes::BesideEachOther(pebble, torus, 5.0));
   both->Update();
   vtkPolyData* field = both->GetOutput();
   for (const char* name :
@@ -222,7 +222,7 @@ void TestTwoComponents()
 /// Points without triangles get zero vectors.
 void TestUnusedPoints()
 {
-  auto mesh = TestMeshes::Icosphere(1);
+  auto mesh = PolyMeshes::Icosphere(1);
   const vtkIdType used = mesh->GetNumberOfPoints();
   mesh->GetPoints()->InsertNextPoint(3.0, 4.0, 5.0);
   mesh->GetPoints()->InsertNextPoint(std::nan(""), 0.0, 0.0);
@@ -251,9 +251,9 @@ int TestDirectionFieldNumbers(int, char*[])
 {
   for (const int degree : { 1, 2, 3, 4, 5, 6, 16 })
   {
-    TestClosed(TestMeshes::Icosphere(2), degree, 2);
-    TestClosed(TestMeshes::QuadTorus(20, 10), degree, 0);
-    TestClosed(TestMeshes::QuadCube(), degree, 2);
+    TestClosed(PolyMeshes::Icosphere(2), degree, 2);
+    TestClosed(PolyMeshes::QuadTorus(20, 10), degree, 0);
+    TestClosed(PolyMeshes::QuadCube(), degree, 2);
   }
   TestSingularitiesOnSphere();
   for (const int degree : { 1, 2, 3, 4, 6, 16 })

@@ -145,7 +145,7 @@ void TestProgress()
   record->SetCallback([](vtkObject*, unsigned long, void* client, void* progress)
     { static_cast<std::vector<double>*>(client)->push_back(*static_cast<double*>(progress)); });
   vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(TestMeshes::Pebble(3));
+  filter->SetInputData(PolyMeshes::Pebble(3));
   filter->AddObserver(vtkCommand::ProgressEvent, record);
   filter->Update();
   CHECK(steps.size() >= 6);
@@ -191,7 +191,7 @@ void TestAbort()
     vtkNew<vtkDirectionField> filter;
     vtkNew<Messages> messages;
     messages->Observe(filter);
-    filter->SetInputData(TestMeshes::Pebble(3));
+    filter->SetInputData(PolyMeshes::Pebble(3));
     filter->AddObserver(vtkCommand::ProgressEvent, stop);
     filter->Update();
     CHECK(state.Fired);
@@ -213,7 +213,7 @@ void TestRepetition()
   for (vtkDirectionField* filter : { one.Get(), other.Get() })
   {
     filter->SetInputData(
-      TestMeshes::BesideEachOther(TestMeshes::Icosphere(3), TestMeshes::QuadTorus(30, 15), 4.0));
+      PolyMeshes::BesideEachOther(PolyMeshes::Icosphere(3), PolyMeshes::QuadTorus(30, 15), 4.0));
     filter->SetDegree(6);
     filter->Update();
   }
@@ -235,7 +235,7 @@ void TestRepetition()
 /// Active vectors: Direction0. Active scalars, other arrays and the input itself: untouched.
 void TestAttributes()
 {
-  auto mesh = TestMeshes::Icosphere(1);
+  auto mesh = PolyMeshes::Icosphere(1);
   const auto makeArray = [](const char* name, vtkIdType tuples, int components)
   {
     auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -266,7 +266,7 @@ void TestAttributes()
   CHECK(mesh->GetFieldData()->GetNumberOfArrays() == 1);
 
   // Without active scalars in the input there are none in the output.
-  filter->SetInputData(TestMeshes::Icosphere(1));
+  filter->SetInputData(PolyMeshes::Icosphere(1));
   filter->Update();
   CHECK(filter->GetOutput()->GetPointData()->GetScalars() == nullptr);
   CHECK(filter->GetOutput()->GetCellData()->GetScalars() == nullptr);
@@ -277,7 +277,7 @@ void TestAttributes()
 void TestChain()
 {
   vtkNew<vtkDirectionField> first, second;
-  first->SetInputData(TestMeshes::Pebble(2));
+  first->SetInputData(PolyMeshes::Pebble(2));
   first->SetDegree(6);
   second->SetInputConnection(first->GetOutputPort());
   second->SetDegree(2);
@@ -306,7 +306,7 @@ double MiddleAngle(vtkPolyData* one, vtkPolyData* other, int degree)
   {
     double d[3], e[3];
     Direction(one, 0)->GetTuple(i, d);
-    angles.push_back(TestMeshes::Pi);
+    angles.push_back(PolyMeshes::Pi);
     for (int k = 0; k < degree; ++k)
     {
       Direction(other, k)->GetTuple(i, e);
@@ -330,7 +330,7 @@ void TestTimeSteps()
   {
     const int step = std::min(k, 75 - k);
     const double angle = 0.1 * step;
-    auto mesh = TestMeshes::Pebble(2);
+    auto mesh = PolyMeshes::Pebble(2);
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
       double p[3];
@@ -361,8 +361,8 @@ void TestTimeSteps()
 void TestComposite()
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, TestMeshes::Pebble(2));
-  blocks->SetBlock(2, TestMeshes::QuadTorus(20, 10));
+  blocks->SetBlock(0, PolyMeshes::Pebble(2));
+  blocks->SetBlock(2, PolyMeshes::QuadTorus(20, 10));
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);

@@ -118,17 +118,17 @@ void CheckSplit(vtkPolyData* mesh, vtkPolyData* field, vtkIdType added)
 }
 
 /// Pages of quads that meet in a spine along z, which belongs to the first of them.
-TestMeshes::Mesh Book(int pages, int rows, int columns, int precision = VTK_DOUBLE)
+PolyMeshes::Mesh Book(int pages, int rows, int columns, int precision = VTK_DOUBLE)
 {
-  std::vector<TestMeshes::Point> points;
-  TestMeshes::Cells quads;
+  std::vector<PolyMeshes::Point> points;
+  PolyMeshes::Cells quads;
   for (int j = 0; j <= rows; ++j)
   {
     points.push_back({ 0.0, 0.0, 1.0 * j / rows });
   }
   for (int page = 0; page < pages; ++page)
   {
-    const double angle = 0.3 + 2.0 * TestMeshes::Pi * page / pages;
+    const double angle = 0.3 + 2.0 * PolyMeshes::Pi * page / pages;
     const auto offset = static_cast<vtkIdType>(points.size());
     for (int i = 1; i <= columns; ++i)
     {
@@ -148,7 +148,7 @@ TestMeshes::Mesh Book(int pages, int rows, int columns, int precision = VTK_DOUB
       }
     }
   }
-  return TestMeshes::Make(points, quads, precision);
+  return PolyMeshes::Make(points, quads, precision);
 }
 
 void TestQuads()
@@ -263,7 +263,7 @@ void TestVertsAndLines()
 /// of a strip are told apart.
 void TestStrips()
 {
-  auto one = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 }, { 1.5, 3, 0 },
+  auto one = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 }, { 1.5, 3, 0 },
                                 { 0, 4, 0 }, { 0, 3, 0 }, { -1, 2, 0 } },
     {});
   vtkNew<vtkCellArray> loop;
@@ -274,7 +274,7 @@ void TestStrips()
   CHECK((Corners(field->GetStrips(), 0) == std::vector<vtkIdType>{ 0, 1, 2, 3, 4, 5, 6, 7, 8 }));
   CHECK(FieldValue(field, "EulerCharacteristic") == 1);
 
-  auto mesh = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 2, 1, 0 }, { 1, 3, 0 },
+  auto mesh = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 2, 1, 0 }, { 1, 3, 0 },
                                  { -1, 2, 0 }, { -1, 0.5, 0 }, { -2, 0, 0 }, { 0, -1, 0 } },
     { { 0, 7, 8 } });
   vtkNew<vtkCellArray> strips;
@@ -292,7 +292,7 @@ void TestStrips()
 /// Polygons that meet in one point alone.
 void TestBowTie()
 {
-  auto mesh = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { -1, 0, 0 },
+  auto mesh = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { -1, 0, 0 },
                                  { -1, -1, 0 }, { 0, -1, 0 } },
     { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } });
   auto field = SplitFieldOf(mesh, { "1 point where several sheets meet" });
@@ -306,7 +306,7 @@ void TestBowTie()
 /// A quad with two triangles more on its diagonal: it stays whole, on the points of one half.
 void TestTornPolygon()
 {
-  auto mesh = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+  auto mesh = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
                                  { 0.5, 0.5, 1 }, { 0.5, 0.5, -1 } },
     { { 0, 1, 2, 3 }, { 0, 2, 4 }, { 2, 0, 5 }, { 1, 3, 4 }, { 3, 1, 5 } });
   // Whichever diagonal it is cut by, that one has two triangles more.
@@ -379,7 +379,7 @@ void TestLinks()
 /// Three triangles and their ends: the singularity of the one in the middle faces its own side.
 void TestSingularityNormals()
 {
-  auto mesh = TestMeshes::Make({ { 1, 0, 0 }, { -0.5, 0.8, 0 }, { -0.5, -0.8, 0 }, { 0, 0, -1 },
+  auto mesh = PolyMeshes::Make({ { 1, 0, 0 }, { -0.5, 0.8, 0 }, { -0.5, -0.8, 0 }, { 0, 0, -1 },
                                  { 0, 0, 1 } },
     { { 1, 0, 3 }, { 2, 1, 3 }, { 0, 2, 3 }, { 0, 1, 2 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 0, 4 } });
   vtkNew<vtkDirectionField> filter;
@@ -423,7 +423,7 @@ void TestManifold()
   CHECK(whole->GetOutput()->GetPolys() == split->GetOutput()->GetPolys());
 
   vtkNew<vtkDirectionField> sphere;
-  sphere->SetInputData(TestMeshes::Icosphere(1));
+  sphere->SetInputData(PolyMeshes::Icosphere(1));
   sphere->Update();
   CHECK(!sphere->GetOutput()->GetPointData()->HasArray("OriginalPointIds"));
 }

@@ -34,9 +34,9 @@ void CheckSame(vtkPolyData* one, vtkPolyData* other)
   CHECK(IsSame(one->GetFieldData(), other->GetFieldData()));
 }
 
-TestMeshes::Mesh WithVertsAndLines()
+PolyMeshes::Mesh WithVertsAndLines()
 {
-  auto mesh = TestMeshes::QuadTorus(20, 10);
+  auto mesh = PolyMeshes::QuadTorus(20, 10);
   vtkNew<vtkCellArray> verts;
   verts->InsertNextCell({ 3 });
   verts->InsertNextCell({ 5, 7, 11 });
@@ -63,7 +63,7 @@ void TestCellArrays()
   auto one = FieldOf(narrow);
   auto other = FieldOf(wide);
   CheckSame(one, other);
-  CheckDirections(FieldOf(TestMeshes::Pebble(2)), 4, 1e-9);
+  CheckDirections(FieldOf(PolyMeshes::Pebble(2)), 4, 1e-9);
   for (const auto& [field, mesh] : { std::pair(one, narrow), std::pair(other, wide) })
   {
     CHECK(field->GetVerts() == mesh->GetVerts());
@@ -75,7 +75,7 @@ void TestCellArrays()
   // Where the surface is split, its new cells are there in either storage, too.
   for (const bool is64 : { false, true })
   {
-    auto book = TestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
+    auto book = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
       { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
     CHECK(is64 ? book->GetPolys()->ConvertTo64BitStorage()
                : book->GetPolys()->ConvertTo32BitStorage());
@@ -93,13 +93,13 @@ void TestCellArrays()
 /// Ids beyond 32 bits do not wrap around to valid ones.
 void TestLargeIds()
 {
-  const std::vector<TestMeshes::Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  const std::vector<PolyMeshes::Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   for (const vtkIdType base : { vtkIdType(1) << 31, vtkIdType(1) << 32, vtkIdType(1) << 40 })
   {
     vtkNew<vtkDirectionField> filter;
     vtkNew<Messages> messages;
     messages->Observe(filter);
-    filter->SetInputData(TestMeshes::Make(points, { { 0, 1, base + 2 } }));
+    filter->SetInputData(PolyMeshes::Make(points, { { 0, 1, base + 2 } }));
     filter->Update();
     CHECK(messages->IsOneError({ std::to_string(base + 2).c_str() }));
     CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
@@ -109,8 +109,8 @@ void TestLargeIds()
 /// Points in float and double at places that both can tell: the same field, in their own type.
 void TestPrecision()
 {
-  auto single = TestMeshes::Pebble(2, VTK_FLOAT);
-  auto twice = TestMeshes::Pebble(2);
+  auto single = PolyMeshes::Pebble(2, VTK_FLOAT);
+  auto twice = PolyMeshes::Pebble(2);
   for (vtkIdType i = 0; i < single->GetNumberOfPoints(); ++i)
   {
     twice->GetPoints()->SetPoint(i, single->GetPoint(i));
@@ -140,15 +140,15 @@ void TestPrecision()
 /// Filters of several threads that run at the same time, on inputs of their own and on a shared one.
 void TestThreads()
 {
-  auto shared = TestMeshes::Pebble(3);
+  auto shared = PolyMeshes::Pebble(3);
   // VTK's data sets make some of what they know when first asked.
   shared->BuildCells();
-  std::vector<TestMeshes::Mesh> own;
+  std::vector<PolyMeshes::Mesh> own;
   std::vector<vtkSmartPointer<vtkPolyData>> expected, results;
   constexpr int threads = 4;
   for (int k = 0; k < threads; ++k)
   {
-    own.push_back(k % 2 == 0 ? TestMeshes::QuadTorus(30, 12 + k) : shared);
+    own.push_back(k % 2 == 0 ? PolyMeshes::QuadTorus(30, 12 + k) : shared);
     expected.push_back(FieldOf(own.back(), 2 + k));
   }
   results.resize(threads);

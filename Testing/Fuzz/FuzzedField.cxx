@@ -3,8 +3,8 @@
 
 #include "FuzzedField.h"
 
-#include "Soundness.h"
-#include "TestMeshes.h"
+#include "Meshes/Soundness.h"
+#include "Meshes/Surfaces.h"
 
 #include <cmath>
 #include <limits>
@@ -132,7 +132,7 @@ Vector3 ReadVector(Bytes& bytes)
 
 Surface ReadBase(unsigned byte)
 {
-  using namespace TestMeshes;
+  using namespace Meshes;
   if (byte >= FirstInvalid)
   {
     // Enough vertices for multigrid.
@@ -358,7 +358,7 @@ std::string ComputeFlaw(DirectionField& field, const Surface& surface, const Opt
   const bool nonFinite = expected.FirstNonFinite != None && !options.MergePoints;
   return !result.Aborted && (expected.InvalidId || nonFinite)
     ? "the surface was not refused"
-    : TestMeshes::Flaw(surface, options, result);
+    : Meshes::Flaw(surface, options, result);
 }
 
 /// Some triangles, other ones for each byte but 0.

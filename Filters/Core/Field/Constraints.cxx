@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Field/Constraints.h"
+
+#include "Sections/DoubleCover.h"
+#include "Sections/Singularities.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields
+{
+namespace
+{
+/// Edges whose dihedral angles differ by less than this are equally sharp.
+constexpr double EqualSharpness = 1e-9;
+/// Two directions of a corner whose n-th powers add up to less than this cancel.
+constexpr double Cancelled = 0.6;
+/// The anisotropy |k_max - k_min| l below which a vertex has no principal directions.
+constexpr double Umbilic = 1e-6;
+}
+
+Constraints::Constraints(
+  const Input& input, const Options& options, std::vector<std::string>& notes)
+  : Kind(input.Mesh.GetNumberOfVertices(), ConstraintKind::None)
+  , Value(input.Mesh.GetNumberOfVertices(), 0.0)
+{
+  const auto note = [&](bool asked, ConstraintKind kind, const char* what)
+  {
+    if (asked && std::count(this->Kind.begin(), this->Kind.end(), kind) == 0)
+    {
+      notes.emplace_back(what);
+    }
+  };
+  // By falling priority: what is set stays.
+  if (options.ConstrainGuidance)
+  {
+    this->AddGiven(input);
+    note(true, ConstraintKind::Given,
+      "ConstrainGuidance changes nothing: no guidance vector has positive weight and a part in the "
+      "tangent plane.");
+  }
+  this->AddBoundary(input, options);
+  this->MirrorBoundary(input, options);
+  const bool anyBoundary =
+    std::any_of(input.Mesh.GetComponents().begin(), input.Mesh.GetComponents().end(),
+      [](const TriangleMesh::Component& component) { return !component.Closed; });
+  if (options.ConstrainBoundary && !anyBoundary)
+  {
+    notes.emplace_back("ConstrainBoundary changes nothing: the surface has no boundary.");
+  }
+  if (options.ConstrainSharpEdges)
+  {
+    this->AddSharpEdges(input, options);
+    note(true, ConstraintKind::SharpEdge,
+      "ConstrainSharpEdges changes nothing: no free vertex has an edge sharper than FeatureAngle.");
+  }
+  if (options.ConstrainCurvature)
+  {
+    this->AddCurvature(input, options);
+    this->DropInconsistent(input, options);
+    if (options.DropConstraintsAtSingularities)
+    {
+      this->DropAtSingularities(input, options);
+    }
+    note(true, ConstraintKind::Curvature,
+      "ConstrainCurvature changes nothing: no free vertex has a curvature above "
+      "CurvatureTolerance with a consistent direction.");
+  }
+  this->MirrorInterior(input, options);
+  this->Count = static_cast<Index>(this->Kind.size() -
+    std::count(this->Kind.begin(), this->Kind.end(), ConstraintKind::None));
+  if (!this->Any())
+  {
+    Free(this->Kind);
+    Free(this->Value);
+  }
+}
+
+void Constraints::Set(Index vertex, ConstraintKind kind, const Complex& value)
+{
+  if (this->Kind[vertex] == ConstraintKind::None)
+  {
+    this->Kind[vertex] = kind;
+    this->Value[vertex] = value / std::abs(value);
+  }
+}
+
+void Constraints::AddGiven(const Input& input)
+{
+  for (std::size_t v = 0; v < input.Given.size(); ++v)
+  {
+    if (std::abs(input.Given[v]) > 0.0)
+    {
+      this->Set(static_cast<Index>(v), ConstraintKind::Given, input.Given[v]);
+    }
+  }
+}
+
+void Constraints::AddBoundary(const Input& input, const Options& options)
+{
+  const TriangleMesh& mesh = input.Mesh;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (!mesh.IsBoundary(v))
+    {
+      continue;
+    }
+    const Index next = mesh.Outgoing(v);
+    Index last = next;
+    while (mesh.NextOutgoing(last) != None)
+    {
+      last = mesh.NextOutgoing(last);
+    }
+    const Index previous = TriangleMesh::Previous(last);
+    const bool nonManifold = mesh.IsNonManifold(next) || mesh.IsNonManifold(previous);
+    const bool useNext = options.ConstrainBoundary || mesh.IsNonManifold(next);
+    const bool usePrevious = options.ConstrainBoundary || mesh.IsNonManifold(previous);
+    // The directions of the next boundary edge and of the previous one, both with the boundary. In
+    // the mean of their n-th powers a right-angled corner keeps a cross, as a straight boundary
+    // keeps any field; where they cancel, one of them stands for both.
+    const Complex forward = 1.0;
+    const Complex onward = std::polar(1.0, options.Degree * (input.Transport.AngleSum[v] - Pi));
+    const Complex mean = forward + onward;
+    if (useNext && usePrevious)
+    {
+      this->Set(v, nonManifold ? ConstraintKind::NonManifold : ConstraintKind::Boundary,
+        std::abs(mean) > Cancelled ? mean : forward);
+    }
+    else if (useNext || usePrevious)
+    {
+      this->Set(v, ConstraintKind::NonManifold, useNext ? forward : onward);
+    }
+  }
+}
+
+/// The boundary of a cover comes in pairs of loops, each with the directions of its own orientation:
+/// one loop of each pair decides for both.
+void Constraints::MirrorBoundary(const Input& input, const Options& options)
+{
+  const TriangleMesh& mesh = input.Mesh;
+  std::vector<char> decided(mesh.GetRepairs().NonOrientableComponents > 0 ? this->Kind.size() : 0, 0);
+  for (std::size_t c = 0; c < mesh.GetComponents().size() && !decided.empty(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    const DoubleCover cover(mesh, input.Transport, component, options.Degree);
+    for (Index start = component.FirstVertex; component.IsCover && start < component.EndVertex;
+         ++start)
+    {
+      for (Index v = start; mesh.IsBoundary(v) && !decided[v]; v = mesh.Head(mesh.Outgoing(v)))
+      {
+        const Index mirror = mesh.MirrorVertex(v);
+        decided[v] = decided[mirror] = 1;
+        this->Kind[mirror] = this->Kind[v];
+        this->Value[mirror] = cover.Mirrored(v, this->Value[v]);
+      }
+    }
+  }
+}
+
+/// What else is constrained in a cover is so on both sides, but for rounding.
+void Constraints::MirrorInterior(const Input& input, const Options& options)
+{
+  const TriangleMesh& mesh = input.Mesh;
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    const DoubleCover cover(mesh, input.Transport, component, options.Degree);
+    for (Index v = component.FirstVertex; component.IsCover && v < component.EndVertex; ++v)
+    {
+      const Index mirror = mesh.MirrorVertex(v);
+      if (mesh.IsFrontVertex(v) &&
+        (this->Kind[v] != ConstraintKind::Boundary && this->Kind[v] != ConstraintKind::NonManifold))
+      {
+        this->Kind[mirror] = this->Kind[v];
+        this->Value[mirror] = cover.Mirrored(v, this->Value[v]);
+      }
+    }
+  }
+}
+
+void Constraints::AddSharpEdges(const Input& input, const Options& options)
+{
+  const TriangleMesh& mesh = input.Mesh;
+  const double bound = options.FeatureAngle * Pi / 180.0;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    Index sharpest = None;
+    double sharpness = bound;
+    Index h = mesh.Outgoing(v);
+    do
+    {
+      const double angle = std::abs(input.DihedralAngles[mesh.Edge(h)]);
+      const bool equal = sharpest != None && std::abs(angle - sharpness) <= EqualSharpness;
+      if (equal ? mesh.Point(mesh.Head(h)) < mesh.Point(mesh.Head(sharpest)) : angle > sharpness)
+      {
+        sharpest = h;
+        sharpness = std::max(sharpness, angle);
+      }
+      h = mesh.NextOutgoing(h);
+    } while (h != None && h != mesh.Outgoing(v));
+    if (sharpest != None)
+    {
+      // For odd degrees both ends of the edge must agree on its direction.
+      const Vector3& here = input.Positions[v];
+      const Vector3& there = input.Positions[mesh.Head(sharpest)];
+      const bool turn = LexicographicallyLess(there, here);
+      // The angle of the edge's projection, not that in the tangent cone: the field is to follow the
+      // edge in space, and where the edge is sharp the two differ by some degrees.
+      const Vector3 edge = (there - here).stableNormalized();
+      const Complex projected = input.Frames.Tangential(v, edge);
+      const double angle = std::abs(projected) > 1e-9 ? std::arg(projected)
+                                                      : input.Transport.EdgeAngle[sharpest];
+      this->Set(v, ConstraintKind::SharpEdge,
+        std::polar(1.0, options.Degree * (turn ? angle + Pi : angle)));
+    }
+  }
+}
+
+void Constraints::AddCurvature(const Input& input, const Options& options)
+{
+  for (std::size_t c = 0; c < input.Mesh.GetComponents().size(); ++c)
+  {
+    const TriangleMesh::Component& component = input.Mesh.GetComponents()[c];
+    const double radius = std::sqrt(input.ComponentArea[c] / (4.0 * Pi));
+    if (component.IsCover && options.Degree == 2)
+    {
+      // The larger curvature of one side is the smaller one of the other.
+      continue;
+    }
+    for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+    {
+      const double mean = std::abs(input.Curved->Mean[v]) * radius;
+      const double gaussian = std::abs(input.Curved->Gaussian[v]) * radius * radius;
+      const Complex& hopf = input.Curved->Hopf[v];
+      if ((mean > options.CurvatureTolerance || gaussian > options.CurvatureTolerance) &&
+        std::abs(hopf) * radius > Umbilic)
+      {
+        const Complex line =
+          options.CurvatureDirection == CurvatureDirection::Minimum && options.Degree == 2 ? -hopf
+                                                                                           : hopf;
+        this->Set(v, ConstraintKind::Curvature, options.Degree == 4 ? line * line : line);
+      }
+    }
+  }
+}
+
+/// All comparisons are made before anything is dropped: the result depends on no order.
+void Constraints::DropInconsistent(const Input& input, const Options& options)
+{
+  const double bound = options.ConsistencyAngle * Pi / 180.0;
+  std::vector<char> drop(this->Kind.size(), 0);
+  for (Index e = 0; e < input.Mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index i = input.Mesh.Tail(input.Mesh.HalfEdge(e));
+    const Index j = input.Mesh.Head(input.Mesh.HalfEdge(e));
+    if (this->Kind[i] != ConstraintKind::None && this->Kind[j] != ConstraintKind::None)
+    {
+      const Complex arrived =
+        this->Value[i] * std::polar(1.0, options.Degree * input.Transport.Rotation[e]);
+      if (std::abs(std::arg(this->Value[j] * std::conj(arrived))) > options.Degree * bound)
+      {
+        drop[i] = drop[j] = 1;
+      }
+    }
+  }
+  this->DropCurvature(drop);
+}
+
+void Constraints::DropAtSingularities(const Input& input, const Options& options)
+{
+  const std::vector<int> index =
+    SingularityIndices(input.Mesh, input.Transport, options.Degree, this->Value);
+  std::vector<char> drop(this->Kind.size(), 0);
+  for (Index t = 0; t < input.Mesh.GetNumberOfTriangles(); ++t)
+  {
+    const std::array<Index, 3> corners = { input.Mesh.Tail(3 * t), input.Mesh.Tail(3 * t + 1),
+      input.Mesh.Tail(3 * t + 2) };
+    const bool all = std::all_of(corners.begin(), corners.end(),
+      [this](Index v) { return this->Kind[v] != ConstraintKind::None; });
+    if (all && index[t] != 0)
+    {
+      for (const Index v : corners)
+      {
+        drop[v] = 1;
+      }
+    }
+  }
+  this->DropCurvature(drop);
+}
+
+void Constraints::DropCurvature(const std::vector<char>& drop)
+{
+  for (std::size_t v = 0; v < drop.size(); ++v)
+  {
+    if (drop[v] && this->Kind[v] == ConstraintKind::Curvature)
+    {
+      this->Kind[v] = ConstraintKind::None;
+      this->Value[v] = 0.0;
+    }
+  }
+}
+}

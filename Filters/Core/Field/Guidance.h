@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Guidance_h
+#define DirectionFields_Guidance_h
+
+#include "Geometry/TangentFrames.h"
+#include "Options.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// The user's vectors as a section of degree n over the vertices of the mesh: the n-th power of the
+/// projected vector's direction times its length times its weight.
+std::vector<Complex> GuidanceSection(
+  const TriangleMesh& mesh, const TangentFrames& frames, const Guidance& guidance, int degree);
+
+/// The Hopf differential as a section of degree 2, towards the larger curvature or the smaller, or
+/// its square, of degree 4.
+std::vector<Complex> CurvatureSection(
+  const std::vector<Complex>& hopf, int degree, CurvatureDirection direction);
+
+/// Sets a section to zero on components that cannot be oriented.
+void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section);
+
+/// A point that has no guidance of its own takes that of the next point at the same place that has.
+Guidance Merged(Guidance guidance, const std::vector<Index>& first);
+}
+
+#endif

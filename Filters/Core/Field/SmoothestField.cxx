@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Field/SmoothestField.h"
+
+#include <cmath>
+
+namespace DirectionFields
+{
+namespace
+{
+/// Rows up to which Automatic takes the direct solver: it is about as fast there.
+constexpr Eigen::Index DirectRows = 3000;
+}
+
+SmallestPairs FindSmallestPairs(const Operators& operators,
+  const std::function<ComplexVector()>& start, Solver solver, const EigenpairSettings& settings,
+  const std::function<bool(int)>& progress)
+{
+  SmallestPairs pairs;
+  const Eigen::Index rows = operators.Energy.rows();
+  const bool automatic = solver == Solver::Automatic;
+  if (solver != Solver::Direct && rows > (automatic ? DirectRows : Multigrid::CoarsestRows))
+  {
+    pairs.Hierarchy = std::make_unique<Multigrid>(operators, settings.Scale);
+    pairs.First =
+      SmallestEigenpair(operators, *pairs.Hierarchy, settings, progress, pairs.Lowest);
+    pairs.SolverUsed = Solver::Multigrid;
+    if (pairs.First.Aborted || pairs.First.Residual <= settings.Tolerance ||
+      (!automatic && std::isfinite(pairs.First.Residual)))
+    {
+      return pairs;
+    }
+    pairs = {};
+  }
+  pairs.First = SmallestEigenpair(operators.Energy, operators.Mass, start(), settings, progress);
+  return pairs;
+}
+}

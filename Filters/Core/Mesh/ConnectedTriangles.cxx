@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/ConnectedTriangles.h"
+
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr Index PieceSize = 1 << 13;
+
+/// Sets of numbers that are joined, each named by its least member.
+class JoinedSets
+{
+public:
+  explicit JoinedSets(Index count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+
+  Index Find(Index k)
+  {
+    while (this->Parent[k] != k)
+    {
+      this->Parent[k] = this->Parent[this->Parent[k]];
+      k = this->Parent[k];
+    }
+    return k;
+  }
+
+  void Join(Index a, Index b)
+  {
+    a = this->Find(a);
+    b = this->Find(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  LargeArray<Index> Parent;
+};
+}
+
+ConnectedTriangles::ConnectedTriangles(const LargeArray<Index>& twins)
+  : Component(twins.size() / 3)
+{
+  const auto triangles = static_cast<Index>(this->Component.size());
+  JoinedSets sets(triangles);
+  // Within pieces at once, then over their borders.
+  std::vector<std::vector<Index>> across(NumberOfPieces(triangles, PieceSize));
+  ParallelFor(triangles, PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index h = 3 * begin; h < 3 * end; ++h)
+      {
+        const Index twin = twins[h];
+        if (twin >= 3 * begin && twin < h)
+        {
+          sets.Join(h / 3, twin / 3);
+        }
+        else if (twin < 3 * begin && twin != None)
+        {
+          across[begin / PieceSize].push_back(h);
+        }
+      }
+    });
+  for (const std::vector<Index>& halfEdges : across)
+  {
+    for (const Index h : halfEdges)
+    {
+      sets.Join(h / 3, twins[h] / 3);
+    }
+  }
+  for (Index t = 0; t < triangles; ++t)
+  {
+    const Index first = sets.Find(t);
+    this->Component[t] = first == t ? this->Count++ : this->Component[first];
+  }
+}
+}

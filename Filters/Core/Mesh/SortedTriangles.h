@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_SortedTriangles_h
+#define DirectionFields_SortedTriangles_h
+
+#include "Support/LargeArray.h"
+#include "Surface.h"
+
+namespace DirectionFields
+{
+/// The triangles of a surface that have three corners, sorted so that what is close in space is
+/// mostly close in memory, whatever the order of the input.
+struct SortedTriangles
+{
+  /// Throws MeshError for invalid ids and non-finite coordinates.
+  explicit SortedTriangles(const Surface& surface);
+
+  /// Leaves of the triangles with the same three corners the first one in the input. Returns the
+  /// number of the others.
+  Index RemoveDuplicates();
+
+  /// The points that they use, along a Morton curve.
+  LargeArray<Index> Points;
+  /// Three of each triangle, as positions in Points. The triangles are sorted by their least ones,
+  /// those that share it are in the order of the input.
+  LargeArray<Index> Corners;
+  /// Each triangle's number in the surface.
+  LargeArray<Index> Input;
+  /// Triangles left out because they use a point twice.
+  Index Collapsed = 0;
+};
+}
+
+#endif

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Sections/Assembly.h"
+
+#include "Sections/SectionIntegrals.h"
+#include "Support/SortFew.h"
+#include "Support/Threads.h"
+#include "Support/VectorMath.h"
+
+#include <algorithm>
+#include <array>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr Index PieceSize = 1 << 11;
+
+struct Problem
+{
+  const TriangleMesh& Mesh;
+  const Metric& Lengths;
+  const Connection& Angles;
+  const TriangleMesh::Component& Component;
+  int Degree;
+  double EnergyBias;
+  /// r of each edge of the component in its direction.
+  std::vector<Complex> Transport;
+};
+
+/// Computes columns of both matrices, each from the fan of its vertex.
+class ColumnAssembler
+{
+public:
+  explicit ColumnAssembler(const Problem& problem)
+    : Given(problem)
+  {
+  }
+
+  /// The number of entries of a vertex' column.
+  Index Count(Index vertex)
+  {
+    const TriangleMesh& mesh = this->Given.Mesh;
+    mesh.GetFan(vertex, this->Fan);
+    if (!mesh.MayRepeatNeighbours())
+    {
+      return static_cast<Index>(this->Fan.size()) + mesh.IsBoundary(vertex) + 1;
+    }
+    this->AddRows(vertex);
+    SortFew(this->Order);
+    Index count = 0;
+    for (std::size_t k = 0; k < this->Order.size(); ++k)
+    {
+      count += k == 0 || this->Order[k].Row != this->Order[k - 1].Row;
+    }
+    return count;
+  }
+
+  void Fill(Index vertex, Index* rows, Complex* energy, Complex* mass)
+  {
+    this->Given.Mesh.GetFan(vertex, this->Fan);
+    this->AddRows(vertex);
+    this->Integrate();
+    SortFew(this->Order);
+    Index at = -1;
+    for (const Place& place : this->Order)
+    {
+      const Entry& entry = this->Column[place.Number];
+      if (at >= 0 && rows[at] == place.Row)
+      {
+        // Two edges join the same vertices, as along a slit, where the surface was split, or one
+        // edge joins a vertex to itself.
+        energy[at] += entry.Transport * entry.Energy;
+        mass[at] += entry.Transport * entry.Mass;
+      }
+      else
+      {
+        rows[++at] = place.Row;
+        energy[at] = entry.Transport * entry.Energy;
+        mass[at] = entry.Transport * entry.Mass;
+      }
+      if (place.Row == vertex - this->Given.Component.FirstVertex)
+      {
+        // What both ends of an edge to itself add up to is real but for rounding.
+        energy[at] = energy[at].real();
+        mass[at] = mass[at].real();
+      }
+    }
+  }
+
+private:
+  struct Entry
+  {
+    Complex Transport;
+    Complex Energy;
+    Complex Mass;
+  };
+  struct Place
+  {
+    Index Row;
+    Index Number;
+    bool operator<(const Place& other) const { return this->Row < other.Row; }
+  };
+
+  void AddRow(Index vertex, const Complex& transport)
+  {
+    const auto number = static_cast<Index>(this->Column.size());
+    this->Column.push_back({ transport, 0.0, 0.0 });
+    this->Order.push_back({ vertex - this->Given.Component.FirstVertex, number });
+  }
+
+  /// The neighbours counter-clockwise, then the vertex itself.
+  void AddRows(Index vertex)
+  {
+    const TriangleMesh& mesh = this->Given.Mesh;
+    const auto along = [&](Index h) -> const Complex&
+    { return this->Given.Transport[mesh.Edge(h) - this->Given.Component.FirstEdge]; };
+    this->Column.clear();
+    this->Order.clear();
+    for (const Index h : this->Fan)
+    {
+      this->AddRow(mesh.Head(h), mesh.GivesDirection(h) ? along(h) : std::conj(along(h)));
+    }
+    if (mesh.IsBoundary(vertex))
+    {
+      // The last edge has no half-edge but the one that comes in.
+      const Index last = TriangleMesh::Previous(this->Fan.back());
+      this->AddRow(mesh.Tail(last), std::conj(along(last)));
+    }
+    this->Neighbours = this->Column.size();
+    this->AddRow(vertex, 1.0);
+  }
+
+  /// Adds up the integrals over the triangles.
+  void Integrate()
+  {
+    const Problem& given = this->Given;
+    Entry& diagonal = this->Column.back();
+    for (std::size_t k = 0; k < this->Fan.size(); ++k)
+    {
+      const Index h = this->Fan[k];
+      const auto squaredLength = [&given](Index side)
+      { return given.Lengths.SquaredLength[given.Mesh.Edge(side)]; };
+      const LocalIntegrals local({ squaredLength(h), squaredLength(TriangleMesh::Next(h)),
+                                   squaredLength(TriangleMesh::Previous(h)) },
+        given.Lengths.Area[h / 3], given.Degree * given.Angles.Curvature[h / 3],
+        given.EnergyBias);
+      diagonal.Energy += local.EnergyDiagonal(0);
+      diagonal.Mass += local.MassDiagonal();
+      // The first side runs out of the vertex, the last one into it.
+      Entry& first = this->Column[k];
+      first.Energy += std::conj(local.Energy(0));
+      first.Mass += std::conj(local.Mass());
+      Entry& last = this->Column[k + 1 < this->Neighbours ? k + 1 : 0];
+      last.Energy += local.Energy(2);
+      last.Mass += local.Mass();
+    }
+  }
+
+  const Problem& Given;
+  std::vector<Index> Fan;
+  std::vector<Entry> Column;
+  std::vector<Place> Order;
+  std::size_t Neighbours = 0;
+};
+
+std::vector<Complex> Transport(
+  const Connection& connection, const TriangleMesh::Component& component, int degree)
+{
+  std::vector<Complex> transport(component.Edges());
+  ParallelFor(component.Edges(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      constexpr Index most = 64;
+      std::array<double, most> angles;
+      std::array<double, most> cosines;
+      std::array<double, most> sines;
+      for (Index first = begin; first < end; first += most)
+      {
+        const Index count = std::min(most, end - first);
+        for (Index k = 0; k < count; ++k)
+        {
+          angles[k] = degree * connection.Rotation[component.FirstEdge + first + k];
+        }
+        CosinesAndSines(angles.data(), count, cosines.data(), sines.data());
+        for (Index k = 0; k < count; ++k)
+        {
+          transport[first + k] = Complex(cosines[k], sines[k]);
+        }
+      }
+    });
+  return transport;
+}
+}
+
+Operators AssembleOperators(const TriangleMesh& mesh, const Metric& metric,
+  const Connection& connection, const TriangleMesh::Component& component, int degree,
+  double energyBias)
+{
+  const Problem problem{ mesh, metric, connection, component, degree, energyBias,
+    Transport(connection, component, degree) };
+  const Index n = component.Vertices();
+  std::vector<Index> begin(n + 1, 0);
+  ParallelFor(n, PieceSize,
+    [&](Index first, Index end)
+    {
+      ColumnAssembler columns(problem);
+      for (Index v = first; v < end; ++v)
+      {
+        begin[v + 1] = columns.Count(component.FirstVertex + v);
+      }
+    });
+  for (Index v = 0; v < n; ++v)
+  {
+    begin[v + 1] += begin[v];
+  }
+  Operators operators;
+  SparseMatrix* const matrices[2] = { &operators.Energy, &operators.Mass };
+  // What is allocated is also filled with zeros, which takes its time where it is much.
+  ParallelFor(2, n > PieceSize ? 1 : 2,
+    [&](Index first, Index end)
+    {
+      for (Index k = first; k < end; ++k)
+      {
+        matrices[k]->resize(n, n);
+        matrices[k]->resizeNonZeros(begin.back());
+        std::copy(begin.begin(), begin.end(), matrices[k]->outerIndexPtr());
+      }
+    });
+  ParallelFor(n, PieceSize,
+    [&](Index first, Index end)
+    {
+      ColumnAssembler columns(problem);
+      Index* const rows = operators.Energy.innerIndexPtr();
+      for (Index v = first; v < end; ++v)
+      {
+        columns.Fill(component.FirstVertex + v, rows + begin[v],
+          operators.Energy.valuePtr() + begin[v], operators.Mass.valuePtr() + begin[v]);
+      }
+      std::copy(
+        rows + begin[first], rows + begin[end], operators.Mass.innerIndexPtr() + begin[first]);
+    });
+  return operators;
+}
+}

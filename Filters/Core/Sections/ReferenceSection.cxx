@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Sections/ReferenceSection.h"
+
+#include "Support/MortonCurve.h"
+#include "Support/Threads.h"
+#include "Support/VectorMath.h"
+
+#include <cmath>
+
+namespace DirectionFields
+{
+namespace
+{
+/// A sum below this part of the sum of absolute values cancels by symmetry.
+constexpr double Cancelled = 1e-3;
+constexpr Index PieceSize = 1 << 12;
+
+Complex IntegerPower(Complex z, int exponent)
+{
+  Complex power = 1.0;
+  for (; exponent > 0; exponent /= 2)
+  {
+    power *= exponent % 2 == 1 ? z : Complex(1.0);
+    z *= z;
+  }
+  return power;
+}
+
+/// A sum and that of its absolute values.
+struct Overlap
+{
+  Complex Sum = 0.0;
+  double Size = 0.0;
+
+  void operator+=(const Overlap& other)
+  {
+    this->Sum += other.Sum;
+    this->Size += other.Size;
+  }
+};
+
+/// The number of a vertex with the largest value, the first of several.
+struct Largest
+{
+  double Value = -1.0;
+  Index Vertex = 0;
+
+  void operator+=(const Largest& other)
+  {
+    *this = other.Value > this->Value ? other : *this;
+  }
+};
+}
+
+ReferenceSection::ReferenceSection(const TangentFrames& frames,
+  const std::vector<Vector3>& positions, const TriangleMesh::Component& component, int degree)
+  : Frames(frames)
+  , Positions(positions)
+  , Component(component)
+  , Degree(degree)
+{
+  const auto box = ParallelSum(component.Vertices(), PieceSize, BoundingBox{},
+    [&](Index begin, Index end)
+    {
+      BoundingBox part;
+      for (Index v = begin; v < end; ++v)
+      {
+        part.Add(positions[component.FirstVertex + v]);
+      }
+      return part;
+    });
+  this->Center = 0.5 * box.Low + 0.5 * box.High;
+  const double size = (box.High - box.Low).maxCoeff();
+  this->HalfSize = size > 0.0 ? 0.5 * size : 1.0;
+}
+
+Complex ReferenceSection::Power(Index vertex, const Vector3& v) const
+{
+  const Complex z = this->Frames.Tangential(this->Component.FirstVertex + vertex, v);
+  const double length = Modulus(z);
+  return length > 0.0 ? length * IntegerPower(z / length, this->Degree) : Complex(0.0);
+}
+
+Vector3 ReferenceSection::Position(Index vertex) const
+{
+  return (this->Positions[this->Component.FirstVertex + vertex] - this->Center) / this->HalfSize;
+}
+
+ComplexVector ReferenceSection::Start() const
+{
+  ComplexVector start(this->Component.Vertices());
+  ParallelFor(this->Component.Vertices(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const Vector3 p = this->Position(v);
+        // Irregular coefficients, so that no symmetry of the surface makes the section orthogonal
+        // to the eigenvector.
+        const Vector3 field(
+          0.83 + 0.31 * p[1] - 0.24 * p[2] + 0.17 * std::sin(1.3 * p[0] + 2.1 * p[1]),
+          0.47 - 0.38 * p[0] + 0.29 * p[2] + 0.19 * std::sin(1.7 * p[1] + 0.9 * p[2] + 0.4),
+          0.29 + 0.22 * p[0] - 0.35 * p[1] + 0.23 * std::sin(2.3 * p[2] - 1.1 * p[0] + 0.7));
+        start[v] = this->Power(v, field);
+      }
+    });
+  if (!(start.norm() > 0.0))
+  {
+    start.setOnes();
+  }
+  return start;
+}
+
+void ReferenceSection::FixPhase(ComplexVector& u) const
+{
+  const auto count = static_cast<Index>(u.size());
+  const auto turn = [&](const Complex& phase)
+  {
+    ParallelFor(count, PieceSize,
+      [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto overlap = ParallelSum(count, PieceSize, Overlap{},
+      [&](Index begin, Index end)
+      {
+        Overlap part;
+        for (Index v = begin; v < end; ++v)
+        {
+          const Complex term = std::conj(u[v]) * this->Power(v, Vector3::Unit(axis));
+          part.Sum += term;
+          part.Size += Modulus(term);
+        }
+        return part;
+      });
+    const double length = std::abs(overlap.Sum);
+    if (length > Cancelled * overlap.Size && overlap.Size > 0.0)
+    {
+      turn(overlap.Sum / length);
+      return;
+    }
+  }
+  // One vertex that no symmetry maps to another decides.
+  const Vector3 oblique(0.37, 0.23, 0.11);
+  const Index chosen = ParallelSum(count, PieceSize, Largest{},
+    [&](Index begin, Index end)
+    {
+      Largest part;
+      for (Index v = begin; v < end; ++v)
+      {
+        part += Largest{ Modulus(u[v]) * (2.0 + oblique.dot(this->Position(v))), v };
+      }
+      return part;
+    }).Vertex;
+  const Complex overlap = std::conj(u[chosen]) * this->Power(chosen, oblique);
+  if (std::abs(overlap) > 0.0)
+  {
+    turn(overlap / std::abs(overlap));
+  }
+}
+}

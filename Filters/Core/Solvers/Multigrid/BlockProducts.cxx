@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Solvers/Multigrid/BlockProducts.h"
+
+#include "Solvers/Matrices/SparseColumns.h"
+#include "Solvers/Multigrid/SectionBlock.h"
+
+namespace DirectionFields
+{
+void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
+{
+  constexpr int width = SectionBlock::Width;
+  ForEachRow(operators.Energy.cols(),
+    [energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(), x, ax, mx](Index v)
+    {
+      Eigen::Array4d real = Eigen::Array4d::Zero();
+      Eigen::Array4d imaginary = Eigen::Array4d::Zero();
+      // Of the mass no digits cancel.
+      CompactValues<width> m;
+      for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+      {
+        const Complex value = energy.Value[k];
+        const CompactValues<width> from(x, energy.Row[k]);
+        const Eigen::Array4d re = from.Real.cast<double>();
+        const Eigen::Array4d im = from.Imaginary.cast<double>();
+        real += value.real() * re + value.imag() * im;
+        imaginary += value.real() * im - value.imag() * re;
+        m.Add(CompactComplex(std::conj(mass[k])), from);
+      }
+      CompactValues<width> a;
+      a.Real = real.cast<float>();
+      a.Imaginary = imaginary.cast<float>();
+      a.Store(ax, v);
+      m.Store(mx, v);
+    });
+}
+}

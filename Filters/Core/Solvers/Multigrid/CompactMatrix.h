@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_CompactMatrix_h
+#define DirectionFields_CompactMatrix_h
+
+#include "Solvers/Matrices/CompactValues.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace DirectionFields
+{
+/// Hermitian matrix in single precision, as sweeps go through it. Compressed rows; the diagonal stands
+/// apart.
+struct CompactMatrix
+{
+  /// Of a block, which is swept by itself.
+  static constexpr Index BlockRows = 4096;
+  /// Rows of a piece where rows do not depend on each other.
+  static constexpr Index PieceRows = 2048;
+
+  /// Entries of row v: Begin[v] to Inside[v] in columns of its block, Inside[v] to Begin[v + 1] in
+  /// others.
+  LargeArray<Index> Begin;
+  LargeArray<Index> Inside;
+  LargeArray<Index> Column;
+  /// The same counted from the first row of the block; 0 for columns of other blocks.
+  LargeArray<std::uint16_t> ColumnInBlock;
+  LargeArray<CompactComplex> Value;
+  LargeArray<float> Diagonal;
+  /// The rows with entries in columns of other blocks, ascending.
+  LargeArray<Index> Boundary;
+  /// Those entries of row j of the boundary again: OutsideBegin[j] to OutsideBegin[j + 1]. Their
+  /// columns, which are of the boundary, too, are counted in it.
+  LargeArray<Index> OutsideBegin;
+  LargeArray<Index> OutsideColumn;
+  LargeArray<CompactComplex> OutsideValue;
+  /// A row that is swept more often.
+  struct LocalRow
+  {
+    Index Row;
+    /// The row counted in the boundary, or None.
+    Index Boundary;
+  };
+  /// Rows whose couplings add up to much more than the diagonal, as at slivers, and what they are
+  /// coupled with, ascending: coarser levels correct them badly. Empty before FindLocalRows.
+  std::vector<LocalRow> Local;
+
+  CompactMatrix() = default;
+  /// Rounds a Hermitian matrix.
+  explicit CompactMatrix(const SparseMatrix& matrix);
+
+  /// Brings the entries of rows with ascending columns in order, and fills in Inside and Boundary.
+  /// @param other has the same pattern, and gets the same order
+  void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
+  /// Fills in what only sweeps need: ColumnInBlock and the couplings of the boundary.
+  void PrepareSweeps();
+  /// Fills in Local. Where many rows are like that, the worst ones only: more would take longer than
+  /// they save.
+  void FindLocalRows();
+
+  Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
+  /// But for the diagonal.
+  Index Entries() const { return this->Begin.back(); }
+  /// The first row of the boundary, counted in it, from a row on.
+  Index BoundaryFrom(Index row) const;
+
+  /// Row v of A x.
+  template <int B>
+  CompactValues<B> RowTimes(Index v, const float* x) const
+  {
+    CompactValues<B> sum;
+    sum.AddReal(this->Diagonal[v], x, v);
+    AddManyProducts(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
+      x, sum);
+    return sum;
+  }
+};
+}
+
+#endif

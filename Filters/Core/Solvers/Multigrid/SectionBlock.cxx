@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Solvers/Multigrid/SectionBlock.h"
+
+#include "Support/Threads.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr int Width = SectionBlock::Width;
+/// Rows whose products are added up in single precision.
+constexpr Index FewRows = 256;
+/// Basis vectors of unit length count as independent above this distance, or its square.
+constexpr double IndependentDistance = 1e-3;
+
+using Values = CompactValues<Width>;
+
+/// sum(i, j) += conj(a_i) b_j over the rows.
+void AddProducts(const float* a, const float* b, Index begin, Index end, SmallMatrix& sum)
+{
+  for (Index first = begin; first < end; first += FewRows)
+  {
+    std::array<Values, Width> few;
+    const Index last = std::min(end, first + FewRows);
+    for (Index v = first; v < last; ++v)
+    {
+      const Values x(a, v);
+      const Values y(b, v);
+      for (int i = 0; i < Width; ++i)
+      {
+        few[i].Add(CompactComplex(x.Real[i], -x.Imaginary[i]), y);
+      }
+    }
+    for (int i = 0; i < Width; ++i)
+    {
+      for (int j = 0; j < Width; ++j)
+      {
+        sum(i, j) += Complex(few[i].Real[j], few[i].Imaginary[j]);
+      }
+    }
+  }
+}
+}
+
+SectionBlock::SectionBlock(Index rows)
+  : Vectors(static_cast<std::size_t>(2 * Width) * rows)
+  , Energy(this->Vectors.size())
+  , Mass(this->Vectors.size())
+{
+}
+
+std::vector<SmallMatrix> Products(
+  Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs)
+{
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  const SmallMatrix all = ParallelSum<SmallMatrix>(rows, CompactMatrix::PieceRows,
+    SmallMatrix::Zero(Width, Width * count),
+    [&](Index begin, Index end) -> SmallMatrix
+    {
+      SmallMatrix part(Width, Width * count);
+      for (Eigen::Index p = 0; p < count; ++p)
+      {
+        SmallMatrix sum = SmallMatrix::Zero(Width, Width);
+        AddProducts(pairs[p].first->data(), pairs[p].second->data(), begin, end, sum);
+        part.middleCols(Width * p, Width) = sum;
+      }
+      return part;
+    });
+  std::vector<SmallMatrix> products;
+  for (Eigen::Index p = 0; p < count; ++p)
+  {
+    products.push_back(all.middleCols(Width * p, Width));
+  }
+  return products;
+}
+
+void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
+  SectionBlock& target, bool withMass)
+{
+  struct Factor
+  {
+    const SectionBlock* Block;
+    std::array<Values, Width> Rows;
+  };
+  std::vector<Factor> factors;
+  for (const auto& [block, matrix] : terms)
+  {
+    Factor factor{ block, {} };
+    for (int i = 0; i < Width; ++i)
+    {
+      factor.Rows[i].Real = matrix.row(i).real().transpose().cast<float>();
+      factor.Rows[i].Imaginary = matrix.row(i).imag().transpose().cast<float>();
+    }
+    factors.push_back(factor);
+  }
+  std::vector<CompactSections SectionBlock::*> members{ &SectionBlock::Vectors,
+    &SectionBlock::Energy };
+  if (withMass)
+  {
+    members.push_back(&SectionBlock::Mass);
+  }
+  else
+  {
+    Free(target.Mass);
+  }
+  ParallelFor(target.Rows(), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (const auto member : members)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          Values sum;
+          for (const Factor& factor : factors)
+          {
+            const Values x((factor.Block->*member).data(), v);
+            for (int i = 0; i < Width; ++i)
+            {
+              sum.Add(CompactComplex(x.Real[i], x.Imaginary[i]), factor.Rows[i]);
+            }
+          }
+          sum.Store((target.*member).data(), v);
+        }
+      }
+    });
+}
+
+RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int wanted)
+{
+  const Eigen::Index n = mass.rows();
+  if (!energy.allFinite() || !mass.allFinite())
+  {
+    return {};
+  }
+  // A vector that is zero is none.
+  const Eigen::VectorXd lengths = mass.diagonal().real().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd perLength =
+    (lengths.array() > std::numeric_limits<double>::min()).select(lengths.cwiseInverse(), 0.0);
+  const SmallMatrix scaled =
+    perLength.asDiagonal() * (0.5 * (mass + mass.adjoint())) * perLength.asDiagonal();
+  const Eigen::LLT<SmallMatrix> factor(scaled);
+  SmallMatrix basis = perLength.asDiagonal();
+  if (factor.info() == Eigen::Success &&
+    factor.matrixLLT().diagonal().real().minCoeff() > IndependentDistance)
+  {
+    basis = basis * SmallMatrix(factor.matrixU()).triangularView<Eigen::Upper>().solve(
+                      SmallMatrix::Identity(n, n));
+  }
+  else
+  {
+    const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(scaled);
+    const Eigen::Index kept =
+      (spectrum.eigenvalues().array() > IndependentDistance * IndependentDistance).count();
+    basis = basis * spectrum.eigenvectors().rightCols(kept) *
+      spectrum.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  }
+  if (basis.cols() == 0)
+  {
+    return {};
+  }
+  const SmallMatrix projected = basis.adjoint() * (0.5 * (energy + energy.adjoint())) * basis;
+  const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(projected);
+  const Eigen::Index count = std::min<Eigen::Index>(wanted, basis.cols());
+  return { spectrum.eigenvalues().head(count), basis * spectrum.eigenvectors().leftCols(count) };
+}
+}

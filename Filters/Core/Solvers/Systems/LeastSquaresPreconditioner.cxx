@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Solvers/Systems/LeastSquaresPreconditioner.h"
+
+#include "Solvers/Matrices/RowSum.h"
+#include "Solvers/Matrices/SparseColumns.h"
+#include "Solvers/Matrices/VectorOperations.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+/// Sweeps of a cycle on each level, and how far they go.
+constexpr int Sweeps = 3;
+constexpr float Relaxation = 1.2f;
+/// Unknowns of the coarse level: more of them save steps, but cost more in each.
+constexpr Index MostCoarseRows = 30000;
+/// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
+constexpr double DensestCouplings = 100.0;
+/// Sections of the coarse level that reach given vertices are deflated, and those that reach what so
+/// many layers of them reach.
+constexpr int Layers = 2;
+constexpr Index ColumnPiece = 256;
+
+/// P, or P with its rows moved to the free vertices among all.
+SparseMatrix ToSparse(const Prolongator& p, Index rows, const std::vector<Index>* free)
+{
+  SparseMatrix matrix(rows, p.CoarseRows());
+  matrix.reserve(static_cast<Eigen::Index>(p.AdjointValue.size()));
+  for (Index column = 0; column < p.CoarseRows(); ++column)
+  {
+    matrix.startVec(column);
+    for (Index k = p.AdjointBegin[column]; k < p.AdjointBegin[column + 1]; ++k)
+    {
+      const Index row = free ? (*free)[p.AdjointColumn[k]] : p.AdjointColumn[k];
+      matrix.insertBack(row, column) = std::conj(Complex(p.AdjointValue[k]));
+    }
+  }
+  matrix.finalize();
+  return matrix;
+}
+
+/// A matrix made of columns.
+/// @param makeColumns those of begin ... end - 1
+template <typename MakeColumns>
+SparseMatrix Joined(Index rows, Index columns, const MakeColumns& makeColumns)
+{
+  std::vector<SparseMatrix> pieces(NumberOfPieces(columns, ColumnPiece));
+  ParallelFor(columns, ColumnPiece,
+    [&](Index begin, Index end) { pieces[begin / ColumnPiece] = makeColumns(begin, end); });
+  Eigen::Index entries = 0;
+  for (const SparseMatrix& piece : pieces)
+  {
+    entries += piece.nonZeros();
+  }
+  SparseMatrix joined(rows, columns);
+  joined.reserve(entries);
+  Index column = 0;
+  for (const SparseMatrix& piece : pieces)
+  {
+    for (Index k = 0; k < piece.cols(); ++k)
+    {
+      joined.startVec(column);
+      for (SparseMatrix::InnerIterator it(piece, k); it; ++it)
+      {
+        joined.insertBack(it.row(), column) = it.value();
+      }
+      ++column;
+    }
+  }
+  joined.finalize();
+  return joined;
+}
+
+/// a b; takes a third of the time of Eigen's product, which passes over all rows for each piece.
+SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
+{
+  return Joined(static_cast<Index>(a.rows()), static_cast<Index>(b.cols()),
+    [&](Index begin, Index end)
+    {
+      RowSum<Complex> sum;
+      SparseMatrix product(a.rows(), end - begin);
+      for (Index column = begin; column < end; ++column)
+      {
+        for (SparseMatrix::InnerIterator outer(b, column); outer; ++outer)
+        {
+          for (SparseMatrix::InnerIterator it(a, outer.row()); it; ++it)
+          {
+            sum[it.row()] += it.value() * outer.value();
+          }
+        }
+        product.startVec(column - begin);
+        sum.TakeSorted(
+          [&](auto first, auto last)
+          {
+            for (; first != last; ++first)
+            {
+              product.insertBack(first->first, column - begin) = first->second;
+            }
+          });
+      }
+      product.finalize();
+      return product;
+    });
+}
+
+SparseMatrix Columns(const SparseMatrix& matrix, const std::vector<Index>& chosen)
+{
+  return Joined(static_cast<Index>(matrix.rows()), static_cast<Index>(chosen.size()),
+    [&](Index begin, Index end)
+    {
+      SparseMatrix some(matrix.rows(), end - begin);
+      for (Index k = begin; k < end; ++k)
+      {
+        some.startVec(k - begin);
+        for (SparseMatrix::InnerIterator it(matrix, chosen[k]); it; ++it)
+        {
+          some.insertBack(it.row(), k - begin) = it.value();
+        }
+      }
+      some.finalize();
+      return some;
+    });
+}
+
+/// Marks the rows, too, that a matrix couples with marked ones.
+void Widen(const SparseMatrix& matrix, std::vector<char>& rows)
+{
+  const std::vector<char> before = rows;
+  for (Index v = 0; v < static_cast<Index>(before.size()); ++v)
+  {
+    if (before[v])
+    {
+      for (SparseMatrix::InnerIterator it(matrix, v); it; ++it)
+      {
+        rows[it.row()] = 1;
+      }
+    }
+  }
+}
+
+/// Which columns of K Z reach rows that are marked, or, so many layers on, those that such columns
+/// reach.
+std::vector<Index> ColumnsNear(
+  const SparseMatrix& matrix, const SparseMatrix& sections, std::vector<char> rows)
+{
+  std::vector<Index> near;
+  for (int layer = 0; layer <= Layers; ++layer)
+  {
+    // K Z reaches them where Z reaches these.
+    Widen(matrix, rows);
+    near.clear();
+    for (Index column = 0; column < sections.cols(); ++column)
+    {
+      bool reaches = false;
+      for (SparseMatrix::InnerIterator it(sections, column); it && !reaches; ++it)
+      {
+        reaches = rows[it.row()] != 0;
+      }
+      if (reaches)
+      {
+        near.push_back(column);
+      }
+    }
+    for (const Index column : near)
+    {
+      for (SparseMatrix::InnerIterator it(sections, column); it; ++it)
+      {
+        rows[it.row()] = 1;
+      }
+    }
+    Widen(matrix, rows);
+  }
+  return near;
+}
+
+/// W^* y
+ComplexVector AdjointTimes(const SparseMatrix& w, const ComplexVector& y)
+{
+  ComplexVector products(w.cols());
+  ParallelFor(static_cast<Index>(w.cols()), ColumnPiece,
+    [columns = SparseColumns(w), from = y.data(), to = products.data()](Index begin, Index end)
+    {
+      for (Index column = begin; column < end; ++column)
+      {
+        to[column] = columns.AdjointTimes(column, from);
+      }
+    });
+  return products;
+}
+}
+
+LeastSquaresPreconditioner::SparseRows::SparseRows(const SparseMatrix& matrix)
+  : Adjoint(matrix.adjoint())
+{
+  for (Index row = 0; row < this->Adjoint.cols(); ++row)
+  {
+    if (this->Adjoint.outerIndexPtr()[row] < this->Adjoint.outerIndexPtr()[row + 1])
+    {
+      this->Filled.push_back(row);
+    }
+  }
+}
+
+void LeastSquaresPreconditioner::SparseRows::SubtractProduct(
+  const ComplexVector& c, ComplexVector& y) const
+{
+  ParallelFor(static_cast<Index>(this->Filled.size()), ColumnPiece,
+    [rows = SparseColumns(this->Adjoint), filled = this->Filled.data(), from = c.data(),
+      to = y.data()](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        to[filled[k]] -= rows.AdjointTimes(filled[k], from);
+      }
+    });
+}
+
+LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matrix,
+  const std::vector<Index>& free, const Multigrid& hierarchy, double shift)
+  : Free(free)
+  , Hierarchy(hierarchy)
+  , Coarsest(hierarchy, shift)
+{
+  for (const Multigrid::Level& level : hierarchy.GetLevels())
+  {
+    Workspace own;
+    own.Diagonal = SweepDiagonal(level.Matrices.Energy, level.LumpedMass,
+      static_cast<float>(shift), Relaxation);
+    for (CompactSections* section : { &own.Right, &own.Sum, &own.Rest })
+    {
+      section->resize(2 * static_cast<std::size_t>(level.Rows()));
+    }
+    this->Levels.push_back(std::move(own));
+  }
+  this->MakeCoarse(matrix);
+}
+
+void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
+{
+  const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
+  std::size_t level = 1;
+  while (level < levels.size() && levels[level].Rows() > MostCoarseRows)
+  {
+    ++level;
+  }
+  if (level >= levels.size())
+  {
+    return;
+  }
+  const auto count = static_cast<Index>(matrix.cols());
+  SparseMatrix sections = ToSparse(levels[0].FromCoarser, count, &this->Free);
+  for (std::size_t l = 1; l < level; ++l)
+  {
+    sections = Product(sections, ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
+  }
+  std::vector<char> isGiven(count, 1);
+  for (const Index v : this->Free)
+  {
+    isGiven[v] = 0;
+  }
+  sections = Columns(sections, ColumnsNear(matrix, sections, std::move(isGiven)));
+  if (sections.cols() == 0)
+  {
+    return;
+  }
+  SparseMatrix columns = Product(matrix, sections);
+  SparseRows rows(columns);
+  double couplings = 0.0;
+  for (const Index row : rows.Filled)
+  {
+    const double unknowns =
+      rows.Adjoint.outerIndexPtr()[row + 1] - rows.Adjoint.outerIndexPtr()[row];
+    couplings += unknowns * unknowns;
+  }
+  if (couplings <= DensestCouplings * static_cast<double>(columns.nonZeros()) &&
+    this->CoarseFactor.Compute(Product(rows.Adjoint, columns)))
+  {
+    this->CoarseColumns = std::move(columns);
+    this->CoarseRows = std::move(rows);
+    this->Sections = SparseRows(sections);
+    this->Deflates = true;
+  }
+}
+
+void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
+{
+  Workspace& own = this->Levels[level];
+  if (level + 1 == this->Levels.size())
+  {
+    this->Coarsest.Apply<1>(own.Right.data(), own.Sum.data(), level);
+    return;
+  }
+  const Multigrid::Level& matrices = this->Hierarchy.GetLevels()[level];
+  const CompactMatrix& matrix = matrices.Matrices.Energy;
+  const float* const right = own.Right.data();
+  float* const x = own.Sum.data();
+  Workspace& coarser = this->Levels[level + 1];
+  if (after)
+  {
+    matrices.FromCoarser.Restrict<1>(right, coarser.Right.data());
+  }
+  else
+  {
+    SweepFromZero<1>(matrix, own.Diagonal, right, x);
+    for (int sweep = 1; sweep < Sweeps; ++sweep)
+    {
+      Sweep<1>(matrix, own.Diagonal, SweepOrder::Down, right, x,
+        sweep + 1 < Sweeps ? nullptr : own.Rest.data());
+    }
+    matrices.FromCoarser.Restrict<1>(own.Rest.data(), coarser.Right.data());
+  }
+  this->ApplyCycle(level + 1, after);
+  if (!after)
+  {
+    matrices.FromCoarser.AddTo<1>(x, coarser.Sum.data());
+    return;
+  }
+  matrices.FromCoarser.Prolong<1>(coarser.Sum.data(), x);
+  for (int sweep = 0; sweep < Sweeps; ++sweep)
+  {
+    Sweep<1>(matrix, own.Diagonal, SweepOrder::Up, right, x);
+  }
+}
+
+double LeastSquaresPreconditioner::Apply(const ComplexVector& r, double size)
+{
+  const auto count = static_cast<Index>(this->Free.size());
+  Workspace& finest = this->Levels.front();
+  if (!(size > 0.0))
+  {
+    return 0.0;
+  }
+  ParallelFor(count, VectorPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        const Complex value = r[this->Free[k]] / size;
+        finest.Right[2 * k] = static_cast<float>(value.real());
+        finest.Right[2 * k + 1] = static_cast<float>(value.imag());
+      }
+    });
+  this->ApplyCycle(0, false);
+  finest.Right.swap(finest.Sum);
+  this->ApplyCycle(0, true);
+  return ParallelSum<double>(count, VectorPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      double product = 0.0;
+      for (Index k = begin; k < end; ++k)
+      {
+        const Complex& value = r[this->Free[k]];
+        product += value.real() * finest.Sum[2 * k] + value.imag() * finest.Sum[2 * k + 1];
+      }
+      return size * product;
+    });
+}
+
+ComplexVector LeastSquaresPreconditioner::Deflate(ComplexVector& y) const
+{
+  if (!this->Deflates)
+  {
+    return {};
+  }
+  ComplexVector c = this->CoarseFactor.Solve(AdjointTimes(this->CoarseColumns, y));
+  this->CoarseRows.SubtractProduct(c, y);
+  return c;
+}
+
+void LeastSquaresPreconditioner::Correct(const ComplexVector& c, ComplexVector& x) const
+{
+  if (this->Deflates)
+  {
+    this->Sections.SubtractProduct(c, x);
+  }
+}
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_ReducedBasis_h
+#define DirectionFields_ReducedBasis_h
+
+#include "Solvers/Matrices/OperatorProducts.h"
+
+#include <optional>
+#include <vector>
+
+namespace DirectionFields
+{
+/// Solutions of systems (a A + m M) u = b for some a and m, which span good first guesses for
+/// others: solutions depend smoothly on the factors (the reduced basis method, see A. Quarteroni,
+/// A. Manzoni, F. Negri, Reduced Basis Methods for Partial Differential Equations, 2016).
+class ReducedBasis
+{
+public:
+  /// When there are more, the oldest is forgotten.
+  static constexpr int MostVectors = 6;
+
+  struct Guess
+  {
+    ComplexVector Vector;
+    /// Where the very system has been solved before: with the Residual of Add.
+    bool IsSolution = false;
+    double Residual = 0.0;
+  };
+  /// Of the combinations of the basis the one closest to the solution of (a A + m M) u = b in the norm
+  /// of that matrix, which is to be positive definite; zero where there is none.
+  Guess Closest(double a, double m, const ComplexVector& b) const;
+
+  /// Adds the solution u of (a A + m M) u = b.
+  void Add(const SectionProducts& u, double a, double m, const ComplexVector& b, double residual);
+  /// Adds any other vector.
+  void Add(const SectionProducts& u);
+
+  int Size() const { return static_cast<int>(this->Vectors.size()); }
+
+private:
+  /// What tells a system from others.
+  struct System
+  {
+    double Energy;
+    double Mass;
+    /// u^* b
+    Complex Product;
+    double Residual;
+  };
+
+  std::vector<ComplexVector> Vectors;
+  /// None of vectors that are no solutions.
+  std::vector<std::optional<System>> Systems;
+  /// Of the vectors, in their order.
+  Eigen::MatrixXcd Energy;
+  Eigen::MatrixXcd Mass;
+};
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_SurfaceSampling_h
+#define DirectionFields_SurfaceSampling_h
+
+#include "Tracing/SurfaceIncidence.h"
+#include "Types.h"
+
+#include <functional>
+#include <vector>
+
+namespace DirectionFields
+{
+struct SamplingOptions
+{
+  /// Least distance between two samples, in the unit of the surface. 0: as small as MaximumNumber
+  /// allows. Enlarged where it would give more samples than that.
+  double Spacing = 0.0;
+  /// Most samples.
+  Index MaximumNumber = 2000;
+};
+
+/// Points spread evenly over a surface.
+struct SurfaceSamples
+{
+  std::vector<SurfacePoint> Points;
+  /// The distance that was kept; 0 without samples.
+  double Spacing = 0.0;
+  /// Stopped by the progress callback; there are no points.
+  bool Aborted = false;
+};
+
+/// Where sampling is: from 0 to 1; false stops it.
+using SamplingProgress = std::function<bool(double)>;
+
+/// Samples with a Poisson-disk distribution: no two on the same side of the surface (DiskGrid.h)
+/// are nearer to each other than the spacing, and no room is left for another.
+///
+/// Candidates that cover the surface densely and evenly (by area, with the additive recurrence of
+/// the plastic number) are taken in a scrambled order if nothing is too near, then moved along the
+/// surface towards the middle of what is nearest to them where the distance allows it (Lloyd's
+/// iteration), and the room that this opens is filled. A hash grid with cells of the spacing finds
+/// what is near, so that the time is linear in triangles and samples. There is no randomness: the
+/// same surface gives the same samples.
+///
+/// excluded: triangles without samples; empty for none.
+SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<char>& excluded,
+  const SamplingOptions& options, const SamplingProgress& progress = nullptr);
+
+/// All points that a sound triangle uses, in their order; where these are more than the maximum
+/// number, an evenly spread part of them. Spacing: the distance kept between the latter, else 0.
+///
+/// excluded: points not to be taken; empty for none.
+SurfaceSamples SamplePoints(const SurfaceIncidence& surface, const std::vector<char>& excluded,
+  Index maximumNumber, const SamplingProgress& progress = nullptr);
+}
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Fields_h
+#define DirectionFields_Fields_h
+
+#include "DirectionField.h"
+#include "Tracing/FieldInterpolation.h"
+
+#include <cmath>
+
+/// Fields for the tests of what draws them.
+namespace Fields
+{
+using namespace DirectionFields;
+
+/// A field on the plane z = 0 whose n directions at a point are turned by an angle.
+template <typename Angle>
+PointDirections PlanarField(const Surface& surface, int degree, const Angle& angle)
+{
+  PointDirections field;
+  field.Degree = degree;
+  field.Direction = [&surface, degree, angle](Index point, int k)
+  {
+    const double phi = angle(surface.Points[point]) + 2.0 * Pi * k / degree;
+    return Vector3(std::cos(phi), std::sin(phi), 0.0);
+  };
+  field.Magnitude = [](Index) { return 1.0; };
+  return field;
+}
+
+inline PointDirections Of(const Result& result)
+{
+  PointDirections field;
+  field.Degree = result.Degree;
+  field.Direction = [&result](Index point, int k) { return result.Direction(point, k); };
+  field.Magnitude = [&result](Index point) { return std::abs(result.Representation[point]); };
+  return field;
+}
+
+inline Result Compute(const Surface& surface, int degree)
+{
+  Options options;
+  options.Degree = degree;
+  return DirectionField(surface).Compute(options);
+}
+}
+
+#endif
