@@ -129,7 +129,7 @@ void Hierarchy(benchmark::State& state, const std::string& mesh)
   {
     for (std::size_t c = 0; c < operators.size(); ++c)
     {
-      const Multigrid hierarchy(operators[c], ScaleOf(g, c));
+      const Hierarchy hierarchy(operators[c], ScaleOf(g, c));
       state.counters["complexity"] = hierarchy.OperatorComplexity();
     }
   }
@@ -142,10 +142,10 @@ void Eigensolve(benchmark::State& state, const std::string& mesh)
   const Threads::Scope scope(threads);
   const Geometry g(SurfaceOf(mesh));
   const std::vector<Operators> operators = Assembled(g);
-  std::vector<std::unique_ptr<Multigrid>> hierarchies;
+  std::vector<std::unique_ptr<Hierarchy>> hierarchies;
   for (std::size_t c = 0; c < operators.size(); ++c)
   {
-    hierarchies.push_back(std::make_unique<Multigrid>(operators[c], ScaleOf(g, c)));
+    hierarchies.push_back(std::make_unique<Hierarchy>(operators[c], ScaleOf(g, c)));
   }
   for (auto _ : state)
   {

@@ -20,9 +20,9 @@ SmallestPairs FindSmallestPairs(const Operators& operators,
   SmallestPairs pairs;
   const Eigen::Index rows = operators.Energy.rows();
   const bool automatic = solver == Solver::Automatic;
-  if (solver != Solver::Direct && rows > (automatic ? DirectRows : Multigrid::CoarsestRows))
+  if (solver != Solver::Direct && rows > (automatic ? DirectRows : Hierarchy::CoarsestRows))
   {
-    pairs.Hierarchy = std::make_unique<Multigrid>(operators, settings.Scale);
+    pairs.Hierarchy = std::make_unique<Hierarchy>(operators, settings.Scale);
     pairs.First =
       SmallestEigenpair(operators, *pairs.Hierarchy, settings, progress, pairs.Lowest);
     pairs.SolverUsed = Solver::Multigrid;

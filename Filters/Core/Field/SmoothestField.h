@@ -18,7 +18,7 @@ struct SmallestPairs
   Eigenpair First;
   Solver SolverUsed = Solver::Direct;
   /// Only where SolverUsed is Multigrid.
-  std::unique_ptr<Multigrid> Hierarchy;
+  std::unique_ptr<DirectionFields::Hierarchy> Hierarchy;
   /// Approximations of the smallest eigenvectors, orthonormal in M to some digits, the first of them
   /// First but for its phase.
   /// Empty where there is no hierarchy.

@@ -112,7 +112,7 @@ struct Coefficients
 }
 
 DeflatedGradients::DeflatedGradients(
-  const Multigrid::Level& finest, const Cycle& cycle, const SectionBlock& deflated)
+  const Hierarchy::Level& finest, const Cycle& cycle, const SectionBlock& deflated)
   : Finest(finest)
   , Preconditioner(cycle)
   , Deflated(deflated)

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_DeflatedGradients_h
 #define DirectionFields_DeflatedGradients_h
 
-#include "Solvers/Multigrid/Multigrid.h"
+#include "Solvers/Multigrid/Cycle.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 
 #include <functional>
@@ -21,7 +21,7 @@ public:
   /// All must outlive the object. Of the block, which may change between solves, the vectors and
   /// their energy products count; those of the first section are not needed. Sections that are zero
   /// deflate nothing.
-  DeflatedGradients(const Multigrid::Level& finest, const Cycle& cycle, const SectionBlock& deflated);
+  DeflatedGradients(const Hierarchy::Level& finest, const Cycle& cycle, const SectionBlock& deflated);
 
   struct Outcome
   {
@@ -41,7 +41,7 @@ private:
   /// W and the inverse.
   void Prepare(double shift);
 
-  const Multigrid::Level& Finest;
+  const Hierarchy::Level& Finest;
   const Cycle& Preconditioner;
   const SectionBlock& Deflated;
   /// W.

@@ -198,7 +198,7 @@ void SetFirst(const ComplexVector& u, CompactSections& sections)
 }
 }
 
-Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarchy,
+Eigenpair SmallestEigenpair(const Operators& operators, const Hierarchy& hierarchy,
   const EigenpairSettings& settings, const std::function<bool(int)>& progress,
   LowestSections& lowest)
 {

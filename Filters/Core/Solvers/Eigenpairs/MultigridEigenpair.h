@@ -5,7 +5,7 @@
 #define DirectionFields_MultigridEigenpair_h
 
 #include "Solvers/Eigenpairs/SmallestEigenpair.h"
-#include "Solvers/Multigrid/Multigrid.h"
+#include "Solvers/Multigrid/Hierarchy.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 
 #include <functional>
@@ -24,7 +24,7 @@ namespace DirectionFields
 /// @param lowest   approximations of the smallest eigenvectors are written to it, orthonormal in M to some digits,
 ///                 the first of them the result but for its phase
 /// @param progress called before each V-cycle with the number done; false stops
-Eigenpair SmallestEigenpair(const Operators& operators, const Multigrid& hierarchy,
+Eigenpair SmallestEigenpair(const Operators& operators, const Hierarchy& hierarchy,
   const EigenpairSettings& settings, const std::function<bool(int)>& progress,
   LowestSections& lowest);
 }

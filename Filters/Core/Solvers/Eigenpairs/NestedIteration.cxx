@@ -3,7 +3,7 @@
 
 #include "Solvers/Eigenpairs/NestedIteration.h"
 
-#include "Solvers/Multigrid/BlockProducts.h"
+#include "Solvers/Multigrid/LevelMatrices.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ struct Norms
 class BlockIteration
 {
 public:
-  BlockIteration(const Operators* operators, const Multigrid::Level& level, double scale,
+  BlockIteration(const Operators* operators, const Hierarchy::Level& level, double scale,
     NestedPairs& pairs)
     : Finest(operators)
     , Zero(ZeroPart * scale)
@@ -252,10 +252,10 @@ SectionBlock Irregular(Index rows)
 }
 }
 
-NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy,
+NestedPairs IterateNested(const Operators& operators, const Hierarchy& hierarchy,
   const Cycle& cycle, const std::function<bool()>& goOn)
 {
-  const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
+  const std::vector<Hierarchy::Level>& levels = hierarchy.GetLevels();
   NestedPairs pairs;
   pairs.Block = Irregular(levels.back().Rows());
   for (std::size_t level = levels.size(); level-- > 0;)

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_NestedIteration_h
 #define DirectionFields_NestedIteration_h
 
-#include "Solvers/Multigrid/Multigrid.h"
+#include "Solvers/Multigrid/Cycle.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 
 #include <functional>
@@ -24,7 +24,7 @@ struct NestedPairs
 /// locally optimal block preconditioned conjugate gradient method (A. Knyazev, SIAM J. Sci. Comput.
 /// 23, 2001) with V-cycles; by as few as will do on the finest.
 /// @param goOn called before each step; false stops with Values empty
-NestedPairs IterateNested(const Operators& operators, const Multigrid& hierarchy,
+NestedPairs IterateNested(const Operators& operators, const Hierarchy& hierarchy,
   const Cycle& cycle, const std::function<bool()>& goOn);
 }
 

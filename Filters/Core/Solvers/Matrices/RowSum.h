@@ -4,11 +4,14 @@
 #ifndef DirectionFields_RowSum_h
 #define DirectionFields_RowSum_h
 
+#include "Support/LargeArray.h"
+#include "Support/Threads.h"
 #include "Types.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -86,6 +89,78 @@ private:
   /// Those at the end are none.
   std::vector<std::pair<Index, Entry>> Row;
   std::uint32_t End = 0;
+};
+
+/// The rows of a sparse matrix that are each added up by a RowSum, in pieces that run at once: how many
+/// entries there are is known only once they have been made.
+template <typename Entry>
+struct SummedRows
+{
+  static constexpr Index PieceRows = 2048;
+
+  /// The number of entries of each row.
+  LargeArray<Index> Size;
+  /// The entries, as (column, entry), of the rows of each piece one after the other.
+  std::vector<std::vector<std::pair<Index, Entry>>> Pieces;
+
+  /// Calls makeRow(row, sum), which adds the row's entries to the RowSum.
+  /// @param sorted whether a row's entries are put in the order of their columns, each of which comes once
+  ///               then; else columns may come several times
+  template <typename MakeRow>
+  SummedRows(Index count, bool sorted, const MakeRow& makeRow)
+    : Size(count)
+    , Pieces(NumberOfPieces(count, PieceRows))
+  {
+    constexpr Index firstRows = 64;
+    ParallelFor(count, PieceRows,
+      [&](Index begin, Index end)
+      {
+        RowSum<Entry> sum;
+        auto& piece = this->Pieces[begin / PieceRows];
+        for (Index row = begin; row < end; ++row)
+        {
+          if (row == begin + firstRows)
+          {
+            // The first rows tell about how much storage the piece will take.
+            piece.reserve(piece.size() * (end - begin) / firstRows * 9 / 8);
+          }
+          makeRow(row, sum);
+          const auto take = [&](auto first, auto last)
+          {
+            this->Size[row] = static_cast<Index>(last - first);
+            piece.insert(piece.end(), first, last);
+          };
+          sorted ? sum.TakeSorted(take) : sum.Take(take);
+        }
+      });
+  }
+
+  /// Where each row begins if the entries of all are numbered through; at last the number of all.
+  LargeArray<Index> Begin() const
+  {
+    LargeArray<Index> begin(this->Size.size() + 1);
+    begin[0] = 0;
+    std::partial_sum(this->Size.begin(), this->Size.end(), begin.begin() + 1);
+    return begin;
+  }
+
+  /// Calls visit(row, k, (column, entry)) for the k-th entry of every row; pieces run at once.
+  template <typename Visit>
+  void ForEach(const Visit& visit) const
+  {
+    ParallelFor(static_cast<Index>(this->Size.size()), PieceRows,
+      [&](Index begin, Index end)
+      {
+        auto entry = this->Pieces[begin / PieceRows].begin();
+        for (Index row = begin; row < end; ++row)
+        {
+          for (Index k = 0; k < this->Size[row]; ++k)
+          {
+            visit(row, k, *entry++);
+          }
+        }
+      });
+  }
 };
 }
 

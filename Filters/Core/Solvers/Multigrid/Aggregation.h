@@ -4,7 +4,7 @@
 #ifndef DirectionFields_Aggregation_h
 #define DirectionFields_Aggregation_h
 
-#include "Solvers/Multigrid/Coarsening.h"
+#include "Solvers/Multigrid/LevelMatrices.h"
 
 #include <vector>
 
@@ -28,6 +28,15 @@ struct Aggregates
   LargeArray<Index> Number;
   LargeArray<CompactComplex> Phase;
   Index Count = 0;
+};
+
+/// What becomes of vertices that couple with no others strongly. Sweeps solve for those whose diagonal
+/// outweighs all couplings, as between given values: if coarse levels keep them they hardly get
+/// smaller in the end. Yet for eigenvectors a coarse level must be able to hold any section.
+enum class LeftOver
+{
+  Keep,
+  Drop
 };
 
 /// Whole neighbourhoods of strong couplings, first come, first served; what is left over joins them.

@@ -6,6 +6,7 @@
 #include "Solvers/Matrices/CombinedMatrix.h"
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Matrices/VectorOperations.h"
+#include "Solvers/Multigrid/Cycle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ Eigen::Map<Eigen::ArrayXf> Part(CompactVector& vector, Index begin, Index end)
 class Preconditioner
 {
 public:
-  Preconditioner(const Multigrid& hierarchy, double shift, const LowestSections* lowest)
+  Preconditioner(const Hierarchy& hierarchy, double shift, const LowestSections* lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
     , Corrected(hierarchy.GetLevels().front().Rows())
   {
@@ -340,7 +341,7 @@ void AddDerivatives(const MultigridSystem& system, const CombinedMatrix& matrix,
 }
 }
 
-SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid& hierarchy,
+SystemSolution ConjugateGradients(const MultigridSystem& system, const Hierarchy& hierarchy,
   const LowestSections* lowest, const ComplexVector& b, ReducedBasis& solved)
 {
   SystemSolution solution;

@@ -18,7 +18,7 @@ constexpr int MostRestarts = 4;
 /// lowest sections. Returns zero with the residual 1 where there are no V-cycles.
 /// @param lowest as for MultigridSystem::Solve, or null
 /// @param solved where to begin; gets the solution
-SystemSolution ConjugateGradients(const MultigridSystem& system, const Multigrid& hierarchy,
+SystemSolution ConjugateGradients(const MultigridSystem& system, const Hierarchy& hierarchy,
   const LowestSections* lowest, const ComplexVector& b, ReducedBasis& solved);
 }
 

@@ -221,12 +221,12 @@ void LeastSquaresPreconditioner::SparseRows::SubtractProduct(
 }
 
 LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matrix,
-  const std::vector<Index>& free, const Multigrid& hierarchy, double shift)
+  const std::vector<Index>& free, const Hierarchy& hierarchy, double shift)
   : Free(free)
-  , Hierarchy(hierarchy)
+  , Multigrid(hierarchy)
   , Coarsest(hierarchy, shift)
 {
-  for (const Multigrid::Level& level : hierarchy.GetLevels())
+  for (const Hierarchy::Level& level : hierarchy.GetLevels())
   {
     Workspace own;
     own.Diagonal = SweepDiagonal(level.Matrices.Energy, level.LumpedMass,
@@ -242,7 +242,7 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matri
 
 void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
 {
-  const std::vector<Multigrid::Level>& levels = this->Hierarchy.GetLevels();
+  const std::vector<Hierarchy::Level>& levels = this->Multigrid.GetLevels();
   std::size_t level = 1;
   while (level < levels.size() && levels[level].Rows() > MostCoarseRows)
   {
@@ -295,7 +295,7 @@ void LeastSquaresPreconditioner::ApplyCycle(std::size_t level, bool after)
     this->Coarsest.Apply<1>(own.Right.data(), own.Sum.data(), level);
     return;
   }
-  const Multigrid::Level& matrices = this->Hierarchy.GetLevels()[level];
+  const Hierarchy::Level& matrices = this->Multigrid.GetLevels()[level];
   const CompactMatrix& matrix = matrices.Matrices.Energy;
   const float* const right = own.Right.data();
   float* const x = own.Sum.data();

@@ -6,7 +6,7 @@
 
 #include "Solvers/Matrices/Factorization.h"
 #include "Solvers/Matrices/OperatorProducts.h"
-#include "Solvers/Multigrid/Multigrid.h"
+#include "Solvers/Multigrid/Cycle.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ public:
   /// @param hierarchy that of K_ff; must outlive this
   /// @param shift     m / a, at least 0
   LeastSquaresPreconditioner(const SparseMatrix& matrix, const std::vector<Index>& free,
-    const Multigrid& hierarchy, double shift);
+    const Hierarchy& hierarchy, double shift);
 
   bool IsUsable() const { return this->Coarsest.IsUsable(); }
 
@@ -74,7 +74,7 @@ private:
   void ApplyCycle(std::size_t level, bool after);
 
   const std::vector<Index>& Free;
-  const Multigrid& Hierarchy;
+  const Hierarchy& Multigrid;
   /// Solves on the coarsest level.
   Cycle Coarsest;
   std::vector<Workspace> Levels;

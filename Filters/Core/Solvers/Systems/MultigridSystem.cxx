@@ -151,7 +151,7 @@ ComplexVector MultigridSystem::Times(const ComplexVector& x) const
   return Product(this->Matrices, this->EnergyFactor, this->MassFactor, x);
 }
 
-SystemSolution MultigridSystem::Solve(const Multigrid& hierarchy, const LowestSections& lowest,
+SystemSolution MultigridSystem::Solve(const Hierarchy& hierarchy, const LowestSections& lowest,
   const ComplexVector& rightHandSide, ReducedBasis& solved) const
 {
   return ConjugateGradients(*this, hierarchy, &lowest, rightHandSide, solved);

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_MultigridSystem_h
 #define DirectionFields_MultigridSystem_h
 
-#include "Solvers/Multigrid/Multigrid.h"
+#include "Solvers/Multigrid/Hierarchy.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 #include "Solvers/Systems/LinearSystem.h"
 #include "Solvers/Systems/ReducedBasis.h"
@@ -18,14 +18,14 @@ namespace DirectionFields
 /// The matrices among the vertices that are not given, and their hierarchy.
 struct FreeSystem
 {
-  /// @param scale as in Multigrid
+  /// @param scale as in Hierarchy
   FreeSystem(const Operators& operators, const std::vector<Index>& given, double scale);
 
   std::vector<Index> Given;
   /// Ascending.
   std::vector<Index> Free;
   Operators Matrices;
-  Multigrid Hierarchy;
+  DirectionFields::Hierarchy Hierarchy;
   /// Of the energy's solutions so far.
   ReducedBasis Solved;
 };
@@ -54,7 +54,7 @@ struct MultigridSystem
   /// @param lowest approximations of the smallest eigenvectors of A, orthonormal in M, which K may
   ///               nearly map to zero; or empty
   /// @param solved where to begin, the solution is added
-  SystemSolution Solve(const Multigrid& hierarchy, const LowestSections& lowest,
+  SystemSolution Solve(const Hierarchy& hierarchy, const LowestSections& lowest,
     const ComplexVector& rightHandSide, ReducedBasis& solved) const;
 
   /// As SolveConstrainedEnergy. Adds the solution to those of the free system.

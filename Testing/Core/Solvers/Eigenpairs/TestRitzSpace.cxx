@@ -4,7 +4,7 @@
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Solvers/Eigenpairs/RitzSpace.h"
-#include "Solvers/Multigrid/BlockProducts.h"
+#include "Solvers/Multigrid/LevelMatrices.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,8 @@
 #include "Solvers/Eigenpairs/MultigridEigenpair.h"
 #include "Solvers/Eigenpairs/NestedIteration.h"
 #include "Solvers/Matrices/OperatorProducts.h"
-#include "Solvers/Multigrid/BlockProducts.h"
+#include "Solvers/Multigrid/LevelMatrices.h"
+#include "Solvers/Multigrid/SmoothedAggregation.h"
 #include "Solvers/Systems/LinearSystem.h"
 #include "Solvers/Systems/MultigridSystem.h"
 #include "Support/Threads.h"
@@ -73,7 +74,7 @@ EigenpairSettings Settings(const System& system)
 
 Eigenpair ByMultigrid(const System& system)
 {
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   LowestSections lowest;
   return SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
 }
@@ -97,8 +98,8 @@ std::map<std::string, Surface> Cases()
 TEST(Multigrid, CoarseMatricesAreProjections)
 {
   const System system(Potato(3), 4, 0.3);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
-  const std::vector<Multigrid::Level>& levels = hierarchy.GetLevels();
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
+  const std::vector<Hierarchy::Level>& levels = hierarchy.GetLevels();
   ASSERT_GE(levels.size(), 2u);
   EXPECT_LT(levels[1].Rows() * 3, levels[0].Rows());
   const Eigen::MatrixXcd p = Dense(levels[0].FromCoarser);
@@ -119,7 +120,7 @@ TEST(Multigrid, InterpolatesParallelSectionsExactly)
   // zero; the section is interpolated from its values averaged over the aggregates.
   const System system(Disk(30), 4, 0.0);
   const ComplexVector parallel = ByMultigrid(system).Vector;
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   const Eigen::MatrixXcd p = Dense(hierarchy.GetLevels()[0].FromCoarser);
   const ComplexVector nearest =
     p * (p.adjoint() * p).ldlt().solve(p.adjoint() * parallel);
@@ -132,8 +133,8 @@ TEST(Multigrid, CoarsestMatricesAreSmallAtAnySize)
   for (int cells = 20; cells <= 160; cells += 7)
   {
     const System system(Torus(cells, cells), 4, 0.0);
-    const Multigrid hierarchy(system.Matrices, system.Scale);
-    EXPECT_LE(hierarchy.GetLevels().back().Rows(), Multigrid::CoarsestRows) << cells;
+    const Hierarchy hierarchy(system.Matrices, system.Scale);
+    EXPECT_LE(hierarchy.GetLevels().back().Rows(), Hierarchy::CoarsestRows) << cells;
     EXPECT_GE(hierarchy.GetLevels().back().Rows(), 2 * SectionBlock::Width) << cells;
   }
 }
@@ -143,7 +144,7 @@ TEST(Multigrid, CyclesAreSymmetricAndPositive)
   for (const double shift : { 0.0, 0.05 })
   {
     const System system(Potato(6), 4, 0.0);
-    const Multigrid hierarchy(system.Matrices, system.Scale);
+    const Hierarchy hierarchy(system.Matrices, system.Scale);
     // The third level is corrected twice.
     ASSERT_GE(hierarchy.GetLevels().size(), 4u);
     const Cycle cycle(hierarchy, shift);
@@ -164,7 +165,7 @@ TEST(Multigrid, CyclesAreSymmetricAndPositive)
 TEST(Multigrid, CyclesAreBoundedWhereTheEigenvalueIsZero)
 {
   const System system(Square(60), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   const Cycle cycle(hierarchy, 0.0);
   ASSERT_TRUE(cycle.IsUsable());
   const ComplexVector parallel = ByMultigrid(system).Vector;
@@ -183,7 +184,7 @@ TEST(Multigrid, CyclesReduceTheErrorAtAnySize)
   {
     const System system(surface, 4, 0.0);
     const SparseMatrix& energy = system.Matrices.Energy;
-    const Multigrid hierarchy(system.Matrices, system.Scale);
+    const Hierarchy hierarchy(system.Matrices, system.Scale);
     EXPECT_LT(hierarchy.OperatorComplexity(), 1.6);
     const Cycle cycle(hierarchy, 0.0);
     // The slowest error, by the power method.
@@ -257,7 +258,7 @@ TEST(Multigrid, SeparatesNearlyEqualEigenvalues)
     for (const double bias : { -0.9, 0.0, 0.9 })
     {
       const System system(Icosphere(5), degree, bias);
-      const Multigrid hierarchy(system.Matrices, system.Scale);
+      const Hierarchy hierarchy(system.Matrices, system.Scale);
       LowestSections lowest;
       const Eigenpair fast =
         SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
@@ -286,7 +287,7 @@ TEST(Multigrid, SeparatesNearlyEqualEigenvalues)
 TEST(Multigrid, AnIndefiniteMatrixIsShownByASection)
 {
   const System system(Potato(5), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   const Cycle cycle(hierarchy, 0.0);
   // Zero sections deflate nothing.
   SectionBlock none(hierarchy.GetLevels()[0].Rows());
@@ -315,7 +316,7 @@ TEST(Multigrid, TheEigenvalueIsNearlyKnownBeforeSingleSectionsAre)
   for (const double bias : { -0.9, 0.0, 0.9 })
   {
     const System system(Potato(5), 4, bias);
-    const Multigrid hierarchy(system.Matrices, system.Scale);
+    const Hierarchy hierarchy(system.Matrices, system.Scale);
     const Cycle cycle(hierarchy, 0.0);
     const NestedPairs pairs =
       IterateNested(system.Matrices, hierarchy, cycle, [] { return true; });
@@ -329,9 +330,9 @@ TEST(Multigrid, TheEigenvalueIsNearlyKnownBeforeSingleSectionsAre)
 TEST(Multigrid, WhatIsLeftOutOfAnEquationIsExact)
 {
   const System system(Potato(5), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   const Cycle cycle(hierarchy, 0.0);
-  const Multigrid::Level& finest = hierarchy.GetLevels()[0];
+  const Hierarchy::Level& finest = hierarchy.GetLevels()[0];
   const auto rows = static_cast<Eigen::Index>(finest.Rows());
   // Sections that are far from eigenvectors.
   SectionBlock block(finest.Rows());
@@ -430,7 +431,7 @@ TEST(Multigrid, SmallComponentsAreSolvedDirectlyByAutomatic)
 TEST(Multigrid, StopsWhenTold)
 {
   const System system(Potato(5), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   LowestSections lowest;
   int calls = 0;
   const Eigenpair pair = SmallestEigenpair(
@@ -479,7 +480,7 @@ TEST(Multigrid, CoarseningEndsWhereItIsOfNoUse)
     matrix->resize(2 * pairs, 2 * pairs);
     matrix->setFromTriplets(entries.begin(), entries.end());
   }
-  const Multigrid hierarchy(operators, 1.0);
+  const Hierarchy hierarchy(operators, 1.0);
   EXPECT_LE(hierarchy.GetLevels().size(), 3u);
   EXPECT_FALSE(Cycle(hierarchy, 0.0).IsUsable());
 }

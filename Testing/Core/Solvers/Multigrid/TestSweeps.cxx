@@ -33,8 +33,8 @@ Surface WithSlivers(Surface surface, int count)
 TEST(Sweeps, InOppositeOrdersAreAdjoint)
 {
   const System system(WithSlivers(Potato(6), 100), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
-  const Multigrid::Level& finest = hierarchy.GetLevels()[0];
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
+  const Hierarchy::Level& finest = hierarchy.GetLevels()[0];
   const CompactMatrix& matrix = finest.Matrices.Energy;
   const auto rows = static_cast<std::size_t>(matrix.Rows());
   ASSERT_GT(matrix.Rows(), 2 * CompactMatrix::BlockRows);
@@ -87,7 +87,7 @@ TEST(Sweeps, AFewSliversCostFewSteps)
   const auto steps = [](const Surface& surface)
   {
     const System system(surface, 4, 0.0);
-    const Multigrid hierarchy(system.Matrices, system.Scale);
+    const Hierarchy hierarchy(system.Matrices, system.Scale);
     ReducedBasis solved;
     int count = 0;
     const MultigridSystem multigrid{ system.Matrices, 1.0, system.Scale, 1e-6,

@@ -27,7 +27,7 @@ EigenpairSettings Settings(const System& system)
 TEST(ConjugateGradients, StepsOfAlignedSystemsDoNotDependOnTheStrength)
 {
   const System system(Potato(6), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   LowestSections lowest;
   const double smallest =
     SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest).Value;
@@ -55,7 +55,7 @@ TEST(ConjugateGradients, StepsOfAlignedSystemsDoNotDependOnTheStrength)
 TEST(ConjugateGradients, TwiceTheDigitsTakeTwiceTheSteps)
 {
   const System system(Potato(6), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
   const auto steps = [&](double tolerance)
   {
@@ -95,7 +95,7 @@ TEST(ConjugateGradients, HierarchiesOfPatchesBetweenGivenValuesGetSmall)
   }
   given.Values = RandomVector(static_cast<Eigen::Index>(given.Vertices.size()), 2);
   FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
-  EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), Multigrid::CoarsestRows);
+  EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), Hierarchy::CoarsestRows);
   EXPECT_LE(freeSystem.Hierarchy.OperatorComplexity(), 1.6);
   int steps = 0;
   const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-10,

@@ -79,7 +79,7 @@ TEST(ReducedBasis, ForgetsTheOldest)
 TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
 {
   const System system(Potato(5), 4, 0.0);
-  const Multigrid hierarchy(system.Matrices, system.Scale);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
   EigenpairSettings settings;
   settings.Scale = system.Scale;
   LowestSections lowest;

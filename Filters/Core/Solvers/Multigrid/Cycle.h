@@ -1,51 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef DirectionFields_Multigrid_h
-#define DirectionFields_Multigrid_h
+#ifndef DirectionFields_Cycle_h
+#define DirectionFields_Cycle_h
 
-#include "Solvers/Matrices/Operators.h"
-#include "Solvers/Multigrid/Coarsening.h"
+#include "Solvers/Multigrid/Hierarchy.h"
 #include "Solvers/Multigrid/Sweeps.h"
 
 #include <vector>
 
 namespace DirectionFields
 {
-/// A hierarchy of ever smaller matrices for the sections of one component, in single precision: a
-/// V-cycle costs a few passes over the matrix and inverts it up to a small factor whatever the
-/// number of vertices, as far as the triangles are well shaped.
-class Multigrid
-{
-public:
-  /// Sections on the coarsest level at most, as a rule.
-  static constexpr Index CoarsestRows = 150;
-
-  struct Level
-  {
-    LevelMatrices Matrices;
-    /// Mass of each vertex' surroundings, sum of |M_ij| over j: what M does to smooth sections.
-    LargeArray<float> LumpedMass;
-    /// From the next coarser level; empty on the coarsest.
-    Prolongator FromCoarser;
-
-    Index Rows() const { return this->Matrices.Energy.Rows(); }
-  };
-
-  /// @param scale    the order of magnitude of the smallest eigenvalue, as in EigenpairSettings
-  /// @param leftOver Drop for linear systems alone
-  Multigrid(const Operators& operators, double scale, LeftOver leftOver = LeftOver::Keep);
-
-  const std::vector<Level>& GetLevels() const { return this->Levels; }
-  double GetScale() const { return this->Scale; }
-  /// Entries of all levels' matrices over those of the finest.
-  double OperatorComplexity() const;
-
-private:
-  std::vector<Level> Levels;
-  double Scale;
-};
-
 /// A cycle for A + shift M, approximately: one sweep down, the coarser level's cycle, which from the
 /// third level on is repeated for what it leaves, one sweep up; a Cholesky factor on the coarsest
 /// level. Symmetric and positive definite for a shift >= 0.
@@ -53,7 +18,7 @@ class Cycle
 {
 public:
   /// @param hierarchy must outlive the cycle
-  Cycle(const Multigrid& hierarchy, double shift);
+  Cycle(const Hierarchy& hierarchy, double shift);
 
   /// False where the coarsest matrix could not be factored.
   bool IsUsable() const { return this->Usable; }
@@ -84,7 +49,7 @@ private:
   template <int B>
   void ApplyAgain(std::size_t level) const;
 
-  const Multigrid& Hierarchy;
+  const std::vector<Hierarchy::Level>& Levels;
   float Shift;
   double CoarsestShift;
   std::vector<SweepDiagonal> Diagonals;

@@ -1,13 +1,40 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Solvers/Multigrid/BlockProducts.h"
+#include "Solvers/Multigrid/LevelMatrices.h"
 
 #include "Solvers/Matrices/SparseColumns.h"
 #include "Solvers/Multigrid/SectionBlock.h"
+#include "Support/Threads.h"
 
 namespace DirectionFields
 {
+template <int B>
+void LevelMatrices::Multiply(const float* x, float* ax, float* mx) const
+{
+  const CompactMatrix& energy = this->Energy;
+  ParallelFor(energy.Rows(), CompactMatrix::PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        CompactValues<B> a;
+        CompactValues<B> m;
+        a.AddReal(energy.Diagonal[v], x, v);
+        m.AddReal(this->MassDiagonal[v], x, v);
+        for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
+        {
+          a.Add(energy.Value[k], x, energy.Column[k]);
+          m.Add(this->MassValue[k], x, energy.Column[k]);
+        }
+        a.Store(ax, v);
+        m.Store(mx, v);
+      }
+    });
+}
+
+template void LevelMatrices::Multiply<4>(const float*, float*, float*) const;
+
 void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
 {
   constexpr int width = SectionBlock::Width;

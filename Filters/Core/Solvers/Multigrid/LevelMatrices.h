@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LevelMatrices_h
+#define DirectionFields_LevelMatrices_h
+
+#include "Solvers/Matrices/Operators.h"
+#include "Solvers/Multigrid/CompactMatrix.h"
+
+namespace DirectionFields
+{
+/// Energy and mass matrix of one level of a multigrid hierarchy; they have the same pattern.
+struct LevelMatrices
+{
+  CompactMatrix Energy;
+  /// Off-diagonal entries at the places of Energy's.
+  LargeArray<CompactComplex> MassValue;
+  LargeArray<float> MassDiagonal;
+
+  /// ax = A x and mx = M x in one pass.
+  template <int B>
+  void Multiply(const float* x, float* ax, float* mx) const;
+};
+
+/// A x and M x of four sections in single precision (see CompactSections), A x added up in double
+/// precision.
+void Multiply(const Operators& operators, const float* x, float* ax, float* mx);
+}
+
+#endif
