@@ -5,6 +5,9 @@
 
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Matrices/VectorOperations.h"
+#include "Solvers/Systems/ConjugateGradients.h"
+#include "Solvers/Systems/DirectSystem.h"
+#include "Solvers/Systems/LeastSquares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,11 +193,12 @@ ComplexVector RightHandSide(
 SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& options,
   const Factors& factors, const ComplexVector& b)
 {
-  const MultigridSystem system{ problem.Matrices, factors.Energy, factors.Mass,
+  const ShiftedSystem system{ problem.Matrices, factors.Energy, factors.Mass,
     SystemTolerance(options), problem.GoOn, options.OthersFollow };
   if (problem.Given.Vertices.empty())
   {
-    return system.Solve(*problem.Smoothest.Hierarchy, problem.Smoothest.Lowest, b, problem.Solved);
+    return ConjugateGradients(
+      system, *problem.Smoothest.Hierarchy, problem.Smoothest.Lowest, b, problem.Solved);
   }
   if (!problem.Free || problem.Free->Given != problem.Given.Vertices)
   {
@@ -202,21 +206,21 @@ SystemSolution SolveByMultigrid(const ComponentProblem& problem, const Options& 
       std::make_unique<FreeSystem>(problem.Matrices, problem.Given.Vertices, problem.Scale);
   }
   return options.ConstraintSolver == ConstraintSolver::Energy
-    ? system.SolveConstrainedEnergy(*problem.Free, b, problem.Given)
-    : system.SolveConstrainedLeastSquares(*problem.Free, b, problem.Given);
+    ? MinimizeEnergyByMultigrid(system, *problem.Free, b, problem.Given)
+    : MinimizeResidualByMultigrid(system, *problem.Free, b, problem.Given);
 }
 
-SystemSolution SolveDirectly(const ComponentProblem& problem, const Options& options,
+SystemSolution SolveByFactor(const ComponentProblem& problem, const Options& options,
   const Factors& factors, const ComplexVector& b)
 {
   const SparseMatrix matrix =
     factors.Energy * problem.Matrices.Energy + factors.Mass * problem.Matrices.Mass;
   try
   {
-    return problem.Given.Vertices.empty() ? SolveAligned(matrix, b, problem.GoOn)
+    return problem.Given.Vertices.empty() ? SolveDirectly(matrix, b, problem.GoOn)
       : options.ConstraintSolver == ConstraintSolver::Energy
-      ? SolveConstrainedEnergy(matrix, b, problem.Given, problem.GoOn)
-      : SolveConstrainedLeastSquares(matrix, b, problem.Given, problem.GoOn);
+      ? MinimizeEnergyDirectly(matrix, b, problem.Given, problem.GoOn)
+      : MinimizeResidualDirectly(matrix, b, problem.Given, problem.GoOn);
   }
   catch (const Stopped&)
   {
@@ -241,7 +245,7 @@ SystemSolution SolveSystem(const ComponentProblem& problem, const Options& optio
     }
     report.SolverUsed = Solver::Direct;
   }
-  return SolveDirectly(problem, options, factors, b);
+  return SolveByFactor(problem, options, factors, b);
 }
 }
 

@@ -6,7 +6,7 @@
 
 #include "Result.h"
 #include "Field/SmoothestField.h"
-#include "Solvers/Systems/MultigridSystem.h"
+#include "Solvers/Systems/FreeSystem.h"
 
 #include <algorithm>
 #include <functional>

@@ -11,6 +11,7 @@
 #include "Geometry/TangentFrames.h"
 #include "Mesh/MergePoints.h"
 #include "Mesh/TriangleMesh.h"
+#include "Progress.h"
 #include "Sections/Assembly.h"
 
 #include <memory>

@@ -4,7 +4,7 @@
 #include "DirectionField.h"
 #include "Field/Stages.h"
 #include "Meshes/Surfaces.h"
-#include "Solvers/Systems/LinearSystem.h"
+#include "Solvers/Systems/DirectSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -307,7 +307,7 @@ TEST(Constraints, OneVertexOfManyTrianglesIsNoTrouble)
     const ComplexVector exact =
       Eigen::MatrixXcd(dense(Eigen::all, free)).colPivHouseholderQr().solve(right);
     const SystemSolution solution =
-      SolveConstrainedLeastSquares(k, ComplexVector::Zero(k.rows()), given);
+      MinimizeResidualDirectly(k, ComplexVector::Zero(k.rows()), given);
     EXPECT_LT((solution.Vector(free) - exact).norm(), 1e-7 * exact.norm());
   }
 }

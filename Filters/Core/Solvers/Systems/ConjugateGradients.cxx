@@ -50,20 +50,20 @@ Eigen::Map<Eigen::ArrayXf> Part(CompactVector& vector, Index begin, Index end)
 class Preconditioner
 {
 public:
-  Preconditioner(const Hierarchy& hierarchy, double shift, const LowestSections* lowest)
+  Preconditioner(const Hierarchy& hierarchy, double shift, const LowestSections& lowest)
     : Cycles(hierarchy, std::max(0.0, shift))
     , Corrected(hierarchy.GetLevels().front().Rows())
   {
-    if (!lowest || lowest->Values.size() == 0 || !(lowest->Values.minCoeff() + shift > 0.0))
+    if (lowest.Values.size() == 0 || !(lowest.Values.minCoeff() + shift > 0.0))
     {
       return;
     }
-    const Eigen::ArrayXd value = lowest->Values.array() + shift;
+    const Eigen::ArrayXd value = lowest.Values.array() + shift;
     const Eigen::ArrayXd lack =
-      1.0 - value / (lowest->Values.array() + this->Cycles.GetCoarsestShift());
+      1.0 - value / (lowest.Values.array() + this->Cycles.GetCoarsestShift());
     if (lack.maxCoeff() > NegligibleLack)
     {
-      this->Lowest = lowest->Vectors.data();
+      this->Lowest = lowest.Vectors.data();
       this->PerValue = lack / value;
     }
   }
@@ -158,7 +158,7 @@ double Update(double step, CompactVector& q, CompactVector& r)
 
 /// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms
 /// of K u add up to where rounding allows no better.
-double Size(const MultigridSystem& system, const ComplexVector& u, double rest, double norm)
+double Size(const ShiftedSystem& system, const ComplexVector& u, double rest, double norm)
 {
   return rest <= system.Tolerance * norm
     ? norm
@@ -167,7 +167,7 @@ double Size(const MultigridSystem& system, const ComplexVector& u, double rest, 
 }
 
 /// |b - K u|
-double RestOf(const MultigridSystem& system, const ComplexVector& b, const SectionProducts& u)
+double RestOf(const ShiftedSystem& system, const ComplexVector& b, const SectionProducts& u)
 {
   const auto squares = ParallelSum<double>(static_cast<Index>(b.size()), VectorPiece, 0.0,
     [&](Index begin, Index end)
@@ -181,7 +181,7 @@ double RestOf(const MultigridSystem& system, const ComplexVector& b, const Secti
 }
 
 /// K u
-ComplexVector ProductOf(const MultigridSystem& system, const SectionProducts& u)
+ComplexVector ProductOf(const ShiftedSystem& system, const SectionProducts& u)
 {
   ComplexVector product = Uninitialized(u.Energy.size());
   ForRows(product,
@@ -263,7 +263,7 @@ double SetRest(const ComplexVector& b, const ComplexVector& r, double unit, Comp
 /// @param product K u; overwritten
 /// @param rest    the norm of b - K u
 /// @param steps   of all restarts, up to mostSteps
-void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
+void Iterate(const ShiftedSystem& system, const CombinedMatrix& matrix,
   Preconditioner& preconditioner, const ComplexVector& b, double norm, ComplexVector product,
   double rest, int mostSteps, ComplexVector& u, int& steps)
 {
@@ -311,17 +311,14 @@ void Iterate(const MultigridSystem& system, const CombinedMatrix& matrix,
     Advance(step * unit, p, u);
   }
 }
-}
 
-namespace
-{
 /// Adds K^-1 M u, K^-1 M K^-1 M u ..., approximately: derivatives of a solution u by the factor of M,
 /// but for their scale.
 /// @param mostSteps for each
-void AddDerivatives(const MultigridSystem& system, const CombinedMatrix& matrix,
+void AddDerivatives(const ShiftedSystem& system, const CombinedMatrix& matrix,
   Preconditioner& preconditioner, const SectionProducts& u, int mostSteps, ReducedBasis& solved)
 {
-  const MultigridSystem rough{ system.Matrices, system.EnergyFactor, system.MassFactor,
+  const ShiftedSystem rough{ system.Matrices, system.EnergyFactor, system.MassFactor,
     DerivativeTolerance, system.GoOn };
   SectionProducts last;
   for (int order = 1; order <= Derivatives; ++order)
@@ -341,8 +338,8 @@ void AddDerivatives(const MultigridSystem& system, const CombinedMatrix& matrix,
 }
 }
 
-SystemSolution ConjugateGradients(const MultigridSystem& system, const Hierarchy& hierarchy,
-  const LowestSections* lowest, const ComplexVector& b, ReducedBasis& solved)
+SystemSolution ConjugateGradients(const ShiftedSystem& system, const Hierarchy& hierarchy,
+  const LowestSections& lowest, const ComplexVector& b, ReducedBasis& solved)
 {
   SystemSolution solution;
   const double norm = Norm(b);

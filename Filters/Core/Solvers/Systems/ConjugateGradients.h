@@ -4,7 +4,11 @@
 #ifndef DirectionFields_ConjugateGradients_h
 #define DirectionFields_ConjugateGradients_h
 
-#include "Solvers/Systems/MultigridSystem.h"
+#include "Solvers/Multigrid/Hierarchy.h"
+#include "Solvers/Multigrid/SectionBlock.h"
+#include "Solvers/Systems/ReducedBasis.h"
+#include "Solvers/Systems/ShiftedSystem.h"
+#include "Solvers/Systems/SystemSolution.h"
 
 namespace DirectionFields
 {
@@ -14,12 +18,14 @@ constexpr double ResidualMargin = 0.9;
 constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 
-/// K u = b by conjugate gradients, preconditioned by V-cycles and what they lack of the inverse on the
-/// lowest sections. Returns zero with the residual 1 where there are no V-cycles.
-/// @param lowest as for MultigridSystem::Solve, or null
-/// @param solved where to begin; gets the solution
-SystemSolution ConjugateGradients(const MultigridSystem& system, const Hierarchy& hierarchy,
-  const LowestSections* lowest, const ComplexVector& b, ReducedBasis& solved);
+/// Solves K u = b by conjugate gradients, preconditioned by V-cycles and what they lack of the inverse on
+/// the lowest sections, in time linear in the vertices. Returns zero with the residual 1 where there are
+/// no V-cycles.
+/// @param lowest approximations of the smallest eigenvectors of A, orthonormal in M, which K may nearly
+///               map to zero; or empty
+/// @param solved the iteration begins with a guess from this basis, which then gets the solution
+SystemSolution ConjugateGradients(const ShiftedSystem& system, const Hierarchy& hierarchy,
+  const LowestSections& lowest, const ComplexVector& b, ReducedBasis& solved);
 }
 
 #endif

@@ -3,8 +3,8 @@
 
 #include "Solvers/Systems/LeastSquaresPreconditioner.h"
 
-#include "Solvers/Matrices/RowSum.h"
 #include "Solvers/Matrices/SparseColumns.h"
+#include "Solvers/Matrices/SparseProducts.h"
 #include "Solvers/Matrices/VectorOperations.h"
 
 #include <algorithm>
@@ -42,89 +42,6 @@ SparseMatrix ToSparse(const Prolongator& p, Index rows, const std::vector<Index>
   }
   matrix.finalize();
   return matrix;
-}
-
-/// A matrix made of columns.
-/// @param makeColumns those of begin ... end - 1
-template <typename MakeColumns>
-SparseMatrix Joined(Index rows, Index columns, const MakeColumns& makeColumns)
-{
-  std::vector<SparseMatrix> pieces(NumberOfPieces(columns, ColumnPiece));
-  ParallelFor(columns, ColumnPiece,
-    [&](Index begin, Index end) { pieces[begin / ColumnPiece] = makeColumns(begin, end); });
-  Eigen::Index entries = 0;
-  for (const SparseMatrix& piece : pieces)
-  {
-    entries += piece.nonZeros();
-  }
-  SparseMatrix joined(rows, columns);
-  joined.reserve(entries);
-  Index column = 0;
-  for (const SparseMatrix& piece : pieces)
-  {
-    for (Index k = 0; k < piece.cols(); ++k)
-    {
-      joined.startVec(column);
-      for (SparseMatrix::InnerIterator it(piece, k); it; ++it)
-      {
-        joined.insertBack(it.row(), column) = it.value();
-      }
-      ++column;
-    }
-  }
-  joined.finalize();
-  return joined;
-}
-
-/// a b; takes a third of the time of Eigen's product, which passes over all rows for each piece.
-SparseMatrix Product(const SparseMatrix& a, const SparseMatrix& b)
-{
-  return Joined(static_cast<Index>(a.rows()), static_cast<Index>(b.cols()),
-    [&](Index begin, Index end)
-    {
-      RowSum<Complex> sum;
-      SparseMatrix product(a.rows(), end - begin);
-      for (Index column = begin; column < end; ++column)
-      {
-        for (SparseMatrix::InnerIterator outer(b, column); outer; ++outer)
-        {
-          for (SparseMatrix::InnerIterator it(a, outer.row()); it; ++it)
-          {
-            sum[it.row()] += it.value() * outer.value();
-          }
-        }
-        product.startVec(column - begin);
-        sum.TakeSorted(
-          [&](auto first, auto last)
-          {
-            for (; first != last; ++first)
-            {
-              product.insertBack(first->first, column - begin) = first->second;
-            }
-          });
-      }
-      product.finalize();
-      return product;
-    });
-}
-
-SparseMatrix Columns(const SparseMatrix& matrix, const std::vector<Index>& chosen)
-{
-  return Joined(static_cast<Index>(matrix.rows()), static_cast<Index>(chosen.size()),
-    [&](Index begin, Index end)
-    {
-      SparseMatrix some(matrix.rows(), end - begin);
-      for (Index k = begin; k < end; ++k)
-      {
-        some.startVec(k - begin);
-        for (SparseMatrix::InnerIterator it(matrix, chosen[k]); it; ++it)
-        {
-          some.insertBack(it.row(), k - begin) = it.value();
-        }
-      }
-      some.finalize();
-      return some;
-    });
 }
 
 /// Marks the rows, too, that a matrix couples with marked ones.
@@ -256,29 +173,22 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
   SparseMatrix sections = ToSparse(levels[0].FromCoarser, count, &this->Free);
   for (std::size_t l = 1; l < level; ++l)
   {
-    sections = Product(sections, ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
+    sections = SparseProduct(sections, ToSparse(levels[l].FromCoarser, levels[l].Rows(), nullptr));
   }
   std::vector<char> isGiven(count, 1);
   for (const Index v : this->Free)
   {
     isGiven[v] = 0;
   }
-  sections = Columns(sections, ColumnsNear(matrix, sections, std::move(isGiven)));
+  sections = SelectedColumns(sections, ColumnsNear(matrix, sections, std::move(isGiven)));
   if (sections.cols() == 0)
   {
     return;
   }
-  SparseMatrix columns = Product(matrix, sections);
+  SparseMatrix columns = SparseProduct(matrix, sections);
   SparseRows rows(columns);
-  double couplings = 0.0;
-  for (const Index row : rows.Filled)
-  {
-    const double unknowns =
-      rows.Adjoint.outerIndexPtr()[row + 1] - rows.Adjoint.outerIndexPtr()[row];
-    couplings += unknowns * unknowns;
-  }
-  if (couplings <= DensestCouplings * static_cast<double>(columns.nonZeros()) &&
-    this->CoarseFactor.Compute(Product(rows.Adjoint, columns)))
+  if (IsNormalMatrixSparse(rows.Adjoint, DensestCouplings) &&
+    this->CoarseFactor.Compute(SparseProduct(rows.Adjoint, columns)))
   {
     this->CoarseColumns = std::move(columns);
     this->CoarseRows = std::move(rows);

@@ -10,8 +10,6 @@
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Multigrid/LevelMatrices.h"
 #include "Solvers/Multigrid/SmoothedAggregation.h"
-#include "Solvers/Systems/LinearSystem.h"
-#include "Solvers/Systems/MultigridSystem.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>

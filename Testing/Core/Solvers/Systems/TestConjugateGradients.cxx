@@ -4,7 +4,9 @@
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Solvers/Eigenpairs/MultigridEigenpair.h"
-#include "Solvers/Systems/MultigridSystem.h"
+#include "Solvers/Systems/ConjugateGradients.h"
+#include "Solvers/Systems/DirectSystem.h"
+#include "Solvers/Systems/FreeSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -37,14 +39,14 @@ TEST(ConjugateGradients, StepsOfAlignedSystemsDoNotDependOnTheStrength)
   {
     ReducedBasis solved;
     int steps = 0;
-    const MultigridSystem multigrid{ system.Matrices, 1.0, shift * smallest, 1e-6,
+    const ShiftedSystem shifted{ system.Matrices, 1.0, shift * smallest, 1e-6,
       [&]
       {
         ++steps;
         return true;
       } };
-    const SystemSolution solution = multigrid.Solve(hierarchy, lowest, b, solved);
-    const ComplexVector rest = multigrid.Times(solution.Vector) - b;
+    const SystemSolution solution = ConjugateGradients(shifted, hierarchy, lowest, b, solved);
+    const ComplexVector rest = shifted.Times(solution.Vector) - b;
     EXPECT_LE(rest.norm(), 1e-6 * b.norm()) << shift;
     EXPECT_LE(steps, most) << shift;
   }
@@ -61,14 +63,14 @@ TEST(ConjugateGradients, TwiceTheDigitsTakeTwiceTheSteps)
   {
     ReducedBasis solved;
     int count = 0;
-    const MultigridSystem multigrid{ system.Matrices, 1.0, system.Scale, tolerance,
+    const ShiftedSystem shifted{ system.Matrices, 1.0, system.Scale, tolerance,
       [&]
       {
         ++count;
         return true;
       } };
-    const SystemSolution solution = multigrid.Solve(hierarchy, {}, b, solved);
-    const double rest = (multigrid.Times(solution.Vector) - b).norm();
+    const SystemSolution solution = ConjugateGradients(shifted, hierarchy, {}, b, solved);
+    const double rest = (shifted.Times(solution.Vector) - b).norm();
     EXPECT_LE(rest, tolerance * b.norm());
     EXPECT_NEAR(solution.Residual * b.norm(), rest, 0.01 * rest);
     return count;
@@ -98,15 +100,15 @@ TEST(ConjugateGradients, HierarchiesOfPatchesBetweenGivenValuesGetSmall)
   EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), Hierarchy::CoarsestRows);
   EXPECT_LE(freeSystem.Hierarchy.OperatorComplexity(), 1.6);
   int steps = 0;
-  const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-10,
+  const ShiftedSystem shifted{ system.Matrices, 1.0, 0.0, 1e-10,
     [&]
     {
       ++steps;
       return true;
     } };
   const ComplexVector b = ComplexVector::Zero(n);
-  const SystemSolution fast = multigrid.SolveConstrainedEnergy(freeSystem, b, given);
-  const SystemSolution direct = SolveConstrainedEnergy(system.Matrices.Energy, b, given);
+  const SystemSolution fast = MinimizeEnergyByMultigrid(shifted, freeSystem, b, given);
+  const SystemSolution direct = MinimizeEnergyDirectly(system.Matrices.Energy, b, given);
   EXPECT_LT((fast.Vector - direct.Vector).norm(), 1e-9 * direct.Vector.norm());
   EXPECT_LE(steps, 13);
 }

@@ -3,7 +3,7 @@
 
 #include "Field/Stages.h"
 #include "Meshes/Surfaces.h"
-#include "Solvers/Systems/LinearSystem.h"
+#include "Solvers/Systems/DirectSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -49,14 +49,14 @@ TEST(ConstraintSystems, SolutionsEqualDenseMinimization)
       const Eigen::MatrixXcd columns = dense(Eigen::all, free);
       const ComplexVector right = b - dense(Eigen::all, given.Vertices) * given.Values;
 
-      const SystemSolution least = SolveConstrainedLeastSquares(k, b, given);
+      const SystemSolution least = MinimizeResidualDirectly(k, b, given);
       const ComplexVector denseLeast = columns.colPivHouseholderQr().solve(right);
       EXPECT_LT((least.Vector(free) - denseLeast).norm(), 1e-9 * denseLeast.norm());
       EXPECT_LT((columns.adjoint() * (dense * least.Vector - b)).norm(),
         1e-8 * (columns.adjoint() * right).norm());
       EXPECT_LE(least.Residual, 1e-10);
 
-      const SystemSolution energy = SolveConstrainedEnergy(k, b, given);
+      const SystemSolution energy = MinimizeEnergyDirectly(k, b, given);
       const ComplexVector denseEnergy =
         Eigen::MatrixXcd(columns(free, Eigen::all)).ldlt().solve(ComplexVector(right(free)));
       EXPECT_LT((energy.Vector(free) - denseEnergy).norm(), 1e-9 * denseEnergy.norm());

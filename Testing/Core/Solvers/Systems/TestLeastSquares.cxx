@@ -3,8 +3,8 @@
 
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Solvers/Systems/LinearSystem.h"
-#include "Solvers/Systems/MultigridSystem.h"
+#include "Solvers/Systems/DirectSystem.h"
+#include "Solvers/Systems/LeastSquares.h"
 
 #include <gtest/gtest.h>
 
@@ -41,15 +41,15 @@ TEST(LeastSquares, AreThoseOfTheDirectSolverInFewSteps)
     const ComplexVector b = system.Scale * (system.Matrices.Mass * RandomVector(n, 4));
     const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
     int steps = 0;
-    const MultigridSystem multigrid{ system.Matrices, 1.0, 0.5 * system.Scale, 4e-9,
+    const ShiftedSystem shifted{ system.Matrices, 1.0, 0.5 * system.Scale, 4e-9,
       [&]
       {
         ++steps;
         return true;
       } };
-    const SystemSolution fast = multigrid.SolveConstrainedLeastSquares(freeSystem, b, given);
+    const SystemSolution fast = MinimizeResidualByMultigrid(shifted, freeSystem, b, given);
     const SparseMatrix k = system.Matrices.Energy + 0.5 * system.Scale * system.Matrices.Mass;
-    const SystemSolution direct = SolveConstrainedLeastSquares(k, b, given);
+    const SystemSolution direct = MinimizeResidualDirectly(k, b, given);
     EXPECT_LE(fast.Residual, 5e-9);
     EXPECT_LT((fast.Vector - direct.Vector).norm(), 1e-6 * direct.Vector.norm());
     EXPECT_EQ(ComplexVector(fast.Vector(given.Vertices)), given.Values);
@@ -63,9 +63,9 @@ TEST(LeastSquares, StopWhenTold)
   GivenValues given{ { 0, 700 }, ComplexVector::Ones(2) };
   const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
   int calls = 0;
-  const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-8, [&] { return ++calls < 4; } };
-  const SystemSolution stopped = multigrid.SolveConstrainedLeastSquares(
-    freeSystem, ComplexVector::Zero(system.Matrices.Energy.rows()), given);
+  const ShiftedSystem shifted{ system.Matrices, 1.0, 0.0, 1e-8, [&] { return ++calls < 4; } };
+  const SystemSolution stopped = MinimizeResidualByMultigrid(
+    shifted, freeSystem, ComplexVector::Zero(system.Matrices.Energy.rows()), given);
   EXPECT_GT(stopped.Residual, 1e-8);
   EXPECT_LE(calls, 8);
 }
@@ -80,14 +80,14 @@ TEST(LeastSquares, GoOnWhileTheyGetCloser)
   const GivenValues given = OnBoundary(system);
   const FreeSystem freeSystem(system.Matrices, given.Vertices, system.Scale);
   int steps = 0;
-  const MultigridSystem multigrid{ system.Matrices, 1.0, 0.0, 1e-8,
+  const ShiftedSystem shifted{ system.Matrices, 1.0, 0.0, 1e-8,
     [&]
     {
       ++steps;
       return true;
     } };
   const SystemSolution solution =
-    multigrid.SolveConstrainedLeastSquares(freeSystem, ComplexVector::Zero(n), given);
+    MinimizeResidualByMultigrid(shifted, freeSystem, ComplexVector::Zero(n), given);
   EXPECT_GT(steps, 300);
   EXPECT_LE(steps, 400);
   EXPECT_LE(solution.Residual, 1e-8);
@@ -95,7 +95,7 @@ TEST(LeastSquares, GoOnWhileTheyGetCloser)
   const auto gradient = [&](const ComplexVector& u)
   {
     const ComplexVector all = system.Matrices.Energy * (system.Matrices.Energy * u);
-    return ComplexVector(all(freeSystem.Free)).norm();
+    return ComplexVector(all(freeSystem.Free.GetVertices())).norm();
   };
   ComplexVector start = ComplexVector::Zero(n);
   start(given.Vertices) = given.Values;

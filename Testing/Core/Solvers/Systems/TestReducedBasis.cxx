@@ -5,7 +5,7 @@
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Solvers/Eigenpairs/MultigridEigenpair.h"
-#include "Solvers/Systems/MultigridSystem.h"
+#include "Solvers/Systems/ConjugateGradients.h"
 #include "Solvers/Systems/ReducedBasis.h"
 
 #include <gtest/gtest.h>
@@ -101,8 +101,8 @@ TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
         return true;
       };
       const double shift = system.Scale * (0.5 + 0.1 * move) - smallest;
-      const MultigridSystem multigrid{ system.Matrices, 1.0, shift, 1e-6, count, othersFollow };
-      const SystemSolution solution = multigrid.Solve(hierarchy, lowest, b, solved);
+      const ShiftedSystem shifted{ system.Matrices, 1.0, shift, 1e-6, count, othersFollow };
+      const SystemSolution solution = ConjugateGradients(shifted, hierarchy, lowest, b, solved);
       const SparseMatrix k = system.Matrices.Energy + shift * system.Matrices.Mass;
       EXPECT_LE((k * solution.Vector - b).norm(), 1.01e-6 * b.norm());
       EXPECT_NEAR(solution.Residual, (k * solution.Vector - b).norm() / b.norm(), 1e-10);

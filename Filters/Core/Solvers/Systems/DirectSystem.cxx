@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Solvers/Systems/LinearSystem.h"
+#include "Solvers/Systems/DirectSystem.h"
 
 #include "Solvers/Matrices/Factorization.h"
 #include "Solvers/Matrices/OperatorProducts.h"
+#include "Solvers/Matrices/SparseProducts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,21 +100,9 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b, const G
   return solution;
 }
 
-/// The rows of K_f are the columns of its adjoint; each couples all its unknowns with each other.
-bool IsNormalMatrixSparse(const SparseMatrix& adjoint)
-{
-  double couplings = 0.0;
-  for (Eigen::Index row = 0; row < adjoint.outerSize(); ++row)
-  {
-    const double unknowns = adjoint.outerIndexPtr()[row + 1] - adjoint.outerIndexPtr()[row];
-    couplings += unknowns * unknowns;
-  }
-  return couplings <= DensestCouplings * static_cast<double>(adjoint.nonZeros());
-}
-
 /// Minimizes ‖K_f u - b‖ by conjugate gradients on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of
 /// the free vertices are the identity and only the others are left to deal with.
-SystemSolution ConjugateGradients(const SparseMatrix& columns, const SparseMatrix& adjoint,
+SystemSolution SolveByFactoredSquare(const SparseMatrix& columns, const SparseMatrix& adjoint,
   const SparseMatrix& square, const ComplexVector& b, const GoOnFunction& goOn)
 {
   SystemSolution solution;
@@ -179,14 +168,14 @@ SystemSolution SolveLeastSquares(const SparseMatrix& columns, const SparseMatrix
   const SparseMatrix adjoint = columns.adjoint();
   SystemSolution solution;
   solution.Residual = std::numeric_limits<double>::infinity();
-  if (IsNormalMatrixSparse(adjoint))
+  if (IsNormalMatrixSparse(adjoint, DensestCouplings))
   {
     RequireToGoOn(goOn);
     solution = Solve(adjoint * columns, adjoint * b, goOn);
   }
   if (solution.Residual > AcceptedResidual)
   {
-    SystemSolution other = ConjugateGradients(columns, adjoint, square, b, goOn);
+    SystemSolution other = SolveByFactoredSquare(columns, adjoint, square, b, goOn);
     if (other.Residual < solution.Residual)
     {
       return other;
@@ -195,107 +184,37 @@ SystemSolution SolveLeastSquares(const SparseMatrix& columns, const SparseMatrix
   return solution;
 }
 
-/// The free vertices and the matrix' columns of them and of the given ones.
-struct Split
-{
-  Split(const SparseMatrix& matrix, const GivenValues& given)
-    : Number(matrix.cols(), None)
-  {
-    std::vector<char> isGiven(matrix.cols(), 0);
-    for (const Index v : given.Vertices)
-    {
-      isGiven[v] = 1;
-    }
-    for (Index v = 0; v < matrix.cols(); ++v)
-    {
-      if (!isGiven[v])
-      {
-        this->Number[v] = static_cast<Index>(this->Free.size());
-        this->Free.push_back(v);
-      }
-    }
-  }
-
-  SparseMatrix FreeColumns(const SparseMatrix& matrix, bool freeRowsOnly) const
-  {
-    const auto n = static_cast<Index>(this->Free.size());
-    SparseMatrix columns(freeRowsOnly ? n : static_cast<Index>(matrix.rows()), n);
-    columns.reserve(matrix.nonZeros());
-    for (Index k = 0; k < n; ++k)
-    {
-      columns.startVec(k);
-      for (SparseMatrix::InnerIterator it(matrix, this->Free[k]); it; ++it)
-      {
-        const Index row = freeRowsOnly ? this->Number[it.row()] : static_cast<Index>(it.row());
-        if (row != None)
-        {
-          columns.insertBack(row, k) = it.value();
-        }
-      }
-    }
-    columns.finalize();
-    return columns;
-  }
-
-  std::vector<Index> Free;
-  /// Number of each vertex among the free ones; None if given.
-  std::vector<Index> Number;
-};
-
 /// b - K_c u_c
-ComplexVector MovedToTheRight(
-  const SparseMatrix& matrix, const ComplexVector& b, const GivenValues& given)
+ComplexVector MovedToTheRight(const SparseMatrix& matrix, const ComplexVector& b,
+  const FreeVertices& free, const GivenValues& given)
 {
-  ComplexVector u = ComplexVector::Zero(b.size());
-  for (std::size_t k = 0; k < given.Vertices.size(); ++k)
-  {
-    u[given.Vertices[k]] = given.Values[static_cast<Eigen::Index>(k)];
-  }
-  return b - matrix * u;
-}
-
-SystemSolution Joined(const SystemSolution& free, const Split& split, const GivenValues& given)
-{
-  SystemSolution solution;
-  solution.Residual = free.Residual;
-  solution.Vector.resize(static_cast<Eigen::Index>(split.Number.size()));
-  for (std::size_t k = 0; k < split.Free.size(); ++k)
-  {
-    solution.Vector[split.Free[k]] = free.Vector[static_cast<Eigen::Index>(k)];
-  }
-  for (std::size_t k = 0; k < given.Vertices.size(); ++k)
-  {
-    solution.Vector[given.Vertices[k]] = given.Values[static_cast<Eigen::Index>(k)];
-  }
-  return solution;
+  return b - matrix * free.Scattered(given);
 }
 }
 
-SystemSolution SolveAligned(
+SystemSolution SolveDirectly(
   const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GoOnFunction& goOn)
 {
   return Solve(matrix, rightHandSide, goOn);
 }
 
-SystemSolution SolveConstrainedEnergy(const SparseMatrix& matrix,
-  const ComplexVector& rightHandSide, const GivenValues& given, const GoOnFunction& goOn)
+SystemSolution MinimizeEnergyDirectly(const SparseMatrix& matrix, const ComplexVector& rightHandSide,
+  const GivenValues& given, const GoOnFunction& goOn)
 {
-  const Split split(matrix, given);
-  const ComplexVector right = MovedToTheRight(matrix, rightHandSide, given);
-  ComplexVector freeRight(static_cast<Eigen::Index>(split.Free.size()));
-  for (std::size_t k = 0; k < split.Free.size(); ++k)
-  {
-    freeRight[static_cast<Eigen::Index>(k)] = right[split.Free[k]];
-  }
-  return Joined(Solve(split.FreeColumns(matrix, true), freeRight, goOn), split, given);
+  const FreeVertices free(given.Vertices, static_cast<Index>(matrix.cols()));
+  SystemSolution solution = Solve(free.Principal(matrix),
+    free.Gathered(MovedToTheRight(matrix, rightHandSide, free, given)), goOn);
+  solution.Vector = free.Joined(solution.Vector, given);
+  return solution;
 }
 
-SystemSolution SolveConstrainedLeastSquares(const SparseMatrix& matrix,
-  const ComplexVector& rightHandSide, const GivenValues& given, const GoOnFunction& goOn)
+SystemSolution MinimizeResidualDirectly(const SparseMatrix& matrix, const ComplexVector& rightHandSide,
+  const GivenValues& given, const GoOnFunction& goOn)
 {
-  const Split split(matrix, given);
-  return Joined(SolveLeastSquares(split.FreeColumns(matrix, false), split.FreeColumns(matrix, true),
-                  MovedToTheRight(matrix, rightHandSide, given), goOn),
-    split, given);
+  const FreeVertices free(given.Vertices, static_cast<Index>(matrix.cols()));
+  SystemSolution solution = SolveLeastSquares(free.Columns(matrix), free.Principal(matrix),
+    MovedToTheRight(matrix, rightHandSide, free, given), goOn);
+  solution.Vector = free.Joined(solution.Vector, given);
+  return solution;
 }
 }
