@@ -231,6 +231,7 @@ void DirectionField::MakeStages(const Options& options)
   }
   this->Kept.reset();
   this->Points.reset();
+  this->CurvatureAtPoints.reset();
   this->Merges = options.MergePoints;
   this->FirstPoint = this->Merges ? FirstAtSamePlace(*this->Input) : std::vector<Index>{};
   this->Kept = this->Merges ? std::make_unique<Stages>(Merged(*this->Input, this->FirstPoint))
@@ -427,9 +428,14 @@ Result DirectionField::Compute(
     result.ConstraintDirection =
       points.Spread(InSpace(stages.GetFrames(), constraints.Value, options.Degree), zero);
   }
-  if (usesCurvature && options.ReportCurvature)
+  if (usesCurvature)
   {
-    result.Curvature = ReportCurvature(stages, points);
+    if (!this->CurvatureAtPoints)
+    {
+      this->CurvatureAtPoints =
+        std::make_shared<const CurvatureReport>(ReportCurvature(stages, points));
+    }
+    result.Curvature = this->CurvatureAtPoints;
   }
   result.OriginalPoint = points.Original;
   result.SplitTriangles = points.SplitTriangles;

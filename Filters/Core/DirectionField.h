@@ -66,6 +66,8 @@ private:
   std::unique_ptr<Stages> Kept;
   /// Where results are given, once there was one; of Kept.
   std::unique_ptr<OutputPoints> Points;
+  /// The curvature at Points, once a result had it; the results share it.
+  std::shared_ptr<const CurvatureReport> CurvatureAtPoints;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;
 };

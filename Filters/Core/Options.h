@@ -117,10 +117,6 @@ struct Options
   bool ConstrainGuidance = false;
   DirectionFields::ConstraintSolver ConstraintSolver =
     DirectionFields::ConstraintSolver::LeastSquares;
-
-  /// Give Result::Curvature where alignment or constraints use the curvature. It depends on nothing
-  /// but the surface and MergePoints.
-  bool ReportCurvature = true;
 };
 
 /// Vectors that the user gives for the field to follow, one a point of the surface or none at all.

@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "Surface.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,8 @@ enum class ConstraintKind : signed char
   Given = 5
 };
 
-/// Curvature of the surface; over the output points. Empty where it was not asked for.
+/// Curvature of the surface, over the output points. It depends on the surface and on
+/// Options::MergePoints only.
 struct CurvatureReport
 {
   /// Unit tangent vectors of the larger and of the smaller signed curvature; zero where the two
@@ -103,7 +105,9 @@ struct Result
   /// point is constrained.
   std::vector<ConstraintKind> Constraint;
   std::vector<Vector3> ConstraintDirection;
-  CurvatureReport Curvature;
+  /// Curvature of the surface; null where neither alignment nor constraints use it. All results of
+  /// one DirectionField share it as long as Options::MergePoints stays the same.
+  std::shared_ptr<const CurvatureReport> Curvature;
   /// Singularity index of each triangle, in units of 1/n.
   std::vector<int> SingularityIndex;
   /// Connected component of each triangle, ordered by their first triangles; None if ignored.

@@ -3,10 +3,6 @@
 
 #include "DirectionFieldCache.h"
 
-#include "FieldToPolyData.h"
-
-#include "vtkPointData.h"
-
 #include <cstring>
 #include <utility>
 
@@ -26,7 +22,7 @@ bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
 bool DirectionFieldCache::SetInput(
   vtkPolyData* input, const std::optional<double>& time, const ProgressFunction& progress)
 {
-  if (this->Stages && IsSurfaceOf(input, *this->Surface))
+  if (this->Solver && IsSurfaceOf(input, *this->Surface))
   {
     return true;
   }
@@ -35,7 +31,7 @@ bool DirectionFieldCache::SetInput(
   {
     return false;
   }
-  if (this->Stages && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
+  if (this->Solver && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
     SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
     SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
   {
@@ -44,19 +40,18 @@ bool DirectionFieldCache::SetInput(
     return true;
   }
   // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
-  const bool follows = this->Stages && time && this->Time && *time != *this->Time &&
+  const bool follows = this->Solver && time && this->Time && *time != *this->Time &&
     surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
     surface->CellOfTriangle == this->Surface->CellOfTriangle &&
     surface->FirstCell == this->Surface->FirstCell;
   // What belongs to the old surface goes before the stages of the new one need memory.
-  this->Stages.reset();
-  this->Curvature.clear();
+  this->Solver.reset();
   this->Surface = std::move(surface);
-  this->Stages.emplace(
+  this->Solver.emplace(
     std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
   if (follows)
   {
-    this->Stages->SetPhaseReference(std::move(this->Directions), this->Degree);
+    this->Solver->SetPhaseReference(std::move(this->Directions), this->Degree);
   }
   this->Time = time;
   this->Directions.clear();
@@ -73,27 +68,6 @@ void DirectionFieldCache::SetField(const Result& field)
     {
       this->Directions[i] =
         std::abs(field.Representation[i]) * field.Direction(static_cast<int>(i), 0);
-    }
-  }
-}
-
-std::vector<vtkSmartPointer<vtkDataArray>> DirectionFieldCache::GetCurvature(
-  bool mergePoints, int dataType) const
-{
-  const bool has = !this->Curvature.empty() && this->CurvatureMerges == mergePoints &&
-    this->Curvature.front()->GetDataType() == dataType;
-  return has ? this->Curvature : std::vector<vtkSmartPointer<vtkDataArray>>{};
-}
-
-void DirectionFieldCache::KeepCurvature(bool mergePoints, vtkPointData* output)
-{
-  this->Curvature.clear();
-  this->CurvatureMerges = mergePoints;
-  for (const char* name : CurvatureArrays)
-  {
-    if (vtkDataArray* array = output->GetArray(name))
-    {
-      this->Curvature.push_back(Copied(array));
     }
   }
 }

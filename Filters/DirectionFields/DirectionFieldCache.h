@@ -7,14 +7,10 @@
 #include "DirectionField.h"
 #include "PolyDataToSurface.h"
 
-#include "vtkDataArray.h"
-#include "vtkSmartPointer.h"
-
 #include <memory>
 #include <optional>
 #include <vector>
 
-class vtkPointData;
 class vtkPolyData;
 
 namespace DirectionFields
@@ -37,26 +33,17 @@ public:
   /// The field that was computed of the input.
   void SetField(const Result& field);
 
-  /// The arrays that KeepCurvature was given for the same surface and these; or none. Not to be
-  /// given away: outputs get copies.
-  /// @param dataType of the arrays
-  std::vector<vtkSmartPointer<vtkDataArray>> GetCurvature(bool mergePoints, int dataType) const;
-  /// Copies the arrays of the curvature from an output.
-  void KeepCurvature(bool mergePoints, vtkPointData* output);
-
   const TriangulatedPolyData& GetSurface() const { return *this->Surface; }
-  DirectionField& GetStages() { return *this->Stages; }
+  DirectionField& GetSolver() { return *this->Solver; }
 
 private:
   /// The stages share the mesh in it.
   std::shared_ptr<TriangulatedPolyData> Surface;
-  std::optional<DirectionField> Stages;
+  std::optional<DirectionField> Solver;
   /// Of the last input, if it is one of a series, and the first directions of its field.
   std::optional<double> Time;
   std::vector<Vector3> Directions;
   int Degree = 0;
-  std::vector<vtkSmartPointer<vtkDataArray>> Curvature;
-  bool CurvatureMerges = false;
 };
 }
 

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -241,23 +240,19 @@ bool IsOfTheField(const char* name, int degree)
 }
 
 template <typename ArrayT>
-bool AddPointArrays(const Result& field,
-  const std::vector<vtkSmartPointer<vtkDataArray>>& curvature, vtkPointData* data,
-  const ProgressFunction& progress)
+bool AddPointArrays(const Result& field, vtkPointData* data, const ProgressFunction& progress)
 {
   using Value = typename ArrayT::ValueType;
   const size_t points = field.Representation.size();
   auto magnitude = MakeArray<ArrayT>("RepresentationMagnitude", 1, points);
   data->AddArray(magnitude);
   AddVectors<ArrayT>("ConstraintDirection", field.ConstraintDirection, data);
-  AddVectors<ArrayT>(CurvatureArrays[0], field.Curvature.PrincipalDirection0, data);
-  AddVectors<ArrayT>(CurvatureArrays[1], field.Curvature.PrincipalDirection1, data);
-  AddScalars<ArrayT>(CurvatureArrays[2], field.Curvature.Mean, data);
-  AddScalars<ArrayT>(CurvatureArrays[3], field.Curvature.Gaussian, data);
-  for (vtkDataArray* array : curvature)
-  {
-    data->AddArray(Copied(array));
-  }
+  const CurvatureReport none;
+  const CurvatureReport& curvature = field.Curvature ? *field.Curvature : none;
+  AddVectors<ArrayT>("PrincipalDirection0", curvature.PrincipalDirection0, data);
+  AddVectors<ArrayT>("PrincipalDirection1", curvature.PrincipalDirection1, data);
+  AddScalars<ArrayT>("MeanCurvature", curvature.Mean, data);
+  AddScalars<ArrayT>("GaussianCurvature", curvature.Gaussian, data);
 
   Value* const moduli = magnitude->GetPointer(0);
   std::vector<Value*> tuples;
@@ -357,25 +352,8 @@ Vector3 OutwardNormal(const Surface& mesh, size_t t, const Result& field)
 }
 }
 
-vtkSmartPointer<vtkDataArray> Copied(vtkDataArray* array)
-{
-  auto copy = vtk::TakeSmartPointer(array->NewInstance());
-  copy->SetName(array->GetName());
-  copy->SetNumberOfComponents(array->GetNumberOfComponents());
-  copy->SetNumberOfTuples(array->GetNumberOfTuples());
-  const size_t tuple =
-    static_cast<size_t>(array->GetNumberOfComponents()) * array->GetDataTypeSize();
-  const auto* const from = static_cast<const char*>(array->GetVoidPointer(0));
-  auto* const to = static_cast<char*>(copy->GetVoidPointer(0));
-  PreferLargePages(to, tuple * array->GetNumberOfTuples());
-  ParallelFor(static_cast<Index>(array->GetNumberOfTuples()), PieceSize,
-    [&](Index begin, Index end)
-    { std::memcpy(to + tuple * begin, from + tuple * begin, tuple * (end - begin)); });
-  return copy;
-}
-
 bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
-  const ProgressFunction& progress, const std::vector<vtkSmartPointer<vtkDataArray>>& curvature)
+  const ProgressFunction& progress)
 {
   output->GetPointData()->RemoveArray("OriginalPointIds");
   std::vector<vtkIdType> unused;
@@ -388,8 +366,8 @@ bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   const bool areDouble =
     output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE;
   vtkPointData* data = output->GetPointData();
-  if (!(areDouble ? AddPointArrays<vtkDoubleArray>(field, curvature, data, progress)
-                  : AddPointArrays<vtkFloatArray>(field, curvature, data, progress)))
+  if (!(areDouble ? AddPointArrays<vtkDoubleArray>(field, data, progress)
+                  : AddPointArrays<vtkFloatArray>(field, data, progress)))
   {
     return false;
   }

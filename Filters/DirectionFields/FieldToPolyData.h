@@ -7,10 +7,6 @@
 #include "DirectionField.h"
 #include "PolyDataToSurface.h"
 
-#include "vtkDataArray.h"
-#include "vtkSmartPointer.h"
-
-#include <array>
 #include <string>
 #include <vector>
 
@@ -22,17 +18,8 @@ namespace DirectionFields
 /// Adds the field's point, cell and field data to a copy of the polydata it was computed from.
 /// The directions and the magnitude are double if the points are, else float. False where the
 /// progress function stopped it; the output is incomplete then.
-/// @param curvature the arrays of the curvature, of which the output gets copies, where the field
-///                  does not have it
 bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
-  const ProgressFunction& progress = {},
-  const std::vector<vtkSmartPointer<vtkDataArray>>& curvature = {});
-
-/// Over the points, of the surface itself.
-constexpr std::array<const char*, 4> CurvatureArrays{ "PrincipalDirection0", "PrincipalDirection1",
-  "MeanCurvature", "GaussianCurvature" };
-/// A copy that shares nothing.
-vtkSmartPointer<vtkDataArray> Copied(vtkDataArray* array);
+  const ProgressFunction& progress = {});
 
 /// Adds the counts of what was mended, and the warnings if there are any.
 void AddReport(

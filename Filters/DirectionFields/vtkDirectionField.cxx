@@ -383,14 +383,6 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     }
     const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
 
-    const bool usesCurvature =
-      this->Alignment == ALIGN_PRINCIPAL_CURVATURE || this->ConstrainCurvature;
-    const int dataType = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE
-      ? VTK_DOUBLE
-      : VTK_FLOAT;
-    const auto curvature = usesCurvature
-      ? this->Last->GetCurvature(this->MergePoints, dataType)
-      : std::vector<vtkSmartPointer<vtkDataArray>>{};
     DirectionFields::Result field;
     if (surface.Mesh.Triangles.empty())
     {
@@ -404,10 +396,8 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
       {
         guidance = MakeGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
       }
-      DirectionFields::Options options = this->MakeOptions();
-      options.ReportCurvature = curvature.empty();
-      field = this->Last->GetStages().Compute(
-        options, guidance, progressOf(ProgressRead, ProgressSolved));
+      field = this->Last->GetSolver().Compute(
+        this->MakeOptions(), guidance, progressOf(ProgressRead, ProgressSolved));
     }
     if (field.Aborted || this->IsAborted())
     {
@@ -423,14 +413,10 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     }
     output->ShallowCopy(input);
     if (!DirectionFields::AddFieldArrays(
-          surface, field, output, progressOf(ProgressSolved, 1.0), curvature))
+          surface, field, output, progressOf(ProgressSolved, 1.0)))
     {
       giveNothing();
       return 1;
-    }
-    if (usesCurvature && curvature.empty() && this->KeepStages)
-    {
-      this->Last->KeepCurvature(this->MergePoints, output->GetPointData());
     }
     DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
     DirectionFields::MakeSingularities(

@@ -148,7 +148,7 @@ TEST(IntrinsicDelaunay, EverythingButTheOperatorsStays)
     EXPECT_EQ(with.Components[0].IndexSum, 8);
     EXPECT_EQ(with.Constraint, without.Constraint);
     EXPECT_EQ(with.ConstraintDirection, without.ConstraintDirection);
-    EXPECT_EQ(with.Curvature.Mean, without.Curvature.Mean);
+    EXPECT_EQ(with.Curvature, without.Curvature);
     EXPECT_EQ(with.Normal, without.Normal);
     EXPECT_EQ(with.XAxis, without.XAxis);
     EXPECT_NE(with.Components[0].Eigenvalue, without.Components[0].Eigenvalue);

@@ -265,7 +265,7 @@ TEST(NonOrientable, CurvatureGuidesCrossesButNoLines)
   double along = 0.0;
   for (Index i = 0; i < static_cast<Index>(bottle.Points.size()); ++i)
   {
-    along += Deviation(crosses, i, crosses.Curvature.PrincipalDirection0[i]);
+    along += Deviation(crosses, i, crosses.Curvature->PrincipalDirection0[i]);
   }
   EXPECT_LT(along / static_cast<double>(bottle.Points.size()), 8.0);
 

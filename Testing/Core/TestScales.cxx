@@ -161,8 +161,8 @@ TEST(Scales, ExtremeSizesGiveFiniteFigures)
       std::isfinite(c.SmoothnessEnergy));
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
     {
-      EXPECT_TRUE(std::isfinite(result.Curvature.Mean[i]));
-      EXPECT_TRUE(std::isfinite(result.Curvature.Gaussian[i]));
+      EXPECT_TRUE(std::isfinite(result.Curvature->Mean[i]));
+      EXPECT_TRUE(std::isfinite(result.Curvature->Gaussian[i]));
       EXPECT_NEAR(result.Direction(static_cast<Index>(i), 0).norm(), 1.0, 1e-12);
     }
   }

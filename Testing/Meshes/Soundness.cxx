@@ -81,10 +81,11 @@ std::string PointFlaw(const Result& result, Index i, double unit)
       return Text("constraint direction of length ", length);
     }
   }
-  const CurvatureReport& curvature = result.Curvature;
-  if (!curvature.Mean.empty() &&
-    !(std::isfinite(curvature.Mean[i]) && std::isfinite(curvature.Gaussian[i]) &&
-      curvature.PrincipalDirection0[i].allFinite() && curvature.PrincipalDirection1[i].allFinite()))
+  const CurvatureReport* const curvature = result.Curvature.get();
+  if (curvature &&
+    !(std::isfinite(curvature->Mean[i]) && std::isfinite(curvature->Gaussian[i]) &&
+      curvature->PrincipalDirection0[i].allFinite() &&
+      curvature->PrincipalDirection1[i].allFinite()))
   {
     return "curvature that is not finite";
   }

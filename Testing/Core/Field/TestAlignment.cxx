@@ -278,8 +278,8 @@ TEST(Alignment, SameFieldAtAnyScaleAndPosition)
       {
         EXPECT_NEAR(PhaseDifference(a, b, i), 0.0, 1e-4);
       }
-      EXPECT_NEAR(a.Curvature.Mean[7] / b.Curvature.Mean[7] / scale, 1.0, 1e-6);
-      EXPECT_NEAR(a.Curvature.Gaussian[7] / b.Curvature.Gaussian[7] / scale / scale, 1.0, 1e-6);
+      EXPECT_NEAR(a.Curvature->Mean[7] / b.Curvature->Mean[7] / scale, 1.0, 1e-6);
+      EXPECT_NEAR(a.Curvature->Gaussian[7] / b.Curvature->Gaussian[7] / scale / scale, 1.0, 1e-6);
     }
   }
 }

@@ -273,3 +273,28 @@ TEST(Curvature, IsThatOfItsDefinitions)
     EXPECT_LE((system.Matrices.Mass * hopf - right).norm(), 1e-13 * right.norm());
   }
 }
+
+TEST(Curvature, ResultsOfOneSurfaceShareIt)
+{
+  // Triangles that share no points are flat pieces each, unless the points are merged.
+  const Surface surface = Soup(Potato(2));
+  DirectionField solver(surface);
+  Options options;
+  EXPECT_EQ(solver.Compute(options).Curvature, nullptr);
+  options.Alignment = Alignment::PrincipalCurvature;
+  const Result pieces = solver.Compute(options);
+  ASSERT_NE(pieces.Curvature, nullptr);
+  options.AlignmentStrength = 0.8;
+  EXPECT_EQ(solver.Compute(options).Curvature, pieces.Curvature);
+  options.Degree = 2;
+  options.Alignment = Alignment::None;
+  EXPECT_EQ(solver.Compute(options).Curvature, nullptr);
+  options.ConstrainCurvature = true;
+  EXPECT_EQ(solver.Compute(options).Curvature, pieces.Curvature);
+  options.MergePoints = true;
+  const Result merged = solver.Compute(options);
+  EXPECT_EQ(merged.Curvature->Mean, DirectionField(surface).Compute(options).Curvature->Mean);
+  EXPECT_NE(merged.Curvature->Mean, pieces.Curvature->Mean);
+  options.MergePoints = false;
+  EXPECT_EQ(solver.Compute(options).Curvature->Mean, pieces.Curvature->Mean);
+}
