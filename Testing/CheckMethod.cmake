@@ -1,7 +1,7 @@
 # Checks the formulas of Documentation/Method by numbers, draws its pictures anew in OUTPUT and
 # compares them with those that stand there, byte by byte.
 get_filename_component(method "${CMAKE_CURRENT_LIST_DIR}/../Documentation/Method" ABSOLUTE)
-foreach (script IN ITEMS method.py "pictures.py;${OUTPUT}")
+foreach (script IN ITEMS check.py "pictures.py;${OUTPUT}")
   list(POP_FRONT script name)
   execute_process(COMMAND "${PYTHON}" -B "${method}/${name}" ${script} RESULT_VARIABLE result)
   if (result)

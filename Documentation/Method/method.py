@@ -1,11 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The method of this folder's pages on small meshes, in plain Python: nothing here is fast, and every
-function stands beside its formula in the pages. The pictures are drawn with it.
-
-    python3 Documentation/Method/method.py
-
-checks the formulas of the pages by numbers and ends with an error where one does not hold.
+function stands beside its formula in the pages. check.py checks the formulas by numbers, and pictures.py
+draws the pictures with it.
 """
 
 import cmath
@@ -15,6 +12,23 @@ PI = math.pi
 
 
 # --- Connection.md: the mesh and its connection ----------------------------------------------------
+
+
+def distance(a, b):
+    return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def scalar(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def normalized(a):
+    size = math.sqrt(scalar(a, a))
+    return tuple(x / size for x in a)
 
 
 class Mesh:
@@ -108,6 +122,30 @@ class Connection:
     def transport(self, h, n):
         """r of a half-edge for a field of degree n."""
         return cmath.exp(1j * n * self.rotation[h])
+
+
+def frames(mesh, connection):
+    """Unit normals weighted by angle, and the tangent vectors of angle 0 (Geometry/TangentFrames)."""
+    result = []
+    for v, p in enumerate(mesh.points):
+        fan = mesh.fan(v)
+        edges = [tuple(a - b for a, b in zip(mesh.points[mesh.head(h)], p)) for h in fan]
+        normal = [0.0, 0.0, 0.0]
+        for k, h in enumerate(fan):
+            unit = normalized(cross(edges[k], edges[(k + 1) % len(edges)]))
+            normal = [a + connection.corner[h] * b for a, b in zip(normal, unit)]
+        normal = normalized(normal)
+        axis = cross(normal, min(((1, 0, 0), (0, 1, 0), (0, 0, 1)), key=lambda e: abs(scalar(e, normal))))
+        a = normalized(axis)
+        b = cross(normal, a)
+        fit = 0.0
+        for h, edge in zip(fan, edges):
+            z = complex(scalar(edge, a), scalar(edge, b))
+            fit += z / abs(z) * cmath.exp(-1j * connection.edge_angle[h])
+        fit /= abs(fit)
+        x = tuple(fit.real * c + fit.imag * d for c, d in zip(a, b))
+        result.append((normal, x, cross(normal, x)))
+    return result
 
 
 # --- Energy.md: the integrals over a triangle and the matrices ---------------------------------------
@@ -258,206 +296,49 @@ def singularity_indices(mesh, connection, n, u):
     ]
 
 
-# --- Small meshes ------------------------------------------------------------------------------------
+# --- Alignment.md --------------------------------------------------------------------------------------
 
 
-def icosphere(levels):
-    g = (1 + math.sqrt(5)) / 2
-    points = [(s * a, t * b * g, 0.0) for a in (1,) for b in (1,) for s in (-1, 1) for t in (-1, 1)]
-    points = [p[k:] + p[:k] for k in (0, 2, 1) for p in points]
-    points = [tuple(x / math.sqrt(1 + g * g) for x in p) for p in points]
-    edge = min(distance(points[0], p) for p in points[1:])
-    near = [[w for w in range(12) if w != v and distance(points[v], points[w]) < 1.1 * edge] for v in range(12)]
-    triangles = []
-    for a in range(12):
-        for b in near[a]:
-            for c in near[a]:
-                if a < b and a < c and c in near[b] and determinant(points[a], points[b], points[c]) > 0:
-                    triangles.append((a, b, c))
-    for _ in range(levels):
-        middle, finer = {}, []
-        for triangle in triangles:
-            inner = []
-            for c in range(3):
-                a, b = triangle[c], triangle[(c + 1) % 3]
-                key = (min(a, b), max(a, b))
-                if key not in middle:
-                    p = [x + y for x, y in zip(points[a], points[b])]
-                    size = math.sqrt(sum(x * x for x in p))
-                    middle[key] = len(points)
-                    points.append(tuple(x / size for x in p))
-                inner.append(middle[key])
-            a, b, c = triangle
-            x, y, z = inner
-            finer += [(a, x, z), (x, b, y), (z, y, c), (x, y, z)]
-        triangles = finer
-    return Mesh(points, triangles)
+def constrained(mesh, connection, n, given):
+    """K_ff u_f = -K_fc u_c: the smoothest section with given values."""
+    energy, _ = operators(mesh, connection, n)
+    free = [v for v in range(len(mesh.points)) if v not in given]
+    number = {v: k for k, v in enumerate(free)}
+    inner = [{number[w]: a for w, a in energy[v].items() if w in number} for v in free]
+    right = [-sum(a * given[w] for w, a in energy[v].items() if w in given) for v in free]
+    solution = Factor(inner, inner, 1.0, 0.0).solve(right)
+    return [given[v] if v in given else solution[number[v]] for v in range(len(mesh.points))]
 
 
-def tetrahedron():
-    points = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)]
-    return Mesh(points, [(0, 1, 2), (0, 2, 3), (0, 3, 1), (1, 3, 2)])
+# --- Solvers.md, once more ------------------------------------------------------------------------------
 
 
-def bumpy(mesh, amount=0.35):
-    """The same connectivity without any symmetry."""
-
-    def factor(p):
-        return 1 + amount * (0.6 * math.sin(2.3 * p[0] + 0.4) * p[1] + 0.5 * p[2] * p[2] * p[0] + 0.4 * p[1] * p[2])
-
-    return Mesh([tuple(factor(p) * x for x in p) for p in mesh.points], mesh.triangles)
-
-
-def distance(a, b):
-    return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)))
-
-
-def determinant(a, b, c):
-    return (
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-        - a[1] * (b[0] * c[2] - b[2] * c[0])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
-    )
-
-
-# --- Checks ------------------------------------------------------------------------------------------
-
-
-def quadrature(points, omega, bias):
-    """The same as local_integrals, for a triangle in the plane that carries the curvature omega, by
-    Gauss' rule. The section of corner c is its hat function times a unit section that is parallel along
-    the rays from c: in the gauge of that unit section the connection at x is the form
-    -i omega / (2 area) ((x - p_c) cross dx)."""
-    rule = [(-math.sqrt(0.6), 5 / 18), (0.0, 8 / 18), (math.sqrt(0.6), 5 / 18)]
-    parts = 12
-    nodes = [((k + 0.5 + 0.5 * x) / parts, w / parts) for k in range(parts) for x, w in rule]
-    cross = lambda a, b: a[0] * b[1] - a[1] * b[0]
-    minus = lambda a, b: (a[0] - b[0], a[1] - b[1])
-    area = 0.5 * cross(minus(points[1], points[0]), minus(points[2], points[0]))
-    gradient = []
-    for c in range(3):
-        e = minus(points[c - 1], points[(c + 1) % 3])
-        gradient.append((-e[1] / (2 * area), e[0] / (2 * area)))
-    mass = [[0.0] * 3 for _ in range(3)]
-    energy = [[0.0] * 3 for _ in range(3)]
-    for s, ws in nodes:
-        for t, wt in nodes:
-            b = (1 - s, s * (1 - t), s * t)
-            x = tuple(sum(b[c] * points[c][d] for c in range(3)) for d in range(2))
-            weight = ws * wt * s * 2 * area
-            value, slope = [], []
-            for c in range(3):
-                # The holonomy of the triangle p_0, p_c, x takes the section of corner c to the gauge of
-                # corner 0, in which all three are compared; the edges from corner 0 are transported by 1.
-                phase = cmath.exp(1j * (0.0, omega * b[2], -omega * b[1])[c])
-                d = minus(x, points[c])
-                form = [-0.5j * omega / area * -d[1], -0.5j * omega / area * d[0]]
-                value.append(phase * b[c])
-                slope.append([phase * (gradient[c][k] + b[c] * form[k]) for k in range(2)])
-            for i in range(3):
-                for j in range(3):
-                    mass[i][j] += weight * value[i].conjugate() * value[j]
-                    products = sum(slope[i][k].conjugate() * slope[j][k] for k in range(2))
-                    turned = 1j * (
-                        slope[i][0].conjugate() * slope[j][1] - slope[i][1].conjugate() * slope[j][0]
-                    )
-                    # (1 + s) E_hol + (1 - s) E_anti with the derivatives by x + i y and by x - i y.
-                    energy[i][j] += weight * (products + bias * turned)
-    return area, mass, energy
-
-
-def check_integrals():
-    points = ((0.1, 0.2), (1.3, 0.1), (0.5, 0.9))
-    squared = [distance(points[c], points[(c + 1) % 3]) ** 2 for c in range(3)]
-    for omega in (0.0, 0.3, -1.1, 2.5, -4.0, 9.0):
-        for bias in (0.0, 1.0, -0.6):
-            area, mass, energy = quadrature(points, omega, bias)
-            diagonal, local, m_diagonal, m = local_integrals(squared, area, omega, bias)
-            # Around the triangle, r of the three edges is 1, exp(-i omega) and 1, or the like: the
-            # holonomy r_01 r_12 r_20 is exp(i omega).
-            r = (1.0, cmath.exp(1j * omega), 1.0)
-            for c in range(3):
-                j = (c + 1) % 3
-                assert abs(mass[c][c] - m_diagonal) < 1e-7
-                assert abs(mass[c][j] - m * complex(r[c]).conjugate()) < 1e-7, (omega, c)
-                assert abs(energy[c][c] - diagonal[c]) < 1e-6, (omega, bias, c)
-                assert abs(energy[c][j] - local[c] * complex(r[c]).conjugate()) < 1e-6, (omega, bias, c)
-    for omega in (1.999999, -1.999999):
-        nearly = section_integrals(omega * 1.000001)
-        assert all(abs(a - b) < 1e-6 for a, b in zip(section_integrals(omega), nearly))
-
-
-def check_connection(mesh):
-    connection = Connection(mesh)
-    for n in (1, 2, 4, 6):
-        for t in range(len(mesh.triangles)):
-            r = [connection.transport(3 * t + c, n) for c in range(3)]
-            omega = n * connection.curvature[t]
-            assert abs(r[0] * r[1] * r[2] - cmath.exp(1j * omega)) < 1e-12
-    assert abs(sum(connection.curvature) - 4 * PI) < 1e-10
-
-
-def check_energy(coarse, fine):
-    # lambda_1 of the unit sphere is n (1 - s), up to an error that falls with the square of the edges.
-    for n, bias in ((1, 0.0), (4, 0.0), (4, 0.5), (2, -1.0), (4, 1.0)):
-        values = [
-            smallest_eigenpair(*operators(mesh, Connection(mesh), n, bias))[0] for mesh in (coarse, fine)
-        ]
-        assert abs((4 * values[1] - values[0]) / 3 - n * (1 - bias)) < 0.05, (n, bias, values)
-    # Positive semi-definite for each bias, with a boundary, too: the energy is a sum of squares.
-    cap = [t for t in fine.triangles if all(fine.points[v][2] > -0.3 for v in t)]
-    used = sorted({v for t in cap for v in t})
-    number = {v: k for k, v in enumerate(used)}
-    half = Mesh([fine.points[v] for v in used], [tuple(number[v] for v in t) for t in cap])
-    for bias in (-1.0, 0.0, 1.0):
-        for n in (1, 4):
-            Factor(*operators(half, Connection(half), n, bias), 1.0, 1e-6)
-
-
-def check_singularities(mesh):
-    connection = Connection(mesh)
-    for n in (1, 2, 3, 4, 6):
-        for seed in range(3):
-            u = [cmath.exp(1j * (2.4 * v * v + seed * v)) for v in range(len(mesh.points))]
-            assert sum(singularity_indices(mesh, connection, n, u)) == 2 * n
-        _, u = smallest_eigenpair(*operators(mesh, connection, n))
-        assert sum(singularity_indices(mesh, connection, n, u)) == 2 * n
-
-
-def check_large_indices():
-    """Each triangle of a tetrahedron has the holonomy 4 pi for crosses, two turns."""
-    mesh = tetrahedron()
-    connection = Connection(mesh)
-    assert all(abs(4 * k - 4 * PI) < 1e-12 for k in connection.curvature)
-    _, u = smallest_eigenpair(*operators(mesh, connection, 4), 500)
-    assert singularity_indices(mesh, connection, 4, u) == [2, 2, 2, 2]
-
-
-def check_alignment(mesh):
-    """u tends to q for lambda_t to minus infinity, and to the eigenvector for lambda_t to lambda_1."""
-    n = 4
-    energy, mass = operators(mesh, Connection(mesh), n)
-    smallest, first = smallest_eigenpair(energy, mass, 1000)
-    q = [cmath.exp(0.37j * v) for v in range(len(mesh.points))]
-    for gap, limit in ((1e9, q), (1e-6, first)):
-        u = Factor(energy, mass, 1.0, gap - smallest).solve([gap * x for x in times(mass, q)])
-        along = abs(dot(times(mass, limit), u))
-        sizes = dot(u, times(mass, u)).real * dot(limit, times(mass, limit)).real
-        assert along / math.sqrt(sizes) > 1 - 1e-6, gap
-
-
-def main():
-    coarse = bumpy(icosphere(1))
-    check_integrals()
-    check_connection(coarse)
-    check_connection(tetrahedron())
-    check_energy(icosphere(1), icosphere(2))
-    for mesh in (coarse, icosphere(0), tetrahedron()):
-        check_singularities(mesh)
-    check_large_indices()
-    check_alignment(coarse)
-    print("The formulas hold.")
-
-
-if __name__ == "__main__":
-    main()
+def aggregates(energy, mass):
+    """Solvers/Multigrid/Aggregation on the finest level; returns the strengths, too."""
+    n = len(energy)
+    strength = [{} for _ in range(n)]
+    for i in range(n):
+        for j, a in energy[i].items():
+            if j != i:
+                along = (a * (mass[i][j] / abs(mass[i][j])).conjugate()).real
+                bound = 0.08**2 * energy[i][i].real * energy[j][j].real
+                if along < 0 and along * along > bound:
+                    strength[i][j] = -along
+    group = [None] * n
+    count = 0
+    for root in range(n):
+        if group[root] is None and strength[root] and all(group[j] is None for j in strength[root]):
+            for j in [root] + list(strength[root]):
+                group[j] = count
+            count += 1
+    before = list(group)
+    for number in (before, group):
+        for v in range(n):
+            if group[v] is None:
+                near = [(s, j) for j, s in strength[v].items() if number[j] is not None]
+                if near:
+                    group[v] = number[max(near)[1]]
+                elif number is group:
+                    group[v] = count
+                    count += 1
+    return group, count, strength

@@ -14,7 +14,9 @@ import pathlib
 import sys
 
 import method
-from method import Connection, Mesh
+import tricks
+from meshes import bumpy, disk, icosphere, patch
+from method import Connection, cross
 from svg import BLACK, BLUE, GREEN, GREY, ORANGE, PALE, RED, Chart, Picture
 
 PI = math.pi
@@ -79,7 +81,8 @@ def integral_functions():
     ticks = ((-0.5, 0, 0.5, 1), (-0.2, 0, 0.2), (-0.25, 0, 0.25))
     for k, ((name, factor, which), ys, marks) in enumerate(zip(names, ranges, ticks)):
         chart = Chart(image, 45 + 250 * k, 35, 195, 180, (-12, 12), ys)
-        chart.ticks(*([(x, f"{x}".replace("-", "−")) for x in values] for values in ((-10, -5, 0, 5, 10), marks)), 11)
+        labels = [[(x, f"{x}".replace("-", "−")) for x in at] for at in ((-10, -5, 0, 5, 10), marks)]
+        chart.ticks(*labels, 11)
         values = [
             (x / 10, factor * method.section_integrals(x / 10)[which]) for x in range(-120, 121, 2)
         ]
@@ -109,7 +112,8 @@ def add_fan(image, center, angles, radius, closed, names):
             [center, polar(center, radius, ends[k]), polar(center, radius, ends[k + 1])], PALE, GREY, 1.3
         )
     for k in range(len(angles) + (0 if closed else 1)):
-        image.line([center, polar(center, radius, ends[k])], BLUE if k == 0 else BLACK, 2.2 if k == 0 else 1.4)
+        color, width = (BLUE, 2.2) if k == 0 else (BLACK, 1.4)
+        image.line([center, polar(center, radius, ends[k])], color, width)
         if names:
             image.text(*shift(polar(center, radius + 17, ends[k]), 0, 5), f"θ_{k}" if k else "0", 13)
     return ends
@@ -202,43 +206,6 @@ def double_cover():
 # --- Singularities.md ---------------------------------------------------------------------------------
 
 
-def disk(rings):
-    """A triangulated disk in the plane, a triangle in its middle."""
-    points, rows = [], []
-    height = math.sqrt(3) / 2
-    for y in range(-rings, rings + 1):
-        row = {}
-        for x in range(-2 * rings, 2 * rings + 1):
-            p = (x + 0.5 * (y % 2) - 0.5, (y + 1 / 3) * height, 0.0)
-            if math.hypot(p[0], p[1]) <= rings - 0.1:
-                row[x] = len(points)
-                points.append(p)
-        rows.append((y, row))
-    triangles = []
-    for (y, low), (_, high) in zip(rows, rows[1:]):
-        side = y % 2
-        for x, v in low.items():
-            right, left_up, right_up = low.get(x + 1), high.get(x - 1 + side), high.get(x + side)
-            if right is not None and right_up is not None:
-                triangles.append((v, right, right_up))
-            if left_up is not None and right_up is not None:
-                triangles.append((v, right_up, left_up))
-    used = sorted({v for t in triangles for v in t})
-    number = {v: k for k, v in enumerate(used)}
-    return Mesh([points[v] for v in used], [tuple(number[v] for v in t) for t in triangles])
-
-
-def constrained(mesh, connection, n, given):
-    """K_ff u_f = -K_fc u_c: the smoothest section with given values."""
-    energy, _ = method.operators(mesh, connection, n)
-    free = [v for v in range(len(mesh.points)) if v not in given]
-    number = {v: k for k, v in enumerate(free)}
-    inner = [{number[w]: a for w, a in energy[v].items() if w in number} for v in free]
-    right = [-sum(a * given[w] for w, a in energy[v].items() if w in given) for v in free]
-    solution = method.Factor(inner, inner, 1.0, 0.0).solve(right)
-    return [given[v] if v in given else solution[number[v]] for v in range(len(mesh.points))]
-
-
 def in_the_plane(mesh, connection, n, u):
     """Representation vectors whose angles count from the x axis, of a flat mesh."""
     turned = []
@@ -265,7 +232,7 @@ def indices_of_triangles():
                 own = math.atan2(b[1] - a[1], b[0] - a[0]) - connection.edge_angle[h]
                 around = math.atan2(p[1] - 0.12, p[0] - 0.2)
                 given[v] = cmath.exp(1j * (sign * around + 0.4 - n * own))
-        u = constrained(mesh, connection, n, given)
+        u = method.constrained(mesh, connection, n, given)
         index = method.singularity_indices(mesh, connection, n, u)
         omega = method.edge_rotations(mesh, connection, n, u)
         drawn = in_the_plane(mesh, connection, n, u)
@@ -285,45 +252,9 @@ def indices_of_triangles():
         words = words.replace("+ −", "− ")
         total = "360°" if sign > 0 else "−360°"
         image.text(center[0], 368, f"ω_{{ij}} + ω_{{jk}} + ω_{{ki}} = {words} = {total}", 13)
-        image.text(center[0], 392, f"index {'+1' if sign > 0 else '−1'}", 14, RED if sign > 0 else BLUE, weight="bold")
+        words, color = ("index +1", RED) if sign > 0 else ("index −1", BLUE)
+        image.text(center[0], 392, words, 14, color, weight="bold")
     return image
-
-
-def frames(mesh, connection):
-    """Unit normals weighted by angle, and the tangent vectors of angle 0 (Geometry/TangentFrames)."""
-    result = []
-    for v, p in enumerate(mesh.points):
-        fan = mesh.fan(v)
-        edges = [tuple(a - b for a, b in zip(mesh.points[mesh.head(h)], p)) for h in fan]
-        normal = [0.0, 0.0, 0.0]
-        for k, h in enumerate(fan):
-            unit = normalized(cross(edges[k], edges[(k + 1) % len(edges)]))
-            normal = [a + connection.corner[h] * b for a, b in zip(normal, unit)]
-        normal = normalized(normal)
-        axis = cross(normal, min(((1, 0, 0), (0, 1, 0), (0, 0, 1)), key=lambda e: abs(scalar(e, normal))))
-        a = normalized(axis)
-        b = cross(normal, a)
-        fit = 0.0
-        for h, edge in zip(fan, edges):
-            z = complex(scalar(edge, a), scalar(edge, b))
-            fit += z / abs(z) * cmath.exp(-1j * connection.edge_angle[h])
-        fit /= abs(fit)
-        x = tuple(fit.real * c + fit.imag * d for c, d in zip(a, b))
-        result.append((normal, x, cross(normal, x)))
-    return result
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def scalar(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def normalized(a):
-    size = math.sqrt(scalar(a, a))
-    return tuple(x / size for x in a)
 
 
 @picture
@@ -331,11 +262,11 @@ def cross_field():
     """The smoothest cross field of a closed surface from the front and from behind."""
     image = Picture(760, 400)
     n = 4
-    mesh = method.bumpy(method.icosphere(2), 0.6)
+    mesh = bumpy(icosphere(2), 0.6)
     connection = Connection(mesh)
     _, u = method.smallest_eigenpair(*method.operators(mesh, connection, n), 120)
     index = method.singularity_indices(mesh, connection, n, u)
-    tangent = frames(mesh, connection)
+    tangent = method.frames(mesh, connection)
     for panel, side in enumerate((1, -1)):
         center, scale = (190 + 380 * panel, 178), 128
 
@@ -369,7 +300,7 @@ def cross_field():
 def strength():
     image = Picture(760, 330)
     n = 4
-    mesh = method.bumpy(method.icosphere(1))
+    mesh = bumpy(icosphere(1))
     energy, mass = method.operators(mesh, Connection(mesh), n)
     pairs = method.smallest_pairs(energy, mass, 6, 1000)
     values = [value for value, _ in pairs]
@@ -440,9 +371,8 @@ def constraint_priorities():
 
     for k in range(columns - 1):
         for r in range(rows - 1):
-            image.area(
-                [place(k, r), place(k + 1, r), place(k + 1, r + 1), place(k, r + 1)], "#f6f8fa", "#c9ced6", 1.0
-            )
+            corners = [place(k, r), place(k + 1, r), place(k + 1, r + 1), place(k, r + 1)]
+            image.area(corners, "#f6f8fa", "#c9ced6", 1.0)
     for (k, r), kind in kinds.items():
         image.circle(place(k, r), 4.5, colors[kind], colors[kind])
     entries = (
@@ -499,79 +429,12 @@ def cycle():
     return image
 
 
-def morton(p, low, high):
-    code = 0
-    for bit in range(15, -1, -1):
-        for d in range(2):
-            cell = int((p[d] - low) / (high - low) * 65535)
-            code = 2 * code + (cell >> bit & 1)
-    return code
-
-
-def patch(columns, rows):
-    """A patch of the plane, stretched on its right half; its vertices follow a Morton curve."""
-    points = []
-    for r in range(rows):
-        for k in range(columns):
-            noise = math.sin(12.9898 * k + 78.233 * r) * 43758.5453
-            other = math.sin(39.346 * k + 11.135 * r) * 24634.6345
-            jitter = 0.22
-            dx, dy = jitter * (noise - math.floor(noise) - 0.5), jitter * (other - math.floor(other) - 0.5)
-            x = k + 0.5 * (r % 2) + dx
-            x = x if x < columns / 2 else columns / 2 + 2.6 * (x - columns / 2)
-            points.append((x, 0.87 * (r + dy), 0.0))
-    triangles = []
-    for r in range(rows - 1):
-        for k in range(columns - 1):
-            v = r * columns + k
-            up = v + columns
-            if r % 2 == 0:
-                triangles += [(v, v + 1, up), (v + 1, up + 1, up)]
-            else:
-                triangles += [(v, v + 1, up + 1), (v, up + 1, up)]
-    high = max(max(p[:2]) for p in points) + 0.2
-    order = sorted(range(len(points)), key=lambda v: morton(points[v], -0.2, high))
-    number = {v: k for k, v in enumerate(order)}
-    return Mesh([points[v] for v in order], [tuple(number[v] for v in t) for t in triangles])
-
-
-def aggregates(energy, mass):
-    """Solvers/Multigrid/Aggregation on the finest level; returns the strengths, too."""
-    n = len(energy)
-    strength = [{} for _ in range(n)]
-    for i in range(n):
-        for j, a in energy[i].items():
-            if j != i:
-                along = (a * (mass[i][j] / abs(mass[i][j])).conjugate()).real
-                bound = 0.08**2 * energy[i][i].real * energy[j][j].real
-                if along < 0 and along * along > bound:
-                    strength[i][j] = -along
-    group = [None] * n
-    count = 0
-    for root in range(n):
-        if group[root] is None and strength[root] and all(group[j] is None for j in strength[root]):
-            for j in [root] + list(strength[root]):
-                group[j] = count
-            count += 1
-    before = list(group)
-    for number in (before, group):
-        for v in range(n):
-            if group[v] is None:
-                near = [(s, j) for j, s in strength[v].items() if number[j] is not None]
-                if near:
-                    group[v] = number[max(near)[1]]
-                elif number is group:
-                    group[v] = count
-                    count += 1
-    return group, count, strength
-
-
 @picture
 def aggregation():
     image = Picture(760, 330)
     mesh = patch(14, 9)
     energy, mass = method.operators(mesh, Connection(mesh), 4)
-    group, count, strength = aggregates(energy, mass)
+    group, count, strength = method.aggregates(energy, mass)
     palette = ("#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#edc948", "#76b7b2")
 
     def place(p):
@@ -581,12 +444,10 @@ def aggregation():
         twin = mesh.twin[h]
         if twin is None or h < twin:
             a, b = mesh.tail(h), mesh.head(h)
-            strong = b in strength[a]
-            image.line([place(mesh.points[a]), place(mesh.points[b])], "#9aa3ad" if strong else "#e3e6ea", 1.1)
+            ends = [place(mesh.points[a]), place(mesh.points[b])]
+            image.line(ends, "#9aa3ad" if b in strength[a] else "#e3e6ea", 1.1)
             if group[a] == group[b]:
-                image.line(
-                    [place(mesh.points[a]), place(mesh.points[b])], palette[group[a] * 3 % len(palette)], 4.0
-                )
+                image.line(ends, palette[group[a] * 3 % len(palette)], 4.0)
     for v, p in enumerate(mesh.points):
         color = palette[group[v] * 3 % len(palette)]
         image.circle(place(p), 5, color, "white", 1.0)
@@ -594,91 +455,8 @@ def aggregation():
     return image
 
 
-# --- Tricks.md ----------------------------------------------------------------------------------------
-
-
-def add_cells(image, x, y, words, fills, width=50, height=28, size=13):
-    for k, (word, fill) in enumerate(zip(words, fills)):
-        image.box(x + width * k, y, width, height, fill, GREY)
-        image.text(x + width * (k + 0.5), y + 0.5 * height + 5, word, size)
-
-
-@picture
-def mask_window():
-    """Three of six factors of a row: what the window of masks leaves of the rest."""
-    image = Picture(760, 270)
-    kept, dropped = "#dbe8f6", "#f1f2f4"
-    image.text(20, 44, "factors of the row, and those of the next one", 13, anchor="start")
-    add_cells(image, 380, 25, ["a_0", "a_1", "a_2", "a_3", "a_4", "a_5"], [kept] * 3 + [dropped] * 3)
-    image.text(20, 109, "masks", 13, anchor="start")
-    words = ["−1"] * 6 + ["0"] * 6
-    add_cells(image, 80, 90, words, ["#cfe5d3"] * 6 + ["#f6d9d5"] * 6)
-    image.box(80 + 3 * 50, 84, 300, 40, "none", RED, 2.4)
-    image.text(80 + 6 * 50, 143, "the window begins at Padding − 3", 12, RED)
-    image.text(20, 189, "bitwise and", 13, anchor="start")
-    add_cells(image, 380, 170, ["a_0", "a_1", "a_2", "0", "0", "0"], [kept] * 3 + ["white"] * 3)
-    for k in range(3):
-        image.line([(382 + 100 * k, 204), (382 + 100 * k, 212), (478 + 100 * k, 212), (478 + 100 * k, 204)], BLACK, 1.2)
-        image.text(430 + 100 * k, 230, f"register {k + 1}", 12)
-    image.text(20, 230, "two factors a register, no branch", 13, anchor="start")
-    return image
-
-
-@picture
-def row_sum():
-    """What RowSum does with the columns 7, 12, 7, 1031, 12, 7, of which 7 and 1031 share a slot."""
-    image = Picture(760, 250)
-    slots, row = {}, []
-    for k, column in enumerate((7, 12, 7, 1031, 12, 7)):
-        slot = column % 1024
-        at = slots.get(slot, 0)
-        is_new = not (at < len(row) and row[at] == column)
-        if is_new:
-            at = len(row)
-            row.append(column)
-        slots[slot] = at
-        x = 10 + 125 * k
-        image.text(x + 57, 28, f"column {column}", 13, weight="bold")
-        image.text(x + 57, 48, "new" if is_new else "known", 12, GREEN if is_new else GREY)
-        for s, y in ((7, 64), (12, 92)):
-            image.text(x + 38, y + 18, f"slot {s}", 12)
-            image.box(x + 66, y, 34, 26, "#dbe8f6" if s == slot else "#f6f8fa", GREY)
-            image.text(x + 83, y + 18, f"{slots[s]}" if s in slots else "0", 13)
-        for e in range(4):
-            image.box(x + 6, 135 + 25 * e, 102, 25, "#dbe8f6" if e == at else "white", GREY, 1.0)
-            if e < len(row):
-                image.text(x + 57, 153 + 25 * e, f"{e}:  {row[e]}", 13)
-    return image
-
-
-@picture
-def blocks():
-    """A matrix in blocks of rows: what is swept in order, and what goes to the diagonal."""
-    image = Picture(760, 300)
-    size, block, cell = 12, 4, 20
-    left, top = 40, 25
-    near = {1: 2.0, 3: 1.0}
-    for i in range(size):
-        for j in range(size):
-            inside = i // block == j // block
-            couples = abs(i - j) in near
-            fill = "#4e79a7" if i == j else "#bcd2ee" if couples and inside else "#f3c1bb" if couples else "white"
-            image.box(left + cell * j, top + cell * i, cell, cell, fill, "#d5d9de", 0.7)
-    for k in range(0, size, block):
-        image.box(left + cell * k, top + cell * k, cell * block, cell * block, "none", BLACK, 2.0)
-    entries = (
-        ("#4e79a7", "the diagonal"),
-        ("#bcd2ee", "within a block: Gauss-Seidel, row by row"),
-        ("#f3c1bb", "between blocks: values of before the sweep (Jacobi),"),
-        ("none", "their moduli are added to the row's diagonal (l1)"),
-    )
-    for k, (fill, words) in enumerate(entries):
-        if fill != "none":
-            image.box(330, 60 + 34 * k, 18, 18, fill, GREY)
-        image.text(360, 74 + 34 * k, words, 13, anchor="start")
-    image.text(360, 225, "Each block is one thread's business, whichever", 13, anchor="start")
-    image.text(360, 243, "thread that is: the bytes are always the same.", 13, anchor="start")
-    return image
+for drawing in (tricks.mask_window, tricks.row_sum, tricks.blocks):
+    picture(drawing)
 
 
 def main():
