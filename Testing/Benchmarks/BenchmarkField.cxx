@@ -11,7 +11,7 @@
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Meshes/Geometry.h"
 #include "Sections/Assembly.h"
-#include "Solvers/Eigenpairs/MultigridEigenpair.h"
+#include "Solvers/Eigenpairs/JacobiDavidson.h"
 #include "Support/Threads.h"
 
 #include "vtkDirectionField.h"
@@ -155,7 +155,7 @@ void Eigensolve(benchmark::State& state, const std::string& mesh)
       settings.Scale = ScaleOf(g, c);
       LowestSections lowest;
       const Eigenpair pair =
-        SmallestEigenpair(operators[c], *hierarchies[c], settings, {}, lowest);
+        SolveByJacobiDavidson(operators[c], *hierarchies[c], settings, {}, lowest);
       state.counters["iterations"] = pair.Iterations;
     }
   }

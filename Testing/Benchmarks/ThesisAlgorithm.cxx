@@ -8,7 +8,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Sections/Assembly.h"
 #include "Sections/Singularities.h"
-#include "Solvers/Eigenpairs/SmallestEigenpair.h"
+#include "Solvers/Eigenpairs/Lanczos.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -3,6 +3,9 @@
 
 #include "Field/SmoothestField.h"
 
+#include "Solvers/Eigenpairs/JacobiDavidson.h"
+#include "Solvers/Eigenpairs/Lanczos.h"
+
 #include <cmath>
 
 namespace DirectionFields
@@ -15,7 +18,7 @@ constexpr Eigen::Index DirectRows = 3000;
 
 SmallestPairs FindSmallestPairs(const Operators& operators,
   const std::function<ComplexVector()>& start, Solver solver, const EigenpairSettings& settings,
-  const std::function<bool(int)>& progress)
+  const Progress& progress)
 {
   SmallestPairs pairs;
   const Eigen::Index rows = operators.Energy.rows();
@@ -24,16 +27,16 @@ SmallestPairs FindSmallestPairs(const Operators& operators,
   {
     pairs.Hierarchy = std::make_unique<Hierarchy>(operators, settings.Scale);
     pairs.First =
-      SmallestEigenpair(operators, *pairs.Hierarchy, settings, progress, pairs.Lowest);
+      SolveByJacobiDavidson(operators, *pairs.Hierarchy, settings, progress, pairs.Lowest);
     pairs.SolverUsed = Solver::Multigrid;
-    if (pairs.First.Aborted || pairs.First.Residual <= settings.Tolerance ||
+    if (pairs.First.Residual <= settings.Tolerance ||
       (!automatic && std::isfinite(pairs.First.Residual)))
     {
       return pairs;
     }
     pairs = {};
   }
-  pairs.First = SmallestEigenpair(operators.Energy, operators.Mass, start(), settings, progress);
+  pairs.First = SolveByLanczos(operators.Energy, operators.Mass, start(), settings, progress);
   return pairs;
 }
 }

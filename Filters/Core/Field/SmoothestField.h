@@ -5,7 +5,9 @@
 #define DirectionFields_SmoothestField_h
 
 #include "Options.h"
-#include "Solvers/Eigenpairs/MultigridEigenpair.h"
+#include "Solvers/Eigenpairs/Eigenpair.h"
+#include "Solvers/Multigrid/Hierarchy.h"
+#include "Solvers/Multigrid/SectionBlock.h"
 
 #include <functional>
 #include <memory>
@@ -17,20 +19,19 @@ struct SmallestPairs
 {
   Eigenpair First;
   Solver SolverUsed = Solver::Direct;
-  /// Only where SolverUsed is Multigrid.
+  /// Null unless SolverUsed is Multigrid.
   std::unique_ptr<DirectionFields::Hierarchy> Hierarchy;
-  /// Approximations of the smallest eigenvectors, orthonormal in M to some digits, the first of them
-  /// First but for its phase.
-  /// Empty where there is no hierarchy.
+  /// Approximations of the smallest eigenvectors, orthonormal in M to some digits; the first of them is that
+  /// of First, apart from its phase. Empty where there is no hierarchy.
   LowestSections Lowest;
 };
 
-/// By the solver that is asked for.
-/// @param start    of the direct solver
-/// @param progress called before each V-cycle or solve with the number done; false stops. Aborted of the first pair says that it stopped
+/// Finds the smallest eigenpair by the solver that is asked for. Throws Stopped.
+/// @param start    makes the section that the direct solver begins with
+/// @param progress is told before each V-cycle or solve how far the solver is
 SmallestPairs FindSmallestPairs(const Operators& operators,
   const std::function<ComplexVector()>& start, Solver solver, const EigenpairSettings& settings,
-  const std::function<bool(int)>& progress);
+  const Progress& progress);
 }
 
 #endif

@@ -7,7 +7,6 @@
 #include "Sections/DoubleCover.h"
 #include "Sections/ReferenceSection.h"
 
-#include <cmath>
 #include <utility>
 
 namespace DirectionFields
@@ -65,14 +64,6 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
   for (std::size_t c = 0; c < components.size(); ++c)
   {
     const TriangleMesh::Component& component = components[c];
-    const auto report = [&](int solves)
-    {
-      // Convergence takes some 10 to 20 solves as a rule.
-      const double within = solves == 0 ? 0.0 : 1.0 - 0.6 * std::exp(-0.1 * (solves - 1));
-      return !progress ||
-        progress((component.FirstVertex + within * component.Vertices()) /
-          this->Mesh.GetNumberOfVertices());
-    };
     stage.Matrices.push_back(AssembleOperators(delaunay ? delaunay->Mesh : this->Mesh,
       delaunay ? delaunay->Geometry : this->Geometry,
       delaunay ? delaunay->Transport : this->Transport, component, options.Degree,
@@ -83,9 +74,15 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
     settings.Scale = this->GetScale(c, options.Degree);
     const ReferenceSection reference(
       this->Frames, this->Positions, component, options.Degree);
-    SmallestPairs pairs = FindSmallestPairs(
-      stage.Matrices.back(), [&] { return reference.Start(); }, options.Solver, settings, report);
-    if (pairs.First.Aborted)
+    SmallestPairs pairs;
+    try
+    {
+      const double vertices = this->Mesh.GetNumberOfVertices();
+      pairs = FindSmallestPairs(
+        stage.Matrices.back(), [&] { return reference.Start(); }, options.Solver, settings,
+        Progress(progress).Part(component.FirstVertex / vertices, component.EndVertex / vertices));
+    }
+    catch (const Stopped&)
     {
       return nullptr;
     }

@@ -15,9 +15,10 @@ namespace
 {
 constexpr int Width = SectionBlock::Width;
 constexpr Index PieceRows = CompactMatrix::PieceRows;
-/// Rows whose products are added up in single precision.
+/// The products of this many rows are added up in single precision, their sums in double precision.
 constexpr Index FewRows = 256;
-/// A section is tested by what K makes of it where its value in K is above this part of that in A.
+/// W gets K v for a section v where v^* K v is above this part of v^* A v; below it K nearly maps v to 0,
+/// and W gets m v.
 constexpr double SmallestPart = 0.01;
 
 /// Products of a section with the four of a block, and another sum.
@@ -36,6 +37,16 @@ struct Sums
     }
     this->Other += other.Other;
     return *this;
+  }
+  /// The products with the four sections.
+  Eigen::Vector4cd WithBlock() const
+  {
+    Eigen::Vector4cd products;
+    for (int b = 0; b < Width; ++b)
+    {
+      products[b] = Complex(this->Real[b], this->Imaginary[b]);
+    }
+    return products;
   }
 };
 
@@ -87,20 +98,16 @@ Sums SumRows(Index rows, const Body& body)
     });
 }
 
-/// Row v of a block times coefficients.
+/// The coefficients c = matrix * products of a linear combination of a block's four sections.
 struct Coefficients
 {
-  Coefficients(const Eigen::Matrix4cd& matrix, const Sums& sums)
+  Coefficients(const Eigen::Matrix4cd& matrix, const Eigen::Vector4cd& products)
   {
-    Eigen::Vector4cd products;
-    for (int b = 0; b < Width; ++b)
-    {
-      products[b] = Complex(sums.Real[b], sums.Imaginary[b]);
-    }
-    products = matrix * products;
-    this->Values.Real = products.real().cast<float>();
-    this->Values.Imaginary = products.imag().cast<float>();
+    const Eigen::Vector4cd c = matrix * products;
+    this->Values.Real = c.real().cast<float>();
+    this->Values.Imaginary = c.imag().cast<float>();
   }
+  /// Row v of the linear combination.
   CompactComplex Times(const CompactSections& block, Index v) const
   {
     const CompactValues<Width> x(block.data(), v);
@@ -131,7 +138,7 @@ void DeflatedGradients::Prepare(double shift)
   const float* const mass = this->Finest.LumpedMass.data();
   const CompactSections& vectors = this->Deflated.Vectors;
   const CompactSections& energies = this->Deflated.Energy;
-  // By energy and by lumped mass.
+  // Real holds v^* A v and Imaginary v^* m v for each section v.
   const Sums values = SumRows(this->Deflated.Rows(),
     [&](Index v, FewSums& sums)
     {
@@ -140,7 +147,7 @@ void DeflatedGradients::Prepare(double shift)
       sums.Products.Real += x.Real * energy.Real + x.Imaginary * energy.Imaginary;
       sums.Products.Imaginary += mass[v] * (x.Real * x.Real + x.Imaginary * x.Imaginary);
     });
-  // Of the products by energy, and of those by mass.
+  // W = Real A V + Imaginary m V
   CompactValues<Width> factors;
   for (int b = 0; b < Width; ++b)
   {
@@ -163,29 +170,23 @@ void DeflatedGradients::Prepare(double shift)
       }
     });
   Eigen::Matrix4cd products =
-    Products(this->Deflated.Rows(), { { &this->Tested, &vectors } }).front();
+    InnerProducts(this->Deflated.Rows(), { { &this->Tested, &vectors } }).front();
   for (int b = 0; b < Width; ++b)
   {
-    // A section that is zero.
+    // A section that is zero deflates nothing, whatever its diagonal entry.
     if (products(b, b) == 0.0)
     {
       products(b, b) = 1.0;
     }
   }
   this->Inverse = products.inverse();
+  this->InverseAdjoint = this->Inverse.adjoint();
 }
 
 DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHandSide,
-  double shift, double reduction, int mostSteps, const std::function<bool()>& goOn,
-  ComplexVector& solution)
+  double shift, double reduction, int mostSteps, SolveCounter& cycles, ComplexVector& solution)
 {
-  const CompactMatrix& matrix = this->Finest.Matrices.Energy;
-  const Index rows = matrix.Rows();
-  float* const t = this->Solution.data();
-  float* const r = this->Residual.data();
-  float* const p = this->Direction.data();
-  float* const z = this->Preconditioned.data();
-  float* const q = this->Product.data();
+  const auto rows = static_cast<Index>(rightHandSide.size());
   Outcome outcome;
   Resize(solution, rows);
   const double size = std::sqrt(ParallelSum<double>(rows, PieceRows, 0.0,
@@ -195,87 +196,24 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
     solution.setZero();
     return outcome;
   }
-
   this->Prepare(shift);
-  // Of unit length, so that nothing leaves the range of single precision.
-  const Eigen::Matrix4cd inverseAdjoint = this->Inverse.adjoint();
-  const Coefficients outside(inverseAdjoint, SumRows(rows,
-    [&](Index v, FewSums& sums)
-    {
-      const Complex value = rightHandSide[v] / size;
-      sums.Add(this->Deflated.Vectors, v, static_cast<float>(value.real()),
-        static_cast<float>(value.imag()));
-    }));
-  const double first = SumRows(rows,
-    [&](Index v, FewSums& sums)
-    {
-      const CompactComplex value =
-        CompactComplex(rightHandSide[v] / size) - outside.Times(this->Tested, v);
-      r[2 * v] = value.real();
-      r[2 * v + 1] = value.imag();
-      t[2 * v] = 0.0f;
-      t[2 * v + 1] = 0.0f;
-      sums.Other += std::norm(value);
-    }).Other;
-
+  const double first = this->Begin(rightHandSide, size);
   double previous = 0.0;
   for (; outcome.Steps < mostSteps; ++outcome.Steps)
   {
-    if (!goOn())
-    {
-      outcome.Stopped = true;
-      break;
-    }
-    this->Preconditioner.Apply<1>(r, z);
-    const Coefficients along(this->Inverse, SumRows(rows,
-      [&](Index v, FewSums& sums) { sums.Add(this->Tested, v, z[2 * v], z[2 * v + 1]); }));
-    const double product = SumRows(rows,
-      [&](Index v, FewSums& sums)
-      {
-        const CompactComplex out = along.Times(this->Deflated.Vectors, v);
-        z[2 * v] -= out.real();
-        z[2 * v + 1] -= out.imag();
-        sums.Other += r[2 * v] * z[2 * v] + r[2 * v + 1] * z[2 * v + 1];
-      }).Other;
-    const float keep =
-      outcome.Steps == 0 ? 0.0f : static_cast<float>(product / previous);
+    cycles.Next();
+    const double product = this->Precondition();
+    this->Turn(outcome.Steps == 0 ? 0.0f : static_cast<float>(product / previous));
     previous = product;
-    ParallelFor(rows, PieceRows,
-      [&](Index begin, Index end)
-      {
-        for (Index k = 2 * begin; k < 2 * end; ++k)
-        {
-          p[k] = keep == 0.0f ? z[k] : z[k] + keep * p[k];
-        }
-      });
-    const Sums products = SumRows(rows,
-      [&](Index v, FewSums& sums)
-      {
-        CompactValues<1> product = matrix.RowTimes<1>(v, p);
-        product.AddReal(static_cast<float>(shift) * this->Finest.LumpedMass[v], p, v);
-        product.Store(q, v);
-        const CompactComplex value = product.Value();
-        sums.Add(this->Deflated.Vectors, v, value.real(), value.imag());
-        sums.Other += p[2 * v] * value.real() + p[2 * v + 1] * value.imag();
-      });
-    if (!(products.Other > 0.0))
+    Eigen::Vector4cd along;
+    const double form = this->Multiply(shift, along);
+    if (!(form > 0.0))
     {
       outcome.Indefinite = true;
       this->Solution.swap(this->Direction);
       break;
     }
-    const Coefficients out(inverseAdjoint, products);
-    const auto step = static_cast<float>(product / products.Other);
-    const double rest = SumRows(rows,
-      [&](Index v, FewSums& sums)
-      {
-        const CompactComplex projected = out.Times(this->Tested, v);
-        t[2 * v] += step * p[2 * v];
-        t[2 * v + 1] += step * p[2 * v + 1];
-        r[2 * v] -= step * (q[2 * v] - projected.real());
-        r[2 * v + 1] -= step * (q[2 * v + 1] - projected.imag());
-        sums.Other += r[2 * v] * r[2 * v] + r[2 * v + 1] * r[2 * v + 1];
-      }).Other;
+    const double rest = this->Advance(static_cast<float>(product / form), along);
     if (!(rest > reduction * reduction * first))
     {
       ++outcome.Steps;
@@ -291,5 +229,101 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
       }
     });
   return outcome;
+}
+
+double DeflatedGradients::Begin(const ComplexVector& rightHandSide, double size)
+{
+  const Index rows = this->Finest.Rows();
+  float* const t = this->Solution.data();
+  float* const r = this->Residual.data();
+  const Coefficients outside(this->InverseAdjoint, SumRows(rows,
+    [&](Index v, FewSums& sums)
+    {
+      const Complex value = rightHandSide[v] / size;
+      sums.Add(this->Deflated.Vectors, v, static_cast<float>(value.real()),
+        static_cast<float>(value.imag()));
+    }).WithBlock());
+  return SumRows(rows,
+    [&](Index v, FewSums& sums)
+    {
+      const CompactComplex value =
+        CompactComplex(rightHandSide[v] / size) - outside.Times(this->Tested, v);
+      r[2 * v] = value.real();
+      r[2 * v + 1] = value.imag();
+      t[2 * v] = 0.0f;
+      t[2 * v + 1] = 0.0f;
+      sums.Other += std::norm(value);
+    }).Other;
+}
+
+double DeflatedGradients::Precondition()
+{
+  const Index rows = this->Finest.Rows();
+  const float* const r = this->Residual.data();
+  float* const z = this->Preconditioned.data();
+  this->Preconditioner.Apply<1>(r, z);
+  const Coefficients along(this->Inverse, SumRows(rows,
+    [&](Index v, FewSums& sums)
+    { sums.Add(this->Tested, v, z[2 * v], z[2 * v + 1]); }).WithBlock());
+  return SumRows(rows,
+    [&](Index v, FewSums& sums)
+    {
+      const CompactComplex out = along.Times(this->Deflated.Vectors, v);
+      z[2 * v] -= out.real();
+      z[2 * v + 1] -= out.imag();
+      sums.Other += r[2 * v] * z[2 * v] + r[2 * v + 1] * z[2 * v + 1];
+    }).Other;
+}
+
+void DeflatedGradients::Turn(float keep)
+{
+  const float* const z = this->Preconditioned.data();
+  float* const p = this->Direction.data();
+  ParallelFor(this->Finest.Rows(), PieceRows,
+    [&](Index begin, Index end)
+    {
+      for (Index k = 2 * begin; k < 2 * end; ++k)
+      {
+        p[k] = keep == 0.0f ? z[k] : z[k] + keep * p[k];
+      }
+    });
+}
+
+double DeflatedGradients::Multiply(double shift, Eigen::Vector4cd& along)
+{
+  const CompactMatrix& matrix = this->Finest.Matrices.Energy;
+  const float* const p = this->Direction.data();
+  float* const q = this->Product.data();
+  const Sums products = SumRows(this->Finest.Rows(),
+    [&](Index v, FewSums& sums)
+    {
+      CompactValues<1> product = matrix.RowTimes<1>(v, p);
+      product.AddReal(static_cast<float>(shift) * this->Finest.LumpedMass[v], p, v);
+      product.Store(q, v);
+      const CompactComplex value = product.Value();
+      sums.Add(this->Deflated.Vectors, v, value.real(), value.imag());
+      sums.Other += p[2 * v] * value.real() + p[2 * v + 1] * value.imag();
+    });
+  along = products.WithBlock();
+  return products.Other;
+}
+
+double DeflatedGradients::Advance(float step, const Eigen::Vector4cd& along)
+{
+  const float* const p = this->Direction.data();
+  const float* const q = this->Product.data();
+  float* const t = this->Solution.data();
+  float* const r = this->Residual.data();
+  const Coefficients out(this->InverseAdjoint, along);
+  return SumRows(this->Finest.Rows(),
+    [&](Index v, FewSums& sums)
+    {
+      const CompactComplex projected = out.Times(this->Tested, v);
+      t[2 * v] += step * p[2 * v];
+      t[2 * v + 1] += step * p[2 * v + 1];
+      r[2 * v] -= step * (q[2 * v] - projected.real());
+      r[2 * v + 1] -= step * (q[2 * v + 1] - projected.imag());
+      sums.Other += r[2 * v] * r[2 * v] + r[2 * v + 1] * r[2 * v + 1];
+    }).Other;
 }
 }

@@ -3,7 +3,7 @@
 
 #include "Solvers/Eigenpairs/NestedIteration.h"
 
-#include "Solvers/Multigrid/LevelMatrices.h"
+#include "Solvers/Eigenpairs/RayleighRitz.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -15,17 +15,18 @@ namespace DirectionFields
 namespace
 {
 constexpr int Width = SectionBlock::Width;
-/// Relative residual of the smallest pair where a level is left: the discretization of a coarser one
-/// is off by more than that.
+/// A level is left once the relative residual of the smallest pair is below this: the discretization of a
+/// coarser level is off by more.
 constexpr float Tolerance = 0.2f;
-/// A value below this part of the order of magnitude of the smallest eigenvalue is 0. The residual of
-/// its section is rounding, along which no step may go.
+/// A value below this part of the order of magnitude of the smallest eigenvalue counts as 0. The residual
+/// of its section is rounding, along which no step may go.
 constexpr double ZeroPart = 1e-3;
 constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
-/// On the finest level each step costs as much as five V-cycles of the one section that it is about in
-/// the end. There it ends, too, where a step has changed the smallest value by no more than a part: the
-/// first one by what interpolation had added, as a rule.
+/// On the finest level each step costs as much as five V-cycles of the one section that is wanted in the
+/// end. There the steps end, too, once one has changed the smallest value by no more than a part of it:
+/// FirstChange for the first step, which takes away what interpolation had added, as a rule, then
+/// SettledChange.
 constexpr int MostStepsOnFinest = 4;
 constexpr double FirstChange = 0.25;
 constexpr double SettledChange = 0.02;
@@ -63,20 +64,20 @@ public:
       return;
     }
     const std::vector<SmallMatrix> products =
-      Products(level.Rows(), { { &pairs.Block.Vectors, &pairs.Block.Energy },
-                               { &pairs.Block.Vectors, &pairs.Block.Mass } });
+      InnerProducts(level.Rows(), { { &pairs.Block.Vectors, &pairs.Block.Energy },
+                                    { &pairs.Block.Vectors, &pairs.Block.Mass } });
     this->Take(RayleighRitz(products[0], products[1], Width));
     if (this->IsWhole())
     {
-      Combine({ { &pairs.Block, this->Ritz.Vectors } }, pairs.Block);
+      SetLinearCombination({ { &pairs.Block, this->Ritz.Vectors } }, pairs.Block);
     }
   }
 
-  /// All four pairs are there.
+  /// Whether all four pairs have been found.
   bool IsWhole() const { return this->Pairs.Values.size() == Width; }
 
-  /// Puts the residuals in Correction; returns the relative size of that of the smallest value but
-  /// 0, and 0 where there is none.
+  /// Puts the residuals A x - theta M x in Correction. Returns the relative size of the one whose theta is
+  /// the smallest that is not 0; 0 where all four values are 0.
   float Residuals()
   {
     const SectionBlock& block = this->Pairs.Block;
@@ -119,15 +120,38 @@ public:
   /// One step with the residuals that Residuals left. Whether it is the last one.
   bool Step(const Cycle& cycle, std::size_t level, bool isLast)
   {
-    SectionBlock& x = this->Pairs.Block;
     SectionBlock& w = this->Correction;
-    SectionBlock& s = this->Search;
-    const bool searched = s.Rows() > 0;
-    // Storage that will be written to next.
+    // The products of w have not been computed yet: their storage is free for the cycle's result.
     cycle.Apply<Width>(w.Vectors.data(), w.Mass.data(), level);
     w.Vectors.swap(w.Mass);
     this->Multiply(w);
 
+    const bool searched = this->Search.Rows() > 0;
+    const int first = this->FirstNonzero();
+    const double before = this->Pairs.Values[first];
+    this->FindRitzPairs();
+    if (!this->IsWhole())
+    {
+      return true;
+    }
+    // Without a coarser level the first steps say nothing; and where the value rises, what the
+    // coarser level took for it was rounding.
+    const double after = this->Pairs.Values[first];
+    isLast = isLast ||
+      (level == 0 && !this->IsCoarsest &&
+        std::abs(before - after) <= (searched ? SettledChange : FirstChange) * after);
+    this->TakeRitzVectors(level > 0 || !isLast, isLast);
+    return isLast;
+  }
+
+private:
+  /// The Ritz pairs of the space of the sections X, the corrections W and the last step S.
+  void FindRitzPairs()
+  {
+    const SectionBlock& x = this->Pairs.Block;
+    const SectionBlock& w = this->Correction;
+    const SectionBlock& s = this->Search;
+    const bool searched = s.Rows() > 0;
     std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{
       { &x.Vectors, &w.Energy }, { &x.Vectors, &w.Mass }, { &w.Vectors, &w.Energy },
       { &w.Vectors, &w.Mass }
@@ -140,7 +164,7 @@ public:
         pairs.emplace_back(other, &s.Mass);
       }
     }
-    const std::vector<SmallMatrix> products = Products(x.Rows(), pairs);
+    const std::vector<SmallMatrix> products = InnerProducts(x.Rows(), pairs);
     const int parts = searched ? 3 : 2;
     SmallMatrix energy(parts * Width, parts * Width);
     SmallMatrix mass(parts * Width, parts * Width);
@@ -159,19 +183,17 @@ public:
     {
       set(other, 2, products[4 + 2 * other], products[5 + 2 * other]);
     }
-    const int first = this->FirstNonzero();
-    const double before = this->Pairs.Values[first];
     this->Take(RayleighRitz(energy, mass, Width));
-    if (!this->IsWhole())
-    {
-      return true;
-    }
-    // Without a coarser level the first steps say nothing; and where the value rises, what the
-    // coarser level took for it was rounding.
-    const double now = this->Pairs.Values[first];
-    isLast = isLast ||
-      (level == 0 && !this->IsCoarsest &&
-        std::abs(before - now) <= (searched ? SettledChange : FirstChange) * now);
+  }
+
+  /// The sections become the Ritz vectors, and the last step what was added to them.
+  /// @param isLast no step follows that would need the last one
+  void TakeRitzVectors(bool withMass, bool isLast)
+  {
+    SectionBlock& x = this->Pairs.Block;
+    const SectionBlock& w = this->Correction;
+    SectionBlock& s = this->Search;
+    const bool searched = s.Rows() > 0;
     std::vector<std::pair<const SectionBlock*, SmallMatrix>> terms{
       { &x, SmallMatrix(this->Ritz.Vectors.topRows(Width)) }, { &w, this->OfCorrection() }
     };
@@ -179,20 +201,22 @@ public:
     {
       terms.emplace_back(&s, this->OfSearch());
     }
-    Combine(terms, x, level > 0 || !isLast);
-    if (!isLast && searched)
+    SetLinearCombination(terms, x, withMass);
+    if (isLast)
     {
-      Combine({ { &w, this->OfCorrection() }, { &s, this->OfSearch() } }, s);
+      return;
     }
-    else if (!isLast)
+    if (searched)
+    {
+      SetLinearCombination({ { &w, this->OfCorrection() }, { &s, this->OfSearch() } }, s);
+    }
+    else
     {
       s = SectionBlock(x.Rows());
-      Combine({ { &w, this->OfCorrection() } }, s);
+      SetLinearCombination({ { &w, this->OfCorrection() } }, s);
     }
-    return isLast;
   }
 
-private:
   int FirstNonzero() const
   {
     int first = 0;
@@ -223,14 +247,15 @@ private:
     }
   }
 
+  /// The operators on the finest level, whose products are more exact; else null.
   const Operators* Finest;
   double Zero;
   const LevelMatrices& Matrices;
   bool IsCoarsest;
   NestedPairs& Pairs;
-  /// Its vectors are the residuals before the step.
+  /// Before a step its vectors are the residuals, then the corrections W that cycles make of them.
   SectionBlock Correction;
-  /// The last step. Empty before the second one.
+  /// The last step S; empty before the second one.
   SectionBlock Search;
   RitzPairs Ritz;
 };
@@ -253,7 +278,7 @@ SectionBlock Irregular(Index rows)
 }
 
 NestedPairs IterateNested(const Operators& operators, const Hierarchy& hierarchy,
-  const Cycle& cycle, const std::function<bool()>& goOn)
+  const Cycle& cycle, const Progress& progress)
 {
   const std::vector<Hierarchy::Level>& levels = hierarchy.GetLevels();
   NestedPairs pairs;
@@ -275,11 +300,7 @@ NestedPairs IterateNested(const Operators& operators, const Hierarchy& hierarchy
     bool goes = iteration.IsWhole();
     for (int step = 0; goes && step < most; ++step)
     {
-      if (!goOn())
-      {
-        pairs.Values.resize(0);
-        return pairs;
-      }
+      progress.RequireToGoOn();
       goes = iteration.Residuals() > Tolerance &&
         !iteration.Step(cycle, level, step + 1 == most);
     }

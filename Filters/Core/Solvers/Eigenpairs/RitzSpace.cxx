@@ -13,12 +13,12 @@ namespace DirectionFields
 {
 namespace
 {
-/// What is left of a section of unit length after projection, if it is more than rounding.
+/// A section of unit length is new where projection leaves more of it than this: the rest is rounding.
 constexpr double LeastNew = 1e-10;
 constexpr int Width = SectionBlock::Width;
 
-/// v^* x of a member of each.
-Eigen::VectorXcd Products(const std::vector<SectionProducts>& sections,
+/// v^* x of the given member v of each section.
+Eigen::VectorXcd InnerProducts(const std::vector<SectionProducts>& sections,
   ComplexVector SectionProducts::*member, const ComplexVector& x)
 {
   const auto count = static_cast<Eigen::Index>(sections.size());
@@ -36,8 +36,8 @@ Eigen::VectorXcd Products(const std::vector<SectionProducts>& sections,
     });
 }
 
-/// The combination of a member of each, at some rows.
-ComplexVector Combined(const std::vector<SectionProducts>& sections,
+/// The linear combination of the given member of all sections, at the rows begin to end - 1.
+ComplexVector LinearCombination(const std::vector<SectionProducts>& sections,
   ComplexVector SectionProducts::*member, const Eigen::VectorXcd& coefficients, Index begin,
   Index end)
 {
@@ -70,12 +70,12 @@ void RitzSpace::Add(ComplexVector section)
   // Twice is enough (Kahan and Parlett).
   for (int pass = 0; pass < 2; ++pass)
   {
-    const Eigen::VectorXcd along = Products(this->Basis, &SectionProducts::Mass, section);
+    const Eigen::VectorXcd along = InnerProducts(this->Basis, &SectionProducts::Mass, section);
     ForRows(section,
       [&](Index begin, Index end)
       {
         section.segment(begin, end - begin) -=
-          Combined(this->Basis, &SectionProducts::Vector, along, begin, end);
+          LinearCombination(this->Basis, &SectionProducts::Vector, along, begin, end);
       });
   }
   if (!(Norm(section) > LeastNew * length))
@@ -96,7 +96,7 @@ void RitzSpace::Add(ComplexVector section)
   const SectionProducts& last = this->Basis.back();
   const auto extend = [&](SmallMatrix& matrix, const ComplexVector& products)
   {
-    const Eigen::VectorXcd column = Products(this->Basis, &SectionProducts::Vector, products);
+    const Eigen::VectorXcd column = InnerProducts(this->Basis, &SectionProducts::Vector, products);
     matrix.conservativeResize(count + 1, count + 1);
     matrix.col(count) = column;
     matrix.row(count) = column.adjoint();
@@ -119,7 +119,7 @@ SectionProducts RitzSpace::First() const
       for (const auto member : Members)
       {
         (first.*member).segment(begin, end - begin) =
-          Combined(this->Basis, member, this->Pairs.Vectors.col(0), begin, end);
+          LinearCombination(this->Basis, member, this->Pairs.Vectors.col(0), begin, end);
       }
     });
   return first;
@@ -136,12 +136,10 @@ void RitzSpace::WriteNext(SectionBlock& block) const
         const auto write = [&](ComplexVector SectionProducts::*member, CompactSections& to)
         {
           const ComplexVector part =
-            Combined(this->Basis, member, this->Pairs.Vectors.col(b), begin, end);
+            LinearCombination(this->Basis, member, this->Pairs.Vectors.col(b), begin, end);
           for (Index v = begin; v < end; ++v)
           {
-            const std::size_t at = static_cast<std::size_t>(2 * Width) * v + b;
-            to[at] = static_cast<float>(part[v - begin].real());
-            to[at + Width] = static_cast<float>(part[v - begin].imag());
+            SetSectionValue(to, v, b, part[v - begin]);
           }
         };
         write(&SectionProducts::Vector, block.Vectors);

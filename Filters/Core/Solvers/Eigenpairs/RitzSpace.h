@@ -4,8 +4,8 @@
 #ifndef DirectionFields_RitzSpace_h
 #define DirectionFields_RitzSpace_h
 
+#include "Solvers/Eigenpairs/RayleighRitz.h"
 #include "Solvers/Matrices/OperatorProducts.h"
-#include "Solvers/Multigrid/SectionBlock.h"
 
 #include <vector>
 
@@ -16,32 +16,34 @@ namespace DirectionFields
 class RitzSpace
 {
 public:
-  /// Sections at most; where there are more, those of the largest values are forgotten.
+  /// The space has at most this many sections. Where another one comes, the Ritz vectors of the smallest
+  /// values are kept, and the rest is forgotten.
   static constexpr int MostSections = 20;
   static constexpr int KeptSections = 14;
 
   /// @param operators must outlive the space
   explicit RitzSpace(const Operators& operators);
 
-  /// One that is in the space already is left out.
+  /// Adds a section, unless it is in the space already.
   void Add(ComplexVector section);
 
   int Size() const { return static_cast<int>(this->Basis.size()); }
-  /// Ascending.
+  /// The Ritz values, ascending.
   const Eigen::VectorXd& GetValues() const { return this->Pairs.Values; }
   /// The Ritz vector of the smallest value, of unit length in M.
   SectionProducts First() const;
-  /// Writes the Ritz vectors of the next values, as far as there are any, to the sections 1, 2, 3 of
-  /// a block, without Mass.
+  /// Writes the Ritz vectors of the next values, as far as there are any, and their energy products to the
+  /// sections 1, 2, 3 of a block.
   void WriteNext(SectionBlock& block) const;
 
 private:
+  /// Leaves the Ritz vectors of the smallest KeptSections values as the basis.
   void Forget();
 
   const Operators& Matrices;
-  /// Orthonormal in M.
+  /// The sections are orthonormal in M.
   std::vector<SectionProducts> Basis;
-  /// Of the basis.
+  /// V^* A V and V^* M V of the basis V.
   SmallMatrix Energy;
   SmallMatrix Mass;
   RitzPairs Pairs;

@@ -3,105 +3,19 @@
 
 #include "Solvers/Matrices/Factorization.h"
 
+#include "Support/Watch.h"
+
 #include <Eigen/SparseCholesky>
 #ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <algorithm>
-#include <chrono>
-#include <future>
-#include <mutex>
-#include <thread>
-#include <utility>
-#include <vector>
-
 namespace DirectionFields
 {
 namespace
 {
-/// Smaller matrices are factored before anybody would ask.
+/// Matrices with fewer rows are factored before anybody would ask.
 constexpr Eigen::Index WatchedRows = 5000;
-constexpr std::chrono::milliseconds TimeBetweenQuestions(50);
-
-/// Threads whose results nobody wants any more. They run to their ends, which are waited for before
-/// their code may go.
-class GivenUp
-{
-public:
-  static GivenUp& Instance()
-  {
-    static GivenUp instance;
-    return instance;
-  }
-  void Add(std::thread thread, std::future<bool> result)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto isDone = [](Entry& entry)
-    {
-      const bool done =
-        entry.Result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      if (done)
-      {
-        entry.Thread.join();
-      }
-      return done;
-    };
-    this->Entries.erase(
-      std::remove_if(this->Entries.begin(), this->Entries.end(), isDone), this->Entries.end());
-    this->Entries.push_back({ std::move(thread), std::move(result) });
-  }
-  ~GivenUp()
-  {
-    for (Entry& entry : this->Entries)
-    {
-      entry.Thread.join();
-    }
-  }
-
-private:
-  struct Entry
-  {
-    std::thread Thread;
-    std::future<bool> Result;
-  };
-  std::mutex Mutex;
-  std::vector<Entry> Entries;
-};
-
-/// A computation on a thread of its own, given up unless its result is taken.
-class Watch
-{
-public:
-  explicit Watch(std::function<bool()> compute)
-  {
-    std::packaged_task<bool()> task(std::move(compute));
-    this->Result = task.get_future();
-    this->Thread = std::thread(std::move(task));
-  }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-  ~Watch()
-  {
-    if (this->Thread.joinable())
-    {
-      GivenUp::Instance().Add(std::move(this->Thread), std::move(this->Result));
-    }
-  }
-  bool IsDone() const
-  {
-    return this->Result.wait_for(TimeBetweenQuestions) == std::future_status::ready;
-  }
-  bool Take()
-  {
-    this->Thread.join();
-    return this->Result.get();
-  }
-
-private:
-  std::thread Thread;
-  std::future<bool> Result;
-};
 }
 
 class Factorization::Backend
@@ -163,28 +77,28 @@ private:
 Factorization::Factorization() = default;
 Factorization::~Factorization() = default;
 
-bool Factorization::Compute(const SparseMatrix& matrix, const GoOnFunction& goOn)
+bool Factorization::Compute(const SparseMatrix& matrix, const Progress& progress)
 {
 #ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
   if (matrix.rows() >= CholmodRows)
   {
     this->Factor = std::make_shared<CholmodBackend>();
-    if (Watched(this->Factor, matrix, goOn))
+    if (Watched(this->Factor, matrix, progress))
     {
       return true;
     }
   }
 #endif
   this->Factor = std::make_shared<EigenBackend>();
-  return Watched(this->Factor, matrix, goOn);
+  return Watched(this->Factor, matrix, progress);
 }
 
-/// backend->Compute(matrix), asking meanwhile.
+/// Does backend->Compute(matrix) and asks meanwhile whether to go on.
 bool Factorization::Watched(const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix,
-  const GoOnFunction& goOn)
+  const Progress& progress)
 {
-  RequireToGoOn(goOn);
-  if (!goOn || matrix.rows() < WatchedRows)
+  progress.RequireToGoOn();
+  if (!progress.Listens() || matrix.rows() < WatchedRows)
   {
     return backend->Compute(matrix);
   }
@@ -193,7 +107,7 @@ bool Factorization::Watched(const std::shared_ptr<Backend>& backend, const Spars
     [backend, copy = std::make_shared<SparseMatrix>(matrix)] { return backend->Compute(*copy); });
   while (!watch.IsDone())
   {
-    RequireToGoOn(goOn);
+    progress.RequireToGoOn();
   }
   return watch.Take();
 }

@@ -7,23 +7,10 @@
 #include "Progress.h"
 #include "Types.h"
 
-#include <functional>
 #include <memory>
 
 namespace DirectionFields
 {
-/// Asked before each longer part of a computation; false stops it. Empty never does.
-using GoOnFunction = std::function<bool()>;
-
-/// Throws Stopped.
-inline void RequireToGoOn(const GoOnFunction& goOn)
-{
-  if (goOn && !goOn())
-  {
-    throw Stopped();
-  }
-}
-
 /// Sparse Cholesky factorization of a Hermitian positive definite matrix, by Eigen, or by CHOLMOD
 /// where it was built in and the matrix is large.
 class Factorization
@@ -32,10 +19,11 @@ public:
   Factorization();
   ~Factorization();
 
-  /// False where the matrix is not positive definite up to rounding. A large matrix is factored on a
-  /// thread of its own, and goOn asked several times a second; a factor that it stops is given up, and
-  /// its thread ends some time later, at the latest when the program or the library is unloaded.
-  bool Compute(const SparseMatrix& matrix, const GoOnFunction& goOn = {});
+  /// False where the matrix is not positive definite up to rounding. If somebody could stop it, a large
+  /// matrix is factored on a thread of its own, and progress is asked several times a second whether to go
+  /// on. Throws Stopped: the factor is given up then, and its thread ends some time later, at the latest
+  /// when the program or the library is unloaded.
+  bool Compute(const SparseMatrix& matrix, const Progress& progress = {});
   /// Needs a successful Compute.
   ComplexVector Solve(const ComplexVector& rightHandSide) const;
 
@@ -44,7 +32,7 @@ private:
   class EigenBackend;
   class CholmodBackend;
   static bool Watched(const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix,
-    const GoOnFunction& goOn);
+    const Progress& progress);
   std::shared_ptr<Backend> Factor;
 };
 }

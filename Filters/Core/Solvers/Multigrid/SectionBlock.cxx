@@ -5,21 +5,16 @@
 
 #include "Support/Threads.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
-#include <limits>
+#include <array>
 
 namespace DirectionFields
 {
 namespace
 {
 constexpr int Width = SectionBlock::Width;
-/// Rows whose products are added up in single precision.
+/// The products of this many rows are added up in single precision, their sums in double precision.
 constexpr Index FewRows = 256;
-/// Basis vectors of unit length count as independent above this distance, or its square.
-constexpr double IndependentDistance = 1e-3;
 
 using Values = CompactValues<Width>;
 
@@ -57,7 +52,7 @@ SectionBlock::SectionBlock(Index rows)
 {
 }
 
-std::vector<SmallMatrix> Products(
+std::vector<SmallMatrix> InnerProducts(
   Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs)
 {
   const auto count = static_cast<Eigen::Index>(pairs.size());
@@ -82,7 +77,7 @@ std::vector<SmallMatrix> Products(
   return products;
 }
 
-void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
+void SetLinearCombination(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
   SectionBlock& target, bool withMass)
 {
   struct Factor
@@ -131,44 +126,5 @@ void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& ter
         }
       }
     });
-}
-
-RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int wanted)
-{
-  const Eigen::Index n = mass.rows();
-  if (!energy.allFinite() || !mass.allFinite())
-  {
-    return {};
-  }
-  // A vector that is zero is none.
-  const Eigen::VectorXd lengths = mass.diagonal().real().cwiseMax(0.0).cwiseSqrt();
-  const Eigen::VectorXd perLength =
-    (lengths.array() > std::numeric_limits<double>::min()).select(lengths.cwiseInverse(), 0.0);
-  const SmallMatrix scaled =
-    perLength.asDiagonal() * (0.5 * (mass + mass.adjoint())) * perLength.asDiagonal();
-  const Eigen::LLT<SmallMatrix> factor(scaled);
-  SmallMatrix basis = perLength.asDiagonal();
-  if (factor.info() == Eigen::Success &&
-    factor.matrixLLT().diagonal().real().minCoeff() > IndependentDistance)
-  {
-    basis = basis * SmallMatrix(factor.matrixU()).triangularView<Eigen::Upper>().solve(
-                      SmallMatrix::Identity(n, n));
-  }
-  else
-  {
-    const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(scaled);
-    const Eigen::Index kept =
-      (spectrum.eigenvalues().array() > IndependentDistance * IndependentDistance).count();
-    basis = basis * spectrum.eigenvectors().rightCols(kept) *
-      spectrum.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-  }
-  if (basis.cols() == 0)
-  {
-    return {};
-  }
-  const SmallMatrix projected = basis.adjoint() * (0.5 * (energy + energy.adjoint())) * basis;
-  const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(projected);
-  const Eigen::Index count = std::min<Eigen::Index>(wanted, basis.cols());
-  return { spectrum.eigenvalues().head(count), basis * spectrum.eigenvectors().leftCols(count) };
 }
 }

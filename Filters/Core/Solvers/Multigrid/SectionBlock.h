@@ -13,7 +13,7 @@ namespace DirectionFields
 {
 using SmallMatrix = Eigen::MatrixXcd;
 
-/// Four sections in single precision with what energy and mass matrix make of them.
+/// Four sections x in single precision with their products A x and M x.
 struct SectionBlock
 {
   static constexpr int Width = 4;
@@ -22,11 +22,25 @@ struct SectionBlock
   CompactSections Energy;
   CompactSections Mass;
 
+  /// An empty block.
   SectionBlock() = default;
   /// The values are undefined.
   explicit SectionBlock(Index rows);
   Index Rows() const { return static_cast<Index>(this->Vectors.size() / (2 * Width)); }
 };
+
+/// The value of section b at vertex v, of SectionBlock::Width sections side by side.
+inline Complex SectionValue(const CompactSections& sections, Index v, int b)
+{
+  const float* x = sections.data() + static_cast<std::size_t>(2 * SectionBlock::Width) * v;
+  return { x[b], x[SectionBlock::Width + b] };
+}
+inline void SetSectionValue(CompactSections& sections, Index v, int b, const Complex& value)
+{
+  float* x = sections.data() + static_cast<std::size_t>(2 * SectionBlock::Width) * v;
+  x[b] = static_cast<float>(value.real());
+  x[SectionBlock::Width + b] = static_cast<float>(value.imag());
+}
 
 /// Adds up the conjugates of four values times another one, in double precision.
 class WideSum
@@ -53,37 +67,24 @@ private:
   Numbers Imaginary = Numbers::Zero();
 };
 
-/// The sections of the smallest eigenvalues, nearly, and nearly orthonormal in the mass matrix.
+/// Approximations of the four smallest eigenpairs of A x = theta M x. The sections are orthonormal in M to
+/// some digits.
 struct LowestSections
 {
   /// Four sections; or empty.
   CompactSections Vectors;
-  /// Ascending, but for the errors of all but the first.
+  /// The first value is exact; the others are ascending as far as their errors let them.
   Eigen::VectorXd Values;
 };
 
-/// a^* b of each pair of blocks of four sections, 4 x 4, in one pass.
-std::vector<SmallMatrix> Products(
+/// x^* y, 4 x 4, for each pair (x, y) of four sections each, all in one pass.
+std::vector<SmallMatrix> InnerProducts(
   Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs);
 
-/// target = sum of a c over the pairs (block a, 4 x 4 matrix c), for vectors and products alike, or
-/// without Mass, which is emptied. The target may be one of the blocks.
-void Combine(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
+/// target = sum of x c over the pairs (block x, 4 x 4 matrix c), for vectors and products alike; without
+/// mass, the target's Mass is emptied. The target may be one of the blocks.
+void SetLinearCombination(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
   SectionBlock& target, bool withMass = true);
-
-/// The smallest pairs of a projected eigenvalue problem.
-struct RitzPairs
-{
-  /// Ascending.
-  Eigen::VectorXd Values;
-  /// Coefficients of the vectors in the basis, orthonormal in its mass matrix.
-  SmallMatrix Vectors;
-};
-
-/// Of energy and mass matrix of a basis, whose vectors may be nearly dependent and of any length.
-/// No more than wanted pairs, fewer where the basis does not have them, none where it has values
-/// that are not finite.
-RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int wanted);
 }
 
 #endif

@@ -47,6 +47,15 @@ double CheckedNorm(const ComplexVector& rightHandSide)
   return norm;
 }
 
+/// Throws Stopped.
+void RequireToGoOn(const GoOnFunction& goOn)
+{
+  if (goOn && !goOn())
+  {
+    throw Stopped();
+  }
+}
+
 /// Factors a matrix, with a little added to its diagonal where it needs that.
 void Factor(const SparseMatrix& matrix, const GoOnFunction& goOn, Factorization& factor)
 {
@@ -54,7 +63,9 @@ void Factor(const SparseMatrix& matrix, const GoOnFunction& goOn, Factorization&
   {
     SparseMatrix regular = matrix;
     regular.diagonal() *= 1.0 + regularization;
-    if (factor.Compute(regular, goOn))
+    const ProgressFunction ask =
+      goOn ? ProgressFunction([&](double) { return goOn(); }) : ProgressFunction();
+    if (factor.Compute(regular, Progress(ask)))
     {
       return;
     }

@@ -8,8 +8,13 @@
 #include "Solvers/Matrices/FreeVertices.h"
 #include "Solvers/Systems/SystemSolution.h"
 
+#include <functional>
+
 namespace DirectionFields
 {
+/// Asked before each longer part of a computation; false stops it. An empty function never does.
+using GoOnFunction = std::function<bool()>;
+
 /// Solves K u = b for a Hermitian positive definite K by its Cholesky factor. This and the other functions
 /// throw Stopped and NotPositiveDefinite.
 SystemSolution SolveDirectly(const SparseMatrix& matrix, const ComplexVector& rightHandSide,

@@ -51,7 +51,7 @@ TEST(RitzSpace, HasTheRitzPairsOfItsSections)
   SectionBlock multiplied(static_cast<Index>(n));
   Multiply(
     system.Matrices, block.Vectors.data(), multiplied.Energy.data(), multiplied.Mass.data());
-  const std::vector<SmallMatrix> products = Products(block.Rows(),
+  const std::vector<SmallMatrix> products = InnerProducts(block.Rows(),
     { { &block.Vectors, &multiplied.Mass }, { &block.Vectors, &block.Energy },
       { &block.Vectors, &multiplied.Energy } });
   SmallMatrix unit = SmallMatrix::Identity(4, 4);

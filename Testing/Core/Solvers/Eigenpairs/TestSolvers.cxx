@@ -7,7 +7,7 @@
 #include "Sections/Assembly.h"
 #include "Sections/SectionIntegrals.h"
 #include "Sections/Singularities.h"
-#include "Solvers/Eigenpairs/SmallestEigenpair.h"
+#include "Solvers/Eigenpairs/Lanczos.h"
 #include "Solvers/Matrices/Factorization.h"
 
 #include <gtest/gtest.h>
@@ -152,7 +152,7 @@ TEST(Operators, EnergyIsPositiveSemidefiniteAlsoWithBoundary)
   }
 }
 
-TEST(SmallestEigenpair, EqualsTheDenseSolver)
+TEST(Lanczos, EqualsTheDenseSolver)
 {
   for (const Surface& surface : { Potato(2), Hemisphere(2), Jittered(Torus(12, 9), 0.05, 2), DoubleTorus() })
   {
@@ -162,7 +162,7 @@ TEST(SmallestEigenpair, EqualsTheDenseSolver)
       EigenpairSettings settings;
       settings.Tolerance = 1e-9;
       settings.Scale = system.Scale;
-      const Eigenpair pair = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+      const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
         RandomVector(system.Matrices.Energy.rows(), 1), settings);
       const double exact = DenseEigenvalues(system.Matrices)[0];
       EXPECT_LE(pair.Residual, 1e-9);
@@ -175,7 +175,7 @@ TEST(SmallestEigenpair, EqualsTheDenseSolver)
   }
 }
 
-TEST(SmallestEigenpair, NoEigenvalueLiesBelow)
+TEST(Lanczos, NoEigenvalueLiesBelow)
 {
   // By Sylvester's law of inertia: A - x M is definite just below the value found, not above it.
   for (const int degree : { 1, 4, 6 })
@@ -183,7 +183,7 @@ TEST(SmallestEigenpair, NoEigenvalueLiesBelow)
     const System system(Potato(4), degree, 0.0);
     EigenpairSettings settings;
     settings.Scale = system.Scale;
-    const Eigenpair pair = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+    const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
       RandomVector(system.Matrices.Energy.rows(), 7), settings);
     EXPECT_LE(pair.Residual, settings.Tolerance);
     EXPECT_TRUE(PositiveDefinite(
@@ -193,7 +193,7 @@ TEST(SmallestEigenpair, NoEigenvalueLiesBelow)
   }
 }
 
-TEST(SmallestEigenpair, StartNearlyOrthogonalToTheSolution)
+TEST(Lanczos, StartNearlyOrthogonalToTheSolution)
 {
   const System system(Potato(3), 4, 0.0);
   const SparseMatrix& a = system.Matrices.Energy;
@@ -201,16 +201,16 @@ TEST(SmallestEigenpair, StartNearlyOrthogonalToTheSolution)
   EigenpairSettings settings;
   settings.Tolerance = 1e-10;
   settings.Scale = system.Scale;
-  const Eigenpair pair = SmallestEigenpair(a, m, RandomVector(a.rows(), 3), settings);
+  const Eigenpair pair = SolveByLanczos(a, m, RandomVector(a.rows(), 3), settings);
   ComplexVector start = RandomVector(a.rows(), 4);
   start -= pair.Vector * pair.Vector.dot(m * start);
   start += 1e-6 * pair.Vector;
-  const Eigenpair other = SmallestEigenpair(a, m, start, settings);
+  const Eigenpair other = SolveByLanczos(a, m, start, settings);
   EXPECT_NEAR(other.Value / pair.Value, 1.0, 1e-9);
   EXPECT_LE(other.Residual, 1e-10);
 }
 
-TEST(SmallestEigenpair, DegenerateEigenspaceGivesTheProjectionOfTheStart)
+TEST(Lanczos, DegenerateEigenspaceGivesTheProjectionOfTheStart)
 {
   // The tetrahedral symmetry leaves no single direction; both solvers must agree on what is left.
   const System system(Icosphere(1), 1, 0.0);
@@ -226,7 +226,7 @@ TEST(SmallestEigenpair, DegenerateEigenspaceGivesTheProjectionOfTheStart)
   ComplexVector projection = space * (space.adjoint() * (m * start));
   projection /= std::sqrt(projection.dot(m * projection).real());
   ASSERT_LE(a.rows(), 48) << "the dense branch is meant";
-  const Eigenpair small = SmallestEigenpair(a, m, start, {});
+  const Eigenpair small = SolveByLanczos(a, m, start, {});
   EXPECT_NEAR(std::abs(projection.dot(m * small.Vector)), 1.0, 1e-9);
   EXPECT_EQ(small.Iterations, 0);
 
@@ -234,19 +234,19 @@ TEST(SmallestEigenpair, DegenerateEigenspaceGivesTheProjectionOfTheStart)
   EigenpairSettings settings;
   settings.Scale = fine.Scale;
   settings.Tolerance = 1e-9;
-  const Eigenpair large = SmallestEigenpair(
+  const Eigenpair large = SolveByLanczos(
     fine.Matrices.Energy, fine.Matrices.Mass, RandomVector(fine.Matrices.Energy.rows(), 9), settings);
   EXPECT_LE(large.Residual, 1e-9);
 }
 
-TEST(SmallestEigenpair, SaysWhenItHasNotConverged)
+TEST(Lanczos, SaysWhenItHasNotConverged)
 {
   const System system(Potato(4), 4, 0.0);
   EigenpairSettings settings;
   settings.Tolerance = 1e-12;
   settings.MaximumIterations = 4;
   settings.Scale = system.Scale;
-  const Eigenpair pair = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+  const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
     RandomVector(system.Matrices.Energy.rows(), 5), settings);
   EXPECT_EQ(pair.Iterations, 4);
   EXPECT_GT(pair.Residual, 1e-12);
@@ -255,7 +255,7 @@ TEST(SmallestEigenpair, SaysWhenItHasNotConverged)
     RelativeResidual(system.Matrices.Energy, system.Matrices.Mass, pair.Vector, pair.Value), 1e-15);
 }
 
-TEST(SmallestEigenpair, RestartsKeepConverging)
+TEST(Lanczos, RestartsKeepConverging)
 {
   // The holomorphic energy has 2n + 1 small eigenvalues that lie close together.
   const System system(Jittered(Icosphere(3), 0.01, 1), 6, 1.0);
@@ -263,20 +263,21 @@ TEST(SmallestEigenpair, RestartsKeepConverging)
   settings.Tolerance = 1e-10;
   settings.Scale = system.Scale;
   settings.MaximumIterations = 1000;
-  const Eigenpair pair = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+  const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
     RandomVector(system.Matrices.Energy.rows(), 5), settings);
   EXPECT_LE(pair.Residual, 1e-10);
   EXPECT_TRUE(PositiveDefinite(
     system.Matrices.Energy - (pair.Value * (1.0 - 1e-6)) * system.Matrices.Mass));
 }
 
-TEST(SmallestEigenpair, StopsWhenTold)
+TEST(Lanczos, StopsWhenTold)
 {
   const System system(Potato(3), 4, 0.0);
   int calls = 0;
-  const Eigenpair pair = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
-    RandomVector(system.Matrices.Energy.rows(), 5), {}, [&](int) { return ++calls < 3; });
-  EXPECT_TRUE(pair.Aborted);
+  const ProgressFunction stop = [&](double) { return ++calls < 3; };
+  EXPECT_THROW(SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
+                 RandomVector(system.Matrices.Energy.rows(), 5), {}, Progress(stop)),
+    Stopped);
   EXPECT_EQ(calls, 3);
 }
 
@@ -290,16 +291,19 @@ TEST(Factorization, IsGivenUpWhenTold)
     const ComplexVector b = RandomVector(matrix.rows(), 1);
     int calls = 0;
     Factorization stopped;
-    EXPECT_THROW(stopped.Compute(matrix, [&] { return calls++ < (levels == 6 ? 1 : 0); }), Stopped);
+    const ProgressFunction stop = [&](double) { return calls++ < (levels == 6 ? 1 : 0); };
+    EXPECT_THROW(stopped.Compute(matrix, Progress(stop)), Stopped);
     EXPECT_EQ(calls, levels == 6 ? 2 : 1);
     struct Trouble
     {
     };
-    EXPECT_THROW(stopped.Compute(matrix, []() -> bool { throw Trouble(); }), Trouble);
+    const ProgressFunction trouble = [](double) -> bool { throw Trouble(); };
+    EXPECT_THROW(stopped.Compute(matrix, Progress(trouble)), Trouble);
     // Others know nothing of it, and what they compute is the same as without questions.
     Factorization asked;
     Factorization plain;
-    ASSERT_TRUE(asked.Compute(matrix, [] { return true; }));
+    const ProgressFunction goOn = [](double) { return true; };
+    ASSERT_TRUE(asked.Compute(matrix, Progress(goOn)));
     ASSERT_TRUE(plain.Compute(matrix));
     EXPECT_EQ(asked.Solve(b), plain.Solve(b));
     EXPECT_LT((matrix * plain.Solve(b) - b).norm(), 1e-10 * b.norm());

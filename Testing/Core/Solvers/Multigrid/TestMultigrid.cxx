@@ -5,7 +5,8 @@
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Solvers/Eigenpairs/DeflatedGradients.h"
-#include "Solvers/Eigenpairs/MultigridEigenpair.h"
+#include "Solvers/Eigenpairs/JacobiDavidson.h"
+#include "Solvers/Eigenpairs/Lanczos.h"
 #include "Solvers/Eigenpairs/NestedIteration.h"
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Multigrid/LevelMatrices.h"
@@ -74,7 +75,7 @@ Eigenpair ByMultigrid(const System& system)
 {
   const Hierarchy hierarchy(system.Matrices, system.Scale);
   LowestSections lowest;
-  return SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
+  return SolveByJacobiDavidson(system.Matrices, hierarchy, Settings(system), {}, lowest);
 }
 
 /// Meshes that multigrid has to cope with: well shaped, with boundary, flat, obtuse, slivers, needles,
@@ -214,7 +215,7 @@ TEST(Multigrid, FindsTheEigenvaluesOfTheDirectSolver)
     {
       const System system(surface, degree, 0.0);
       const Eigenpair fast = ByMultigrid(system);
-      const Eigenpair direct = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+      const Eigenpair direct = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
         RandomVector(system.Matrices.Energy.rows(), 5), Settings(system));
       EXPECT_LE(fast.Residual, 1e-6) << name << degree;
       EXPECT_NEAR(fast.Value, direct.Value, 1e-9 * direct.Value + 1e-12 * system.Scale)
@@ -259,18 +260,18 @@ TEST(Multigrid, SeparatesNearlyEqualEigenvalues)
       const Hierarchy hierarchy(system.Matrices, system.Scale);
       LowestSections lowest;
       const Eigenpair fast =
-        SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest);
+        SolveByJacobiDavidson(system.Matrices, hierarchy, Settings(system), {}, lowest);
       EXPECT_LE(fast.Residual, 1e-6) << degree << ", " << bias;
       // Of three or five eigenvectors the four sections lack one at most.
       EXPECT_LE(fast.Iterations, degree <= 2 ? 12 : 170) << degree << ", " << bias;
-      const Eigenpair direct = SmallestEigenpair(system.Matrices.Energy, system.Matrices.Mass,
+      const Eigenpair direct = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
         RandomVector(system.Matrices.Energy.rows(), 5), Settings(system));
       EXPECT_NEAR(fast.Value, direct.Value, 1e-9 * direct.Value) << degree << ", " << bias;
 
       SectionBlock block(static_cast<Index>(fast.Vector.size()));
       block.Vectors = lowest.Vectors;
       Multiply(system.Matrices, block.Vectors.data(), block.Energy.data(), block.Mass.data());
-      const std::vector<SmallMatrix> products = Products(block.Rows(),
+      const std::vector<SmallMatrix> products = InnerProducts(block.Rows(),
         { { &block.Vectors, &block.Energy }, { &block.Vectors, &block.Mass } });
       for (int b = 0; b < SectionBlock::Width; ++b)
       {
@@ -298,9 +299,10 @@ TEST(Multigrid, AnIndefiniteMatrixIsShownByASection)
   for (const double part : { 0.5, 1.5 })
   {
     const double shift = part * smallest.Value;
+    SolveCounter cycles;
     ComplexVector solution;
     const DeflatedGradients::Outcome outcome = gradients.Solve(
-      RandomVector(none.Rows(), 3), -shift, 1e-5, 100, [] { return true; }, solution);
+      RandomVector(none.Rows(), 3), -shift, 1e-5, 100, cycles, solution);
     const double form = solution.dot(system.Matrices.Energy * solution).real() -
       shift * solution.dot(system.Matrices.Mass * solution).real();
     EXPECT_EQ(outcome.Indefinite, part > 1.0);
@@ -317,7 +319,7 @@ TEST(Multigrid, TheEigenvalueIsNearlyKnownBeforeSingleSectionsAre)
     const Hierarchy hierarchy(system.Matrices, system.Scale);
     const Cycle cycle(hierarchy, 0.0);
     const NestedPairs pairs =
-      IterateNested(system.Matrices, hierarchy, cycle, [] { return true; });
+      IterateNested(system.Matrices, hierarchy, cycle, {});
     ASSERT_EQ(pairs.Values.size(), SectionBlock::Width);
     const double smallest = ByMultigrid(system).Value;
     EXPECT_GT(pairs.Values[0], smallest);
@@ -360,7 +362,8 @@ TEST(Multigrid, WhatIsLeftOutOfAnEquationIsExact)
   const double shift = -0.5 * ByMultigrid(system).Value;
   const double reduction = 1e-4;
   ComplexVector solution;
-  gradients.Solve(b, shift, reduction, 100, [] { return true; }, solution);
+  SolveCounter cycles;
+  gradients.Solve(b, shift, reduction, 100, cycles, solution);
   const Eigen::VectorXd lumped =
     Eigen::Map<const Eigen::VectorXf>(finest.LumpedMass.data(), rows).cast<double>();
   const auto times = [&](const Eigen::MatrixXcd& x) -> Eigen::MatrixXcd
@@ -432,9 +435,10 @@ TEST(Multigrid, StopsWhenTold)
   const Hierarchy hierarchy(system.Matrices, system.Scale);
   LowestSections lowest;
   int calls = 0;
-  const Eigenpair pair = SmallestEigenpair(
-    system.Matrices, hierarchy, Settings(system), [&](int) { return ++calls < 20; }, lowest);
-  EXPECT_TRUE(pair.Aborted);
+  const ProgressFunction stop = [&](double) { return ++calls < 20; };
+  EXPECT_THROW(SolveByJacobiDavidson(
+                 system.Matrices, hierarchy, Settings(system), Progress(stop), lowest),
+    Stopped);
   EXPECT_EQ(calls, 20);
 }
 

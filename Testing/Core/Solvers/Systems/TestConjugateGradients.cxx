@@ -3,7 +3,7 @@
 
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Solvers/Eigenpairs/MultigridEigenpair.h"
+#include "Solvers/Eigenpairs/JacobiDavidson.h"
 #include "Solvers/Systems/ConjugateGradients.h"
 #include "Solvers/Systems/DirectSystem.h"
 #include "Solvers/Systems/FreeSystem.h"
@@ -32,7 +32,7 @@ TEST(ConjugateGradients, StepsOfAlignedSystemsDoNotDependOnTheStrength)
   const Hierarchy hierarchy(system.Matrices, system.Scale);
   LowestSections lowest;
   const double smallest =
-    SmallestEigenpair(system.Matrices, hierarchy, Settings(system), {}, lowest).Value;
+    SolveByJacobiDavidson(system.Matrices, hierarchy, Settings(system), {}, lowest).Value;
   const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
   for (const auto& [shift, most] : { std::pair(-0.99999, 16), std::pair(-0.99, 15),
          std::pair(-0.5, 13), std::pair(0.0, 13), std::pair(1.0, 13), std::pair(100.0, 11) })

@@ -4,7 +4,7 @@
 #include "DirectionField.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Solvers/Eigenpairs/MultigridEigenpair.h"
+#include "Solvers/Eigenpairs/JacobiDavidson.h"
 #include "Solvers/Systems/ConjugateGradients.h"
 #include "Solvers/Systems/ReducedBasis.h"
 
@@ -84,7 +84,7 @@ TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
   settings.Scale = system.Scale;
   LowestSections lowest;
   const double smallest =
-    SmallestEigenpair(system.Matrices, hierarchy, settings, {}, lowest).Value;
+    SolveByJacobiDavidson(system.Matrices, hierarchy, settings, {}, lowest).Value;
   const ComplexVector b =
     system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
   std::vector<int> stepsOfMoves[2];

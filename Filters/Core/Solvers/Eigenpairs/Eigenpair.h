@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef DirectionFields_SmallestEigenpair_h
-#define DirectionFields_SmallestEigenpair_h
+#ifndef DirectionFields_Eigenpair_h
+#define DirectionFields_Eigenpair_h
 
+#include "Progress.h"
 #include "Types.h"
-
-#include <functional>
 
 namespace DirectionFields
 {
@@ -19,20 +18,46 @@ struct Eigenpair
   ComplexVector Vector;
   /// RelativeResidual of the pair.
   double Residual = 0.0;
-  /// Solves with the factor; 0 where the dense solver was used.
+  /// Solves with the factor, or V-cycles; 0 where the dense solver was used.
   int Iterations = 0;
-  bool Aborted = false;
 };
 
 struct EigenpairSettings
 {
   /// Largest residual of a converged pair.
   double Tolerance = 1e-6;
-  /// Most solves.
+  /// The pair is returned as it is after this many solves.
   int MaximumIterations = 200;
   /// The order of magnitude of the smallest eigenvalue of a typical surface. A shift by a small
   /// part of it makes the matrix definite where the smallest eigenvalue is 0.
   double Scale = 1.0;
+};
+
+/// The part of the work, 0 to 1, that this number of solves is likely to be: convergence takes 10 to 20 of
+/// them as a rule, yet may take many more.
+double FractionDone(int solves);
+
+/// Counts the solves of an iteration and tells its caller how far it is.
+class SolveCounter
+{
+public:
+  explicit SolveCounter(const Progress& progress = {})
+    : Caller(progress)
+  {
+  }
+  int GetCount() const { return this->Count; }
+  /// Tells how far the iteration is. Throws Stopped.
+  void Report() const { this->Caller.Report(FractionDone(this->Count)); }
+  /// Is called before each solve. Throws Stopped.
+  void Next()
+  {
+    this->Report();
+    ++this->Count;
+  }
+
+private:
+  Progress Caller;
+  int Count = 0;
 };
 
 /// ‖A u - lambda M u‖ / max(‖A u‖, 1e-7 ‖|A| |u|‖). The second norm takes over where lambda = 0 up to
@@ -41,17 +66,6 @@ struct EigenpairSettings
 double RelativeResidual(double residual, double energy, double terms);
 double RelativeResidual(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda);
-
-/// Shift-and-invert Lanczos iteration in the inner product of M, fully orthogonalized and thickly
-/// restarted (K. Wu and H. Simon, SIAM J. Matrix Anal. Appl. 22, 2000); a dense solver for small
-/// matrices. Where the eigenspace has several dimensions the result is the start's projection on it.
-/// Not converged after MaximumIterations: the best pair so far, its Residual above Tolerance.
-/// Throws std::runtime_error if no factor is found.
-/// @param start    must not be orthogonal to the eigenspace
-/// @param progress called before each solve with the number of solves done; false stops
-Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass,
-  const ComplexVector& start, const EigenpairSettings& settings,
-  const std::function<bool(int)>& progress = {});
 }
 
 #endif

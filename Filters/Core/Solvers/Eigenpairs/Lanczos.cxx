@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Solvers/Eigenpairs/SmallestEigenpair.h"
+#include "Solvers/Eigenpairs/Lanczos.h"
 
 #include "Solvers/Matrices/Factorization.h"
-#include "Solvers/Matrices/OperatorProducts.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -22,7 +21,7 @@ constexpr Eigen::Index DenseRows = 48;
 /// Dimension of the Krylov space at which it is restarted, and of the part that is kept.
 constexpr int KrylovDimension = 24;
 constexpr int KeptDimension = 8;
-/// Even if the residual is small before.
+/// The iteration takes at least this many solves, even if the residual is small before.
 constexpr int FewestSolves = 6;
 /// The shift below zero, relative to the scale of the eigenvalues: far enough from a smallest
 /// eigenvalue 0 for the factorization, too near to blur small eigenvalues that lie close together.
@@ -33,11 +32,12 @@ double RayleighQuotient(const ComplexVector& u, const ComplexVector& au, const C
   return u.dot(au).real() / u.dot(mu).real();
 }
 
-Eigenpair DenseEigenpair(const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start)
+Eigenpair DenseEigenpair(
+  const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start)
 {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver{ Eigen::MatrixXcd(
-                                                                             energy),
-    Eigen::MatrixXcd(mass) };
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver{
+    Eigen::MatrixXcd(energy), Eigen::MatrixXcd(mass)
+  };
   if (solver.info() != Eigen::Success)
   {
     throw std::runtime_error("The eigenvalue problem of a small component has no solution.");
@@ -85,7 +85,8 @@ public:
     double norm = std::sqrt(std::max(0.0, w.dot(massW).real()));
     if (norm <= 1e-14 * size)
     {
-      // The space is invariant: what is left of w is rounding. Any other direction goes on.
+      // The space is invariant: what is left of w is rounding. The iteration continues in any other
+      // direction.
       norm = 0.0;
       for (Eigen::Index k = 0; k < w.size(); ++k)
       {
@@ -172,77 +173,30 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
   pair.Vector /= std::sqrt(pair.Vector.dot(massVector).real());
   pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);
 }
-}
 
-double RelativeResidual(double residual, double energy, double terms)
+/// Factors A plus the smallest multiple of M that makes it definite. Throws std::runtime_error, and Stopped.
+void FactorShifted(const SparseMatrix& energy, const SparseMatrix& mass, double scale,
+  const Progress& progress, Factorization& factor)
 {
-  if (energy < 1e-7 * terms)
-  {
-    return residual <= 1e-14 * terms ? 0.0 : residual / (1e-7 * terms);
-  }
-  return residual / energy;
-}
-
-double RelativeResidual(
-  const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda)
-{
-  const ComplexVector au = Product(energy, u);
-  const ComplexVector mu = Product(mass, u);
-  return RelativeResidual((au - lambda * mu).norm(), au.norm(), SumOfMagnitudes(energy, u));
-}
-
-Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass,
-  const ComplexVector& start, const EigenpairSettings& settings,
-  const std::function<bool(int)>& progress)
-{
-  const auto goOn = [&](int solves) { return !progress || progress(solves); };
-  Eigenpair pair;
-  if (!goOn(0))
-  {
-    pair.Aborted = true;
-    return pair;
-  }
-  if (energy.rows() <= DenseRows)
-  {
-    pair = DenseEigenpair(energy, mass, start);
-    Measure(energy, mass, pair);
-    if (pair.Residual <= settings.Tolerance || energy.rows() < 3)
-    {
-      return pair;
-    }
-    // The dense solver is accurate to the largest eigenvalue, which may be too far from the smallest.
-  }
-
-  Factorization factor;
-  double shift = RelativeShift * settings.Scale;
-  const auto computes = [&]
-  {
-    try
-    {
-      return factor.Compute(energy + shift * mass, [&] { return goOn(0); });
-    }
-    catch (const Stopped&)
-    {
-      pair.Aborted = true;
-      return true;
-    }
-  };
-  while (!computes())
+  double shift = RelativeShift * scale;
+  while (!factor.Compute(energy + shift * mass, progress))
   {
     shift *= 100.0;
-    if (shift > 1e3 * settings.Scale)
+    if (shift > 1e3 * scale)
     {
       throw std::runtime_error("The energy matrix could not be factored: the mesh has triangles "
                                "of too different sizes or shapes. Remesh it more evenly.");
     }
   }
-  if (pair.Aborted)
-  {
-    return pair;
-  }
+}
+
+/// Expands a Krylov space until its best pair has converged.
+Eigenpair Iterate(const Factorization& factor, const SparseMatrix& energy, const SparseMatrix& mass,
+  const ComplexVector& start, const EigenpairSettings& settings, const Progress& progress)
+{
   KrylovSpace space(factor, mass, start);
-  pair = {};
-  pair.Residual = std::numeric_limits<double>::infinity();
+  Eigenpair best;
+  best.Residual = std::numeric_limits<double>::infinity();
   Eigenpair candidate;
   // A space of all dimensions does not grow.
   const int mostSolves = energy.rows() > KrylovDimension
@@ -250,27 +204,43 @@ Eigenpair SmallestEigenpair(const SparseMatrix& energy, const SparseMatrix& mass
     : std::min(settings.MaximumIterations, static_cast<int>(energy.rows()));
   for (int solves = 1; solves <= mostSolves; ++solves)
   {
-    if (!goOn(solves))
-    {
-      pair.Aborted = true;
-      return pair;
-    }
+    progress.Report(FractionDone(solves));
     space.Expand();
     candidate.Vector = space.Best();
     candidate.Iterations = solves;
     Measure(energy, mass, candidate);
-    if (candidate.Residual < pair.Residual)
+    if (candidate.Residual < best.Residual)
     {
-      pair = candidate;
+      best = candidate;
     }
     // The start can hide the smallest pair behind the next one for some steps, and where lambda = 0
     // on very thin triangles a small residual comes before a good vector.
-    if (pair.Residual <= settings.Tolerance && solves >= FewestSolves)
+    if (best.Residual <= settings.Tolerance && solves >= FewestSolves)
     {
       break;
     }
   }
-  pair.Iterations = candidate.Iterations;
-  return pair;
+  best.Iterations = candidate.Iterations;
+  return best;
+}
+}
+
+Eigenpair SolveByLanczos(const SparseMatrix& energy, const SparseMatrix& mass,
+  const ComplexVector& start, const EigenpairSettings& settings, const Progress& progress)
+{
+  progress.Report(FractionDone(0));
+  if (energy.rows() <= DenseRows)
+  {
+    Eigenpair pair = DenseEigenpair(energy, mass, start);
+    Measure(energy, mass, pair);
+    if (pair.Residual <= settings.Tolerance || energy.rows() < 3)
+    {
+      return pair;
+    }
+    // The dense solver is accurate to the largest eigenvalue, which may be too far from the smallest.
+  }
+  Factorization factor;
+  FactorShifted(energy, mass, settings.Scale, progress, factor);
+  return Iterate(factor, energy, mass, start, settings, progress);
 }
 }

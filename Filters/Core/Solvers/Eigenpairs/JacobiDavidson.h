@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef DirectionFields_MultigridEigenpair_h
-#define DirectionFields_MultigridEigenpair_h
+#ifndef DirectionFields_JacobiDavidson_h
+#define DirectionFields_JacobiDavidson_h
 
-#include "Solvers/Eigenpairs/SmallestEigenpair.h"
+#include "Solvers/Eigenpairs/Eigenpair.h"
 #include "Solvers/Multigrid/Hierarchy.h"
 #include "Solvers/Multigrid/SectionBlock.h"
-
-#include <functional>
 
 namespace DirectionFields
 {
@@ -20,13 +18,13 @@ namespace DirectionFields
 /// the space of all of them has Ritz vectors for each. Residuals are in double precision.
 ///
 /// Iterations counts V-cycles on the finest level after the nested iteration. Where the iteration
-/// stalls or they are used up: the best pair so far, its Residual above Tolerance.
-/// @param lowest   approximations of the smallest eigenvectors are written to it, orthonormal in M to some digits,
-///                 the first of them the result but for its phase
-/// @param progress called before each V-cycle with the number done; false stops
-Eigenpair SmallestEigenpair(const Operators& operators, const Hierarchy& hierarchy,
-  const EigenpairSettings& settings, const std::function<bool(int)>& progress,
-  LowestSections& lowest);
+/// stalls or has used up MaximumIterations, the result is the best pair so far, its Residual above
+/// Tolerance. Throws Stopped.
+/// @param progress is told before each V-cycle how far the iteration is
+/// @param lowest   becomes approximations of the smallest eigenvectors, orthonormal in M to some digits; the
+///                 first of them is the result, apart from its phase
+Eigenpair SolveByJacobiDavidson(const Operators& operators, const Hierarchy& hierarchy,
+  const EigenpairSettings& settings, const Progress& progress, LowestSections& lowest);
 }
 
 #endif
