@@ -14,7 +14,6 @@
 
 namespace DirectionFields
 {
-class OutputPoints;
 class Stages;
 
 /// The globally optimal direction field of a triangle mesh: for every connected component the
@@ -56,18 +55,13 @@ public:
   void SetPhaseReference(std::vector<Vector3> directions, int degree);
 
 private:
-  /// Those of the surface, unless they are there already.
-  void MakeStages(const Options& options);
+  /// The stages of the surface with points merged or not, made anew where that has changed.
+  Stages& StagesFor(const Options& options);
+  /// The phase reference as a section over the vertices; empty where there is none of that degree.
+  std::vector<Complex> PhaseReferenceSection(int degree) const;
 
   std::shared_ptr<const Surface> Input;
-  /// What Kept was made with: Options::MergePoints, and which points are one; empty if none are.
-  bool Merges = false;
-  std::vector<Index> FirstPoint;
   std::unique_ptr<Stages> Kept;
-  /// Where results are given, once there was one; of Kept.
-  std::unique_ptr<OutputPoints> Points;
-  /// The curvature at Points, once a result had it; the results share it.
-  std::shared_ptr<const CurvatureReport> CurvatureAtPoints;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;
 };

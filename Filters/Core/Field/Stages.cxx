@@ -4,20 +4,31 @@
 #include "Field/Stages.h"
 
 #include "Geometry/IntrinsicTriangulation.h"
+#include "Sections/Assembly.h"
 #include "Sections/DoubleCover.h"
 #include "Sections/ReferenceSection.h"
+#include "Sections/SectionDirections.h"
+#include "Support/Threads.h"
 
 #include <utility>
 
 namespace DirectionFields
 {
-Stages::Stages(const Surface& surface)
-  : Mesh(surface)
-  , Positions(this->Mesh.Positions(surface.Points))
+Stages::Stages(std::shared_ptr<const Surface> surface, bool mergePoints)
+  : Input(std::move(surface))
+  , Merges(mergePoints)
+  , FirstPoint(mergePoints ? FirstAtSamePlace(*this->Input) : std::vector<Index>{})
+  , Mesh(mergePoints ? TriangleMesh(Merged(*this->Input, this->FirstPoint)) : TriangleMesh(*this->Input))
+  , Positions(this->Mesh.Positions(this->Input->Points))
   , Geometry(this->Mesh, this->Positions)
   , Transport(this->Mesh, this->Geometry, this->Positions)
   , Frames(this->Mesh, this->Transport, this->Positions)
-  , Boundary(this->Mesh, surface.Points)
+  , Boundary(this->Mesh, this->Input->Points)
+{
+}
+
+Stages::Stages(const Surface& surface)
+  : Stages(std::make_shared<const Surface>(surface))
 {
 }
 
@@ -45,15 +56,59 @@ const Curvature& Stages::GetCurvature()
   return *this->Curved;
 }
 
-EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& progress)
+const OutputPoints& Stages::GetOutputPoints()
 {
-  const EnergyOptions key(options);
+  if (!this->Points)
+  {
+    this->Points.emplace(this->Mesh, *this->Input, this->FirstPoint);
+  }
+  return *this->Points;
+}
+
+const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport()
+{
+  if (this->CurvatureAtPoints)
+  {
+    return this->CurvatureAtPoints;
+  }
+  constexpr Index piece = 1 << 13;
+  const Curvature& curvature = this->GetCurvature();
+  std::vector<Complex> smaller(curvature.Hopf.size());
+  std::vector<double> mean = curvature.Mean;
+  std::vector<double> gaussian = curvature.Gaussian;
+  const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    const double unit = this->Geometry.Unit[c];
+    ParallelFor(components[c].Vertices(), piece,
+      [&](Index begin, Index end)
+      {
+        for (Index v = components[c].FirstVertex + begin; v < components[c].FirstVertex + end; ++v)
+        {
+          smaller[v] = -curvature.Hopf[v];
+          mean[v] = Divided(mean[v], unit);
+          gaussian[v] = PerSquare(gaussian[v], unit);
+        }
+      });
+  }
+  const OutputPoints& points = this->GetOutputPoints();
+  const Vector3 zero = Vector3::Zero();
+  this->CurvatureAtPoints = std::make_shared<const CurvatureReport>(CurvatureReport{
+    points.Spread(DirectionsOf(curvature.Hopf, this->Frames, 2), zero),
+    points.Spread(DirectionsOf(smaller, this->Frames, 2), zero), points.Spread(mean, 0.0),
+    points.Spread(gaussian, 0.0) });
+  return this->CurvatureAtPoints;
+}
+
+EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
+{
+  const EnergyKey key = EnergyKeyOf(options);
   if (this->Energy && this->Energy->Key == key)
   {
-    return &*this->Energy;
+    return *this->Energy;
   }
   this->Energy.reset();
-  EnergyStage stage{ key, {}, {}, {}, {}, {} };
+  EnergyStage stage{ key, {} };
   // Flipping takes less time than assembly: nothing of it is kept but the matrices.
   std::optional<IntrinsicTriangulation> delaunay;
   if (options.IntrinsicDelaunay)
@@ -61,43 +116,38 @@ EnergyStage* Stages::GetEnergy(const Options& options, const ProgressFunction& p
     delaunay.emplace(this->Mesh, this->Geometry, this->Transport);
   }
   const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
+  const double vertices = this->Mesh.GetNumberOfVertices();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    const TriangleMesh::Component& component = components[c];
-    stage.Matrices.push_back(AssembleOperators(delaunay ? delaunay->Mesh : this->Mesh,
-      delaunay ? delaunay->Geometry : this->Geometry,
-      delaunay ? delaunay->Transport : this->Transport, component, options.Degree,
-      options.EnergyBias));
-    EigenpairSettings settings;
-    settings.Tolerance = options.Tolerance;
-    settings.MaximumIterations = options.MaximumIterations;
-    settings.Scale = this->GetScale(c, options.Degree);
-    const ReferenceSection reference(
-      this->Frames, this->Positions, component, options.Degree);
-    SmallestPairs pairs;
-    try
-    {
-      const double vertices = this->Mesh.GetNumberOfVertices();
-      pairs = FindSmallestPairs(
-        stage.Matrices.back(), [&] { return reference.Start(); }, options.Solver, settings,
-        Progress(progress).Part(component.FirstVertex / vertices, component.EndVertex / vertices));
-    }
-    catch (const Stopped&)
-    {
-      return nullptr;
-    }
-    reference.FixPhase(pairs.First.Vector);
-    if (component.IsCover)
-    {
-      DoubleCover(this->Mesh, this->Transport, component, options.Degree)
-        .MakeSymmetric(pairs.First.Vector, stage.Matrices.back().Mass);
-    }
-    stage.Smoothest.push_back(std::move(pairs));
-    stage.Free.emplace_back();
-    stage.Solved.emplace_back();
-    stage.Terms.emplace_back();
+    stage.Components.push_back(this->MakeComponent(options, c, delaunay,
+      progress.Part(components[c].FirstVertex / vertices, components[c].EndVertex / vertices)));
   }
   this->Energy = std::move(stage);
-  return &*this->Energy;
+  return *this->Energy;
+}
+
+ComponentStage Stages::MakeComponent(const Options& options, std::size_t c,
+  const std::optional<IntrinsicTriangulation>& delaunay, const Progress& progress) const
+{
+  const TriangleMesh::Component& component = this->Mesh.GetComponents()[c];
+  Operators matrices = AssembleOperators(delaunay ? delaunay->Mesh : this->Mesh,
+    delaunay ? delaunay->Geometry : this->Geometry,
+    delaunay ? delaunay->Transport : this->Transport, component, options.Degree,
+    options.EnergyBias);
+  EigenpairSettings settings;
+  settings.Tolerance = options.Tolerance;
+  settings.MaximumIterations = options.MaximumIterations;
+  settings.Scale = this->GetScale(c, options.Degree);
+  const ReferenceSection reference(this->Frames, this->Positions, component, options.Degree);
+  SmallestPairs pairs = FindSmallestPairs(
+    matrices, [&] { return reference.Start(); }, options.Solver, settings, progress);
+  reference.FixPhase(pairs.First.Vector);
+  if (component.IsCover)
+  {
+    DoubleCover(this->Mesh, this->Transport, component, options.Degree)
+      .MakeSymmetric(pairs.First.Vector, matrices.Mass);
+  }
+  return ComponentStage(
+    std::move(matrices), std::move(pairs), settings.Scale, this->Geometry.Unit[c]);
 }
 }

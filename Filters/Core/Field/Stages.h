@@ -4,60 +4,39 @@
 #ifndef DirectionFields_Stages_h
 #define DirectionFields_Stages_h
 
-#include "Field/ComponentField.h"
+#include "Field/ComponentStage.h"
 #include "Field/Curvature.h"
 #include "Geometry/Connection.h"
 #include "Geometry/Metric.h"
 #include "Geometry/TangentFrames.h"
 #include "Mesh/MergePoints.h"
+#include "Mesh/OutputPoints.h"
 #include "Mesh/TriangleMesh.h"
 #include "Progress.h"
-#include "Sections/Assembly.h"
 
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace DirectionFields
 {
-/// The options that the smoothest field depends on.
-struct EnergyOptions
+class IntrinsicTriangulation;
+
+/// The options that matrices and smallest eigenpairs depend on.
+using EnergyKey = std::tuple<int, double, double, int, Solver, bool>;
+
+inline EnergyKey EnergyKeyOf(const Options& options)
 {
-  int Degree;
-  double EnergyBias;
-  double Tolerance;
-  int MaximumIterations;
-  DirectionFields::Solver Solver;
-  bool IntrinsicDelaunay;
+  return { options.Degree, options.EnergyBias, options.Tolerance, options.MaximumIterations,
+    options.Solver, options.IntrinsicDelaunay };
+}
 
-  explicit EnergyOptions(const Options& options)
-    : Degree(options.Degree)
-    , EnergyBias(options.EnergyBias)
-    , Tolerance(options.Tolerance)
-    , MaximumIterations(options.MaximumIterations)
-    , Solver(options.Solver)
-    , IntrinsicDelaunay(options.IntrinsicDelaunay)
-  {
-  }
-  bool operator==(const EnergyOptions& other) const
-  {
-    return this->Degree == other.Degree && this->EnergyBias == other.EnergyBias &&
-      this->Tolerance == other.Tolerance && this->MaximumIterations == other.MaximumIterations &&
-      this->Solver == other.Solver && this->IntrinsicDelaunay == other.IntrinsicDelaunay;
-  }
-};
-
-/// Matrices and smallest eigenpair of each component.
+/// Matrices and smallest eigenpairs of all components.
 struct EnergyStage
 {
-  EnergyOptions Key;
-  std::vector<Operators> Matrices;
-  std::vector<SmallestPairs> Smoothest;
-  /// Hierarchies of what the constraints last solved for by multigrid left free; null before.
-  std::vector<std::unique_ptr<FreeSystem>> Free;
-  /// Of the solutions without constraints.
-  std::vector<ReducedBasis> Solved;
-  std::vector<std::optional<GuidanceTerms>> Terms;
+  EnergyKey Key;
+  std::vector<ComponentStage> Components;
 };
 
 /// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others
@@ -66,8 +45,16 @@ class Stages
 {
 public:
   /// Throws MeshError.
+  /// @param mergePoints as Options::MergePoints
+  explicit Stages(std::shared_ptr<const Surface> surface, bool mergePoints = false);
   explicit Stages(const Surface& surface);
 
+  /// The surface as it came in.
+  const Surface& GetInput() const { return *this->Input; }
+  bool MergesPoints() const { return this->Merges; }
+  /// For each point of the input the one that stands for it in the mesh; empty where points are not
+  /// merged.
+  const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
   const TriangleMesh& GetMesh() const { return this->Mesh; }
   /// Of the vertices.
   const std::vector<Vector3>& GetPositions() const { return this->Positions; }
@@ -79,12 +66,21 @@ public:
   /// The order of magnitude of a component's smallest eigenvalue: 2 pi n / area, in 1 / unit^2.
   double GetScale(std::size_t component, int degree) const;
 
-  /// Null where the progress function stopped it.
-  EnergyStage* GetEnergy(const Options& options, const ProgressFunction& progress);
+  /// Throws Stopped.
+  EnergyStage& GetEnergy(const Options& options, const Progress& progress);
   const std::vector<double>& GetDihedralAngles();
   const Curvature& GetCurvature();
+  const OutputPoints& GetOutputPoints();
+  /// The curvature at the output points, in the units of the input. All results share it.
+  const std::shared_ptr<const CurvatureReport>& GetCurvatureReport();
 
 private:
+  ComponentStage MakeComponent(const Options& options, std::size_t c,
+    const std::optional<IntrinsicTriangulation>& delaunay, const Progress& progress) const;
+
+  std::shared_ptr<const Surface> Input;
+  bool Merges;
+  std::vector<Index> FirstPoint;
   TriangleMesh Mesh;
   std::vector<Vector3> Positions;
   Metric Geometry;
@@ -94,6 +90,8 @@ private:
   std::optional<EnergyStage> Energy;
   std::optional<std::vector<double>> Dihedral;
   std::optional<Curvature> Curved;
+  std::optional<OutputPoints> Points;
+  std::shared_ptr<const CurvatureReport> CurvatureAtPoints;
 };
 }
 

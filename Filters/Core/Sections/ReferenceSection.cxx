@@ -160,4 +160,18 @@ void ReferenceSection::FixPhase(ComplexVector& u) const
     turn(overlap / std::abs(overlap));
   }
 }
+
+void TurnTowards(const ComplexVector& reference, bool isCover, ComplexVector& u)
+{
+  Complex sum = u.dot(reference);
+  if (std::abs(sum) <= 1e-3 * u.cwiseAbs().dot(reference.cwiseAbs()))
+  {
+    return;
+  }
+  if (isCover)
+  {
+    sum = sum.real() < 0.0 ? -1.0 : 1.0;
+  }
+  u *= sum / std::abs(sum);
+}
 }

@@ -38,6 +38,10 @@ private:
   Vector3 Center;
   double HalfSize;
 };
+
+/// Turns a section by one global phase towards another one; a symmetric section over a cover by half a
+/// turn or not at all. Nothing is done where the two have nothing in common.
+void TurnTowards(const ComplexVector& reference, bool isCover, ComplexVector& u);
 }
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
-#include "Field/ComponentField.h"
+#include "Field/ComponentStage.h"
 #include "Field/Guidance.h"
 #include "Field/Stages.h"
 #include "Meshes/Surfaces.h"
@@ -182,7 +182,7 @@ TEST(Alignment, EnergiesAreMonotoneInTheStrength)
     Options options;
     options.Degree = degree;
     options.Alignment = Alignment::PointVectors;
-    const Operators& operators = stages.GetEnergy(options, {})->Matrices[0];
+    const Operators& operators = stages.GetEnergy(options, {}).Components[0].GetMatrices();
     DirectionField field(surface);
     double smoothness = 0.0;
     double overlap = 0.0;

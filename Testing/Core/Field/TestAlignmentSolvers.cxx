@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
-#include "Field/ComponentField.h"
+#include "Field/ComponentStage.h"
 #include "Field/Stages.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
@@ -69,27 +69,61 @@ TEST(AlignmentSolvers, NoSolverGivesAFieldOfZeros)
   }
 }
 
-TEST(AlignmentSolvers, ASystemThatIsNotSolvedLeavesTheSmoothestField)
+TEST(AlignmentSolvers, ConstraintsThatAreZeroLeaveTheSmoothestField)
 {
   const System system(Potato(5), 4, 0.0);
   EigenpairSettings settings;
   settings.Scale = system.Scale;
-  const SmallestPairs pairs =
-    FindSmallestPairs(system.Matrices, {}, Solver::Multigrid, settings, {});
-  ASSERT_TRUE(pairs.Hierarchy);
-  std::unique_ptr<FreeSystem> free;
-  ReducedBasis solved;
-  std::optional<GuidanceTerms> terms;
-  const ComponentProblem problem{ system.Matrices, pairs, free, solved, terms, system.Scale, 1.0,
-    RandomVector(system.Matrices.Energy.rows(), 1), {}, [] { return false; } };
-  Options options;
-  options.Solver = Solver::Multigrid;
-  ComponentReport report;
-  const ComplexVector u = SolveComponent(problem, options, report);
-  EXPECT_NEAR(report.SystemResidual, 1.0, 1e-14);
-  EXPECT_NEAR(report.SmoothnessEnergy, pairs.First.Value, 1e-9 * pairs.First.Value);
-  const Complex overlap = pairs.First.Vector.dot(system.Matrices.Mass * u);
-  EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
+  for (const Solver solver : { Solver::Direct, Solver::Multigrid })
+  {
+    SmallestPairs pairs = FindSmallestPairs(system.Matrices,
+      [&] { return RandomVector(system.Matrices.Energy.rows(), 2); }, solver, settings, {});
+    const Eigenpair smoothest = pairs.First;
+    ComponentStage stage(system.Matrices, std::move(pairs), system.Scale, 1.0);
+    for (const ConstraintSolver how : { ConstraintSolver::Energy, ConstraintSolver::LeastSquares })
+    {
+      Options options;
+      options.Solver = solver;
+      options.ConstraintSolver = how;
+      ComponentReport report;
+      const ComplexVector u =
+        stage.Solve({ {}, { { 0, 7 }, ComplexVector::Zero(2) } }, options, {}, report);
+      EXPECT_EQ(report.SolverUsed, solver);
+      EXPECT_NEAR(report.SmoothnessEnergy, smoothest.Value, 1e-9 * smoothest.Value);
+      const Complex overlap = smoothest.Vector.dot(system.Matrices.Mass * u);
+      EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
+    }
+  }
+}
+
+TEST(AlignmentSolvers, AStoppedSolutionLeavesTheStageAsItWas)
+{
+  const System system(Potato(5), 4, 0.0);
+  EigenpairSettings settings;
+  settings.Scale = system.Scale;
+  const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1), {} };
+  for (const Solver solver : { Solver::Direct, Solver::Multigrid })
+  {
+    Options options;
+    options.Solver = solver;
+    const auto makeStage = [&]
+    {
+      return ComponentStage(system.Matrices,
+        FindSmallestPairs(system.Matrices,
+          [&] { return RandomVector(system.Matrices.Energy.rows(), 2); }, solver, settings, {}),
+        system.Scale, 1.0);
+    };
+    ComponentStage stage = makeStage();
+    int questions = 0;
+    const ProgressFunction stop = [&](double) { return ++questions < 2; };
+    ComponentReport report;
+    EXPECT_THROW(stage.Solve(guide, options, Progress(stop), report), Stopped);
+    EXPECT_EQ(questions, 2);
+    const ComplexVector u = stage.Solve(guide, options, {}, report);
+    EXPECT_LE(report.SystemResidual, options.Tolerance);
+    ComponentReport other;
+    EXPECT_EQ(u, makeStage().Solve(guide, options, {}, other));
+  }
 }
 
 /// As an eigenpair that has not converged may have it, whatever its residual.
@@ -98,29 +132,27 @@ TEST(AlignmentSolvers, WhereLambda1WasOverestimatedLambdaTIsLess)
   const System system(Potato(4), 4, 0.0);
   EigenpairSettings settings;
   settings.Scale = system.Scale;
+  const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1), {} };
   for (const Solver solver : { Solver::Direct, Solver::Multigrid })
   {
-    SmallestPairs pairs = FindSmallestPairs(system.Matrices,
-      [&] { return RandomVector(system.Matrices.Energy.rows(), 2); }, solver, settings, {});
-    const double exact = pairs.First.Value;
-    pairs.First.Value = 3.0 * exact;
-    pairs.First.Residual = 1e-3;
-    Options options;
-    options.UseShift = true;
-    for (const double shift : { 0.1 * exact, 1e-4 * exact })
+    double exact = 0.0;
+    for (const double part : { 0.1, 1e-4 })
     {
-      std::unique_ptr<FreeSystem> free;
-      ReducedBasis solved;
-      std::optional<GuidanceTerms> terms;
-      const ComponentProblem problem{ system.Matrices, pairs, free, solved, terms, system.Scale,
-        1.0, RandomVector(system.Matrices.Energy.rows(), 1), {}, [] { return true; } };
-      options.Shift = shift;
+      SmallestPairs pairs = FindSmallestPairs(system.Matrices,
+        [&] { return RandomVector(system.Matrices.Energy.rows(), 2); }, solver, settings, {});
+      exact = pairs.First.Value;
+      pairs.First.Value = 3.0 * exact;
+      pairs.First.Residual = 1e-3;
+      ComponentStage stage(system.Matrices, std::move(pairs), system.Scale, 1.0);
+      Options options;
+      options.UseShift = true;
+      options.Shift = part * exact;
       ComponentReport report;
-      SolveComponent(problem, options, report);
+      stage.Solve(guide, options, {}, report);
       EXPECT_LT(report.Lambda, exact);
       EXPECT_LE(report.SystemResidual, options.Tolerance);
       EXPECT_GT(report.SmoothnessEnergy, 0.999 * exact);
-      // Of the system that was solved in the end, not of those before.
+      // The solver of the system that was solved in the end, not of those before.
       EXPECT_EQ(report.SolverUsed, solver);
     }
   }
@@ -130,23 +162,21 @@ TEST(AlignmentSolvers, WhatNoGapMakesDefiniteIsAnError)
 {
   System system(Potato(3), 4, 0.0);
   system.Matrices.Energy = SparseMatrix(-system.Matrices.Energy);
-  SmallestPairs pairs;
-  std::unique_ptr<FreeSystem> free;
-  ReducedBasis solved;
-  std::optional<GuidanceTerms> terms;
-  ComponentProblem problem{ system.Matrices, pairs, free, solved, terms, system.Scale, 1.0,
-    RandomVector(system.Matrices.Energy.rows(), 1), { { 0 }, ComplexVector::Ones(1) }, {} };
+  const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1),
+    { { 0 }, ComplexVector::Ones(1) } };
   Options options;
   options.UseShift = true;
   options.ConstraintSolver = ConstraintSolver::Energy;
   for (const double value : { 0.0, 1e-17, 1.0 })
   {
-    pairs.First.Value = value;
     for (const double shift : { 0.0, 1e-300, 1e-3 })
     {
+      SmallestPairs pairs;
+      pairs.First.Value = value;
+      ComponentStage stage(system.Matrices, std::move(pairs), system.Scale, 1.0);
       options.Shift = shift;
       ComponentReport report;
-      EXPECT_THROW(SolveComponent(problem, options, report), NotPositiveDefinite)
+      EXPECT_THROW(stage.Solve(guide, options, {}, report), NotPositiveDefinite)
         << value << ", " << shift;
     }
   }

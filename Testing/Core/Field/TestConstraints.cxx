@@ -291,7 +291,7 @@ TEST(Constraints, OneVertexOfManyTrianglesIsNoTrouble)
       continue;
     }
     Stages stages(bipyramid);
-    const SparseMatrix& k = stages.GetEnergy(options, {})->Matrices[0].Energy;
+    const SparseMatrix& k = stages.GetEnergy(options, {}).Components[0].GetMatrices().Energy;
     GivenValues given{ { 2, 150 }, ComplexVector(2) };
     given.Values << Complex(1.0, 0.0), Complex(0.0, 1.0);
     std::vector<Index> free;

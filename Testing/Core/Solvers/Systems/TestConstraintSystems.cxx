@@ -25,7 +25,7 @@ TEST(ConstraintSystems, SolutionsEqualDenseMinimization)
       Stages stages(surface);
       Options options;
       options.EnergyBias = 0.3;
-      const Operators& operators = stages.GetEnergy(options, {})->Matrices[0];
+      const Operators& operators = stages.GetEnergy(options, {}).Components[0].GetMatrices();
       const SparseMatrix k = operators.Energy + shift * operators.Mass;
       const auto n = static_cast<Index>(k.rows());
       ComplexVector b = ComplexVector::Zero(n);

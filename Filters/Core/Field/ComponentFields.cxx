@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Field/ComponentFields.h"
+
+#include "Sections/DoubleCover.h"
+#include "Sections/ReferenceSection.h"
+
+#include <algorithm>
+
+namespace DirectionFields
+{
+ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
+  const std::vector<Complex>& phaseReference, const Options& options, const Progress& progress)
+{
+  const TriangleMesh& mesh = stages.GetMesh();
+  ComponentFields fields;
+  fields.Section.resize(mesh.GetNumberOfVertices());
+  fields.Reports.resize(mesh.GetComponents().size());
+  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    if (guide.Any())
+    {
+      progress.Report(static_cast<double>(component.FirstVertex) / mesh.GetNumberOfVertices());
+    }
+    const ComponentGuide own = guide.Of(component);
+    ComplexVector u =
+      energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
+    if (!phaseReference.empty() && own.Given.Vertices.empty() && own.Guidance.isZero(0.0))
+    {
+      TurnTowards(Eigen::Map<const ComplexVector>(
+                    phaseReference.data() + component.FirstVertex, component.Vertices()),
+        component.IsCover, u);
+    }
+    if (component.IsCover)
+    {
+      DoubleCover(mesh, stages.GetConnection(), component, options.Degree).Symmetrize(u);
+    }
+    std::copy(u.begin(), u.end(), fields.Section.begin() + component.FirstVertex);
+  }
+  return fields;
+}
+}

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Field/FieldToResult.h"
+
+#include "Mesh/OutputPoints.h"
+#include "Mesh/OwnedParts.h"
+#include "Sections/SectionDirections.h"
+#include "Sections/Singularities.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr Index PieceSize = 1 << 13;
+
+/// Fills in the counts of each component's part that belongs to this piece of the surface.
+void AddCounts(const TriangleMesh& mesh, const Surface& surface, const Constraints& constraints,
+  std::vector<ComponentReport>& reports)
+{
+  const OwnedParts owned(mesh, surface);
+  for (std::size_t c = 0; c < reports.size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    const OwnedParts::Counts& counts = owned.Components[c];
+    ComponentReport& report = reports[c];
+    report.EulerCharacteristic = counts.Vertices - counts.Edges + counts.Triangles;
+    report.Vertices = counts.Vertices;
+    report.Triangles = counts.Triangles;
+    report.Closed = component.Closed && counts.Ghosts == 0;
+    for (Index v = component.FirstVertex; constraints.Any() && v < component.EndVertex; ++v)
+    {
+      const bool counted = constraints.Kind[v] != ConstraintKind::None && mesh.IsFrontVertex(v) &&
+        (owned.Vertex.empty() || owned.Vertex[v]);
+      report.Constraints += counted ? 1 : 0;
+    }
+  }
+}
+
+/// Fills in the triangles' arrays and the index sums. The reports are there already.
+void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::vector<int>& indices,
+  Result& result)
+{
+  const auto fill = [&](std::vector<Index>& values, Index value)
+  {
+    values.reserve(surface.Triangles.size());
+    PreferLargePages(values.data(), surface.Triangles.size() * sizeof(Index));
+    values.assign(surface.Triangles.size(), value);
+  };
+  fill(result.SingularityIndex, 0);
+  fill(result.Component, None);
+  mesh.ForEachComponent(
+    [&](Index c)
+    {
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      result.Components[c].IndexSum = ParallelSum(component.Triangles(), PieceSize, 0,
+        [&](Index begin, Index end)
+        {
+          int sum = 0;
+          for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
+          {
+            if (!mesh.IsFront(t))
+            {
+              continue;
+            }
+            const Index input = mesh.InputTriangle(t);
+            result.SingularityIndex[input] = indices[t];
+            result.Component[input] = c;
+            const bool counts = surface.Ghost.empty() || surface.Ghost[input] == 0;
+            sum += counts ? indices[t] : 0;
+          }
+          return sum;
+        });
+    });
+}
+}
+
+Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
+  std::vector<std::string> notes)
+{
+  const TriangleMesh& mesh = stages.GetMesh();
+  const Surface& surface = stages.GetInput();
+  const Constraints& constraints = guide.GetConstraints();
+  Result result;
+  result.Degree = options.Degree;
+  result.Repaired = mesh.GetRepairs();
+  result.Repaired.DegenerateTriangles = stages.GetMetric().DegenerateTriangles;
+  result.Notes = std::move(notes);
+  result.Components = std::move(fields.Reports);
+  AddCounts(mesh, surface, constraints, result.Components);
+  AddTriangles(mesh, surface,
+    SingularityIndices(mesh, stages.GetConnection(), options.Degree, fields.Section), result);
+
+  const OutputPoints& points = stages.GetOutputPoints();
+  const Vector3 zero = Vector3::Zero();
+  result.Representation = points.Spread(fields.Section, Complex(0.0));
+  result.Normal = points.Spread(stages.GetFrames().Normal, zero);
+  result.XAxis = points.Spread(stages.GetFrames().X, zero);
+  if (constraints.Any())
+  {
+    result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
+    result.ConstraintDirection =
+      points.Spread(DirectionsOf(constraints.Value, stages.GetFrames(), options.Degree), zero);
+  }
+  if (UsesCurvature(options))
+  {
+    result.Curvature = stages.GetCurvatureReport();
+  }
+  result.OriginalPoint = points.Original;
+  result.SplitTriangles = points.SplitTriangles;
+  return result;
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_GuidanceTerms_h
+#define DirectionFields_GuidanceTerms_h
+
+#include "Solvers/Matrices/Operators.h"
+#include "Solvers/Matrices/FreeVertices.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// What the field of one component follows. All is counted from the component's first vertex.
+struct ComponentGuide
+{
+  /// The section that the field is drawn to, one value for each vertex; empty for nothing.
+  ComplexVector Guidance;
+  /// The constraints.
+  GivenValues Given;
+};
+
+/// What a guide contributes to the linear systems of its component, for any strength: M q of the
+/// guidance q, which is scaled to modulus 1 in the mean square over all vertices that are neither
+/// constrained nor next to a constrained one. There the guidance is as large as the constraints.
+class GuidanceTerms
+{
+public:
+  GuidanceTerms(const Operators& operators, const ComponentGuide& guide);
+
+  /// Whether these terms are those of the guide.
+  bool Fit(const ComponentGuide& guide) const;
+
+  /// Whether anything is left of the guidance.
+  bool Any() const { return this->MassTimes.size() > 0; }
+  /// M q; empty where nothing is left of the guidance.
+  const ComplexVector& GetMassTimes() const { return this->MassTimes; }
+  /// The factor times M q, zero at constrained vertices and their neighbours. Zero without guidance.
+  ComplexVector RightHandSide(const Operators& operators, double factor) const;
+  /// Area of the component, in unit^2.
+  double GetArea() const { return this->Area; }
+
+private:
+  ComplexVector Guidance;
+  std::vector<Index> GivenVertices;
+  ComplexVector MassTimes;
+  double Area = 0.0;
+};
+}
+
+#endif
