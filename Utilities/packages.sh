@@ -26,6 +26,10 @@ plugin_packages=(
 # shellcheck disable=SC2034
 benchmark_packages=(libbenchmark-dev)
 
+# For the checks of the sources' style.
+# shellcheck disable=SC2034
+style_packages=(clang-format-14 shellcheck)
+
 # Debian's own VTK 9.1: its libraries, and what its CMake files ask for beyond the above. Its
 # development package excludes python3-paraview and is unpacked beside instead of installed.
 # shellcheck disable=SC2034

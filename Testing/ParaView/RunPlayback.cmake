@@ -12,7 +12,7 @@ execute_process(
     "DIRECTIONFIELDS_TEST_OUTPUT=${OUTPUT}" "PARAVIEW_LOG_EXECUTION_VERBOSITY=OFF"
     "${PARAVIEW}" --dr ${plugins}
     "--test-directory=${OUTPUT}" "--data=${MESH}" "--test-script=${PLAYBACK}" --exit
-  TIMEOUT 120
+  TIMEOUT 300
   RESULT_VARIABLE result
   OUTPUT_VARIABLE text
   ERROR_VARIABLE text)
