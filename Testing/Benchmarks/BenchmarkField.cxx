@@ -119,7 +119,7 @@ double ScaleOf(const Geometry& g, std::size_t component)
   return 8.0 * Pi / g.Lengths.ComponentArea[component];
 }
 
-void Hierarchy(benchmark::State& state, const std::string& mesh)
+void BuildHierarchy(benchmark::State& state, const std::string& mesh)
 {
   Threads threads;
   const Threads::Scope scope(threads);
@@ -293,7 +293,7 @@ int main(int argc, char* argv[])
     { "Setup", Setup },
     { "Flips", Flips },
     { "Assembly", Assembly },
-    { "Hierarchy", Hierarchy },
+    { "Hierarchy", BuildHierarchy },
     { "Eigensolve", Eigensolve },
     { "Smoothest", Smoothest },
     { "Aligned", Aligned },
