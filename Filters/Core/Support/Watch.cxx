@@ -30,8 +30,7 @@ public:
     const std::lock_guard<std::mutex> lock(this->Mutex);
     const auto isDone = [](Entry& entry)
     {
-      const bool done =
-        entry.Result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+      const bool done = entry.Result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
       if (done)
       {
         entry.Thread.join();

@@ -151,8 +151,8 @@ void DeflatedGradients::Prepare(double shift)
   CompactValues<Width> factors;
   for (int b = 0; b < Width; ++b)
   {
-    const bool byMatrix = b > 0 &&
-      values.Real[b] + shift * values.Imaginary[b] > SmallestPart * values.Real[b];
+    const bool byMatrix =
+      b > 0 && values.Real[b] + shift * values.Imaginary[b] > SmallestPart * values.Real[b];
     factors.Real[b] = byMatrix ? 1.0f : 0.0f;
     factors.Imaginary[b] = byMatrix ? static_cast<float>(shift) : 1.0f;
   }
@@ -190,7 +190,8 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
   Outcome outcome;
   Resize(solution, rows);
   const double size = std::sqrt(ParallelSum<double>(rows, PieceRows, 0.0,
-    [&](Index begin, Index end) { return rightHandSide.segment(begin, end - begin).squaredNorm(); }));
+    [&](Index begin, Index end)
+    { return rightHandSide.segment(begin, end - begin).squaredNorm(); }));
   if (!(size > 0.0) || !std::isfinite(size))
   {
     solution.setZero();
@@ -236,13 +237,15 @@ double DeflatedGradients::Begin(const ComplexVector& rightHandSide, double size)
   const Index rows = this->Finest.Rows();
   float* const t = this->Solution.data();
   float* const r = this->Residual.data();
-  const Coefficients outside(this->InverseAdjoint, SumRows(rows,
-    [&](Index v, FewSums& sums)
-    {
-      const Complex value = rightHandSide[v] / size;
-      sums.Add(this->Deflated.Vectors, v, static_cast<float>(value.real()),
-        static_cast<float>(value.imag()));
-    }).WithBlock());
+  const Coefficients outside(this->InverseAdjoint,
+    SumRows(rows,
+      [&](Index v, FewSums& sums)
+      {
+        const Complex value = rightHandSide[v] / size;
+        sums.Add(this->Deflated.Vectors, v, static_cast<float>(value.real()),
+          static_cast<float>(value.imag()));
+      })
+      .WithBlock());
   return SumRows(rows,
     [&](Index v, FewSums& sums)
     {
@@ -253,7 +256,8 @@ double DeflatedGradients::Begin(const ComplexVector& rightHandSide, double size)
       t[2 * v] = 0.0f;
       t[2 * v + 1] = 0.0f;
       sums.Other += std::norm(value);
-    }).Other;
+    })
+    .Other;
 }
 
 double DeflatedGradients::Precondition()
@@ -262,9 +266,10 @@ double DeflatedGradients::Precondition()
   const float* const r = this->Residual.data();
   float* const z = this->Preconditioned.data();
   this->Preconditioner.Apply<1>(r, z);
-  const Coefficients along(this->Inverse, SumRows(rows,
-    [&](Index v, FewSums& sums)
-    { sums.Add(this->Tested, v, z[2 * v], z[2 * v + 1]); }).WithBlock());
+  const Coefficients along(this->Inverse,
+    SumRows(
+      rows, [&](Index v, FewSums& sums) { sums.Add(this->Tested, v, z[2 * v], z[2 * v + 1]); })
+      .WithBlock());
   return SumRows(rows,
     [&](Index v, FewSums& sums)
     {
@@ -272,7 +277,8 @@ double DeflatedGradients::Precondition()
       z[2 * v] -= out.real();
       z[2 * v + 1] -= out.imag();
       sums.Other += r[2 * v] * z[2 * v] + r[2 * v + 1] * z[2 * v + 1];
-    }).Other;
+    })
+    .Other;
 }
 
 void DeflatedGradients::Turn(float keep)
@@ -324,6 +330,7 @@ double DeflatedGradients::Advance(float step, const Eigen::Vector4cd& along)
       r[2 * v] -= step * (q[2 * v] - projected.real());
       r[2 * v + 1] -= step * (q[2 * v + 1] - projected.imag());
       sums.Other += r[2 * v] * r[2 * v] + r[2 * v + 1] * r[2 * v + 1];
-    }).Other;
+    })
+    .Other;
 }
 }

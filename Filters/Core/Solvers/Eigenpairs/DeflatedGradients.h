@@ -20,7 +20,8 @@ public:
   /// The level, the cycle and the block must outlive the object. The block may change between solves; of it
   /// count the vectors V and their energy products, except those of the first section. Sections that are
   /// zero deflate nothing.
-  DeflatedGradients(const Hierarchy::Level& finest, const Cycle& cycle, const SectionBlock& deflated);
+  DeflatedGradients(
+    const Hierarchy::Level& finest, const Cycle& cycle, const SectionBlock& deflated);
 
   struct Outcome
   {

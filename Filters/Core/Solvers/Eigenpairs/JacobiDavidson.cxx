@@ -299,10 +299,10 @@ private:
   bool Step()
   {
     SetFirst(this->U.Vector, this->Block.Vectors);
-    const double reduction =
-      std::max(this->Space ? InnerReductionInSpace
-                           : std::clamp(InnerPart * this->Relative / this->Before, InnerReduction, InnerPart),
-        Margin * this->Settings.Tolerance / this->Relative);
+    const double reduction = std::max(this->Space
+        ? InnerReductionInSpace
+        : std::clamp(InnerPart * this->Relative / this->Before, InnerReduction, InnerPart),
+      Margin * this->Settings.Tolerance / this->Relative);
     this->Before = this->Relative;
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = this->Gradients.Solve(this->Residual, -this->Value,

@@ -35,9 +35,8 @@ double RayleighQuotient(const ComplexVector& u, const ComplexVector& au, const C
 Eigenpair DenseEigenpair(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start)
 {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver{
-    Eigen::MatrixXcd(energy), Eigen::MatrixXcd(mass)
-  };
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver{ Eigen::MatrixXcd(energy),
+    Eigen::MatrixXcd(mass) };
   if (solver.info() != Eigen::Success)
   {
     throw std::runtime_error("The eigenvalue problem of a small component has no solution.");
@@ -148,8 +147,7 @@ private:
     this->Basis.col(kept) = this->Basis.col(m).eval();
     this->MassBasis.col(kept) = this->MassBasis.col(m).eval();
     this->Projected.setZero();
-    this->Projected.diagonal().head(kept) =
-      this->Ritz.eigenvalues().tail(kept).cast<Complex>();
+    this->Projected.diagonal().head(kept) = this->Ritz.eigenvalues().tail(kept).cast<Complex>();
     this->Projected.row(kept).head(kept) = last;
     this->Dimension = kept;
   }
@@ -168,8 +166,7 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
 {
   const ComplexVector massVector = mass * pair.Vector;
   // A is positive semi-definite: what is less than zero is rounding.
-  pair.Value =
-    std::max(0.0, RayleighQuotient(pair.Vector, energy * pair.Vector, massVector));
+  pair.Value = std::max(0.0, RayleighQuotient(pair.Vector, energy * pair.Vector, massVector));
   pair.Vector /= std::sqrt(pair.Vector.dot(massVector).real());
   pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);
 }

@@ -48,8 +48,8 @@ struct Norms
 class BlockIteration
 {
 public:
-  BlockIteration(const Operators* operators, const Hierarchy::Level& level, double scale,
-    NestedPairs& pairs)
+  BlockIteration(
+    const Operators* operators, const Hierarchy::Level& level, double scale, NestedPairs& pairs)
     : Finest(operators)
     , Zero(ZeroPart * scale)
     , Matrices(level.Matrices)
@@ -63,9 +63,9 @@ public:
       // Ritz pairs of the coarser level are such on this one, since its matrices are projections.
       return;
     }
-    const std::vector<SmallMatrix> products =
-      InnerProducts(level.Rows(), { { &pairs.Block.Vectors, &pairs.Block.Energy },
-                                    { &pairs.Block.Vectors, &pairs.Block.Mass } });
+    const std::vector<SmallMatrix> products = InnerProducts(level.Rows(),
+      { { &pairs.Block.Vectors, &pairs.Block.Energy },
+        { &pairs.Block.Vectors, &pairs.Block.Mass } });
     this->Take(RayleighRitz(products[0], products[1], Width));
     if (this->IsWhole())
     {
@@ -101,8 +101,8 @@ public:
             rest.Real[b] -= theta * mass.Real[b];
             rest.Imaginary[b] -= theta * mass.Imaginary[b];
           }
-          part.Residual += rest.Real[first] * rest.Real[first] +
-            rest.Imaginary[first] * rest.Imaginary[first];
+          part.Residual +=
+            rest.Real[first] * rest.Real[first] + rest.Imaginary[first] * rest.Imaginary[first];
           part.Energy += energy.Real[first] * energy.Real[first] +
             energy.Imaginary[first] * energy.Imaginary[first];
           for (int b = 0; b < first; ++b)
@@ -152,10 +152,9 @@ private:
     const SectionBlock& w = this->Correction;
     const SectionBlock& s = this->Search;
     const bool searched = s.Rows() > 0;
-    std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{
-      { &x.Vectors, &w.Energy }, { &x.Vectors, &w.Mass }, { &w.Vectors, &w.Energy },
-      { &w.Vectors, &w.Mass }
-    };
+    std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{ { &x.Vectors,
+                                                                                    &w.Energy },
+      { &x.Vectors, &w.Mass }, { &w.Vectors, &w.Energy }, { &w.Vectors, &w.Mass } };
     if (searched)
     {
       for (const CompactSections* other : { &x.Vectors, &w.Vectors, &s.Vectors })
@@ -242,8 +241,7 @@ private:
     }
     else
     {
-      this->Matrices.Multiply<Width>(
-        block.Vectors.data(), block.Energy.data(), block.Mass.data());
+      this->Matrices.Multiply<Width>(block.Vectors.data(), block.Energy.data(), block.Mass.data());
     }
   }
 
@@ -288,21 +286,19 @@ NestedPairs IterateNested(const Operators& operators, const Hierarchy& hierarchy
     if (level + 1 < levels.size())
     {
       SectionBlock finer(levels[level].Rows());
-      levels[level].FromCoarser.Prolong<Width>(
-        pairs.Block.Vectors.data(), finer.Vectors.data());
+      levels[level].FromCoarser.Prolong<Width>(pairs.Block.Vectors.data(), finer.Vectors.data());
       pairs.Block = std::move(finer);
     }
-    BlockIteration iteration(level == 0 ? &operators : nullptr, levels[level],
-      hierarchy.GetScale(), pairs);
+    BlockIteration iteration(
+      level == 0 ? &operators : nullptr, levels[level], hierarchy.GetScale(), pairs);
     const int most = level + 1 == levels.size() ? MostStepsOnCoarsest
-      : level == 0                               ? MostStepsOnFinest
-                                                 : MostSteps;
+      : level == 0                              ? MostStepsOnFinest
+                                                : MostSteps;
     bool goes = iteration.IsWhole();
     for (int step = 0; goes && step < most; ++step)
     {
       progress.RequireToGoOn();
-      goes = iteration.Residuals() > Tolerance &&
-        !iteration.Step(cycle, level, step + 1 == most);
+      goes = iteration.Residuals() > Tolerance && !iteration.Step(cycle, level, step + 1 == most);
     }
     if (!iteration.IsWhole())
     {

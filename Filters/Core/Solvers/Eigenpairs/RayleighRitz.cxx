@@ -36,8 +36,10 @@ RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int w
   if (factor.info() == Eigen::Success &&
     factor.matrixLLT().diagonal().real().minCoeff() > IndependentDistance)
   {
-    basis = basis * SmallMatrix(factor.matrixU()).triangularView<Eigen::Upper>().solve(
-                      SmallMatrix::Identity(n, n));
+    basis = basis *
+      SmallMatrix(factor.matrixU())
+        .triangularView<Eigen::Upper>()
+        .solve(SmallMatrix::Identity(n, n));
   }
   else
   {

@@ -150,8 +150,8 @@ void RitzSpace::WriteNext(SectionBlock& block) const
 
 void RitzSpace::Forget()
 {
-  const SmallMatrix kept = this->Pairs.Vectors.leftCols(
-    std::min<Eigen::Index>(KeptSections, this->Pairs.Vectors.cols()));
+  const SmallMatrix kept =
+    this->Pairs.Vectors.leftCols(std::min<Eigen::Index>(KeptSections, this->Pairs.Vectors.cols()));
   const auto rows = static_cast<Index>(this->Basis.front().Vector.size());
   ParallelFor(rows, VectorPiece,
     [&](Index begin, Index end)

@@ -15,8 +15,8 @@
 
 namespace DirectionFields
 {
-/// What preconditioners compute with: half the memory traffic of Complex, and enough digits for a
-/// correction.
+/// Preconditioners compute with these numbers: they take half the memory traffic of Complex, and have digits
+/// enough for a correction.
 using CompactComplex = std::complex<float>;
 
 /// The modulus, for numbers whose squares neither overflow nor matter if they vanish.
@@ -52,7 +52,7 @@ struct CompactValues
     real = this->Real;
     imaginary = this->Imaginary;
   }
-  /// Adds a multiple.
+  /// Adds a multiple of other values.
   void Add(const CompactComplex& factor, const CompactValues& other)
   {
     this->Real += factor.real() * other.Real - factor.imag() * other.Imaginary;
@@ -74,7 +74,7 @@ struct CompactValues
     this->Real *= factor;
     this->Imaginary *= factor;
   }
-  /// Of the first section.
+  /// The value of the first section.
   CompactComplex Value() const { return { this->Real[0], this->Imaginary[0] }; }
 
 private:
@@ -129,8 +129,8 @@ struct CompactValues<1>
 };
 #endif
 
-/// Products are added up in groups: arrays of factors and vertices have so many elements, zeros, after
-/// the last row's.
+/// Products are added up in groups, which may reach past the end of a row. Arrays of factors and vertices
+/// have this many zeros after the last row's elements, so that they may be read.
 constexpr Index Padding = 6;
 
 template <typename T>
@@ -142,8 +142,8 @@ void ResizePadded(LargeArray<T>& array, Index count)
 
 /// Adds factors[k] times the values of vertex vertices[k], k = begin ... end - 1, to a sum.
 template <int B, typename Vertex>
-inline void AddProducts(const CompactComplex* factors, const Vertex* vertices, Index begin, Index end,
-  const float* sections, CompactValues<B>& sum)
+inline void AddProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
+  Index end, const float* sections, CompactValues<B>& sum)
 {
   for (Index k = begin; k < end; ++k)
   {
@@ -151,8 +151,8 @@ inline void AddProducts(const CompactComplex* factors, const Vertex* vertices, I
   }
 }
 
-/// The same, six at once if it is one section: up to six entries after the end are read, too, and
-/// multiplied by zero. Factors and vertices are padded, and the sections finite.
+/// Does the same, and takes six products at once if there is one section: up to six entries after the end are
+/// read, too, and multiplied by zero. Factors and vertices must be padded, and the sections finite.
 template <int B, typename Vertex>
 inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<B>& sum)
@@ -160,7 +160,7 @@ inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertice
   AddProducts<B>(factors, vertices, begin, end, sections, sum);
 }
 
-/// The same for rows with four entries or fewer, as a rule.
+/// Does the same, and takes four products at once: for rows that have four entries or fewer, as a rule.
 template <int B, typename Vertex>
 inline void AddFewProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<B>& sum)
@@ -184,8 +184,8 @@ public:
     , Sections(sections)
   {
   }
-  /// Products begin to end - 1.
-  /// @tparam Pairs that are computed without a branch, where there are not more
+  /// Adds the products begin to end - 1.
+  /// @tparam Pairs this many pairs of products are computed without a branch, where there are no more
   template <int Pairs>
   void Add(Index begin, Index end)
   {

@@ -94,8 +94,8 @@ bool Factorization::Compute(const SparseMatrix& matrix, const Progress& progress
 }
 
 /// Does backend->Compute(matrix) and asks meanwhile whether to go on.
-bool Factorization::Watched(const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix,
-  const Progress& progress)
+bool Factorization::Watched(
+  const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix, const Progress& progress)
 {
   progress.RequireToGoOn();
   if (!progress.Listens() || matrix.rows() < WatchedRows)

@@ -31,8 +31,8 @@ private:
   class Backend;
   class EigenBackend;
   class CholmodBackend;
-  static bool Watched(const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix,
-    const Progress& progress);
+  static bool Watched(
+    const std::shared_ptr<Backend>& backend, const SparseMatrix& matrix, const Progress& progress);
   std::shared_ptr<Backend> Factor;
 };
 }

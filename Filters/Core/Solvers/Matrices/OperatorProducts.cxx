@@ -30,8 +30,8 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
 {
   ComplexVector y = Uninitialized(x.size());
   ForEachRow(x.size(),
-    [a, m, energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(), from = x.data(),
-      to = y.data()](Index v)
+    [a, m, energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(),
+      from = x.data(), to = y.data()](Index v)
     {
       ConjugateSum sum;
       for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
@@ -44,7 +44,7 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
   return y;
 }
 
-SparseMatrix Combined(const Operators& operators, double a, double m)
+SparseMatrix LinearCombination(const Operators& operators, double a, double m)
 {
   SparseMatrix combined = operators.Energy;
   const Complex* energy = operators.Energy.valuePtr();
@@ -95,7 +95,8 @@ void SectionProducts::Set(const Operators& operators, ComplexVector vector)
   Resize(this->Mass, this->Vector.size());
   ForEachRow(this->Vector.size(),
     [energy = SparseColumns(operators.Energy), mass = operators.Mass.valuePtr(),
-      from = this->Vector.data(), toEnergy = this->Energy.data(), toMass = this->Mass.data()](Index v)
+      from = this->Vector.data(), toEnergy = this->Energy.data(),
+      toMass = this->Mass.data()](Index v)
     {
       ConjugateSum a;
       ConjugateSum m;

@@ -16,9 +16,9 @@ ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x);
 ComplexVector Product(const Operators& operators, double a, double m, const ComplexVector& x);
 
 /// a A + m M
-SparseMatrix Combined(const Operators& operators, double a, double m);
+SparseMatrix LinearCombination(const Operators& operators, double a, double m);
 
-/// ‖|K| |u|‖: what the terms of K u add up to if none cancel. Rounding leaves a part of it.
+/// ‖|K| |u|‖: what the terms of K u add up to if none cancel. The rounding of K u is a part of it.
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
 
 /// A section and what energy and mass matrix make of it.
@@ -30,7 +30,7 @@ struct SectionProducts
 
   SectionProducts() = default;
   SectionProducts(const Operators& operators, ComplexVector vector);
-  /// In the storage that there is.
+  /// Replaces the section in the storage of the one before.
   void Set(const Operators& operators, ComplexVector vector);
 };
 }

@@ -17,8 +17,16 @@
 
 namespace DirectionFields
 {
-/// Adds up the entries of one row by column. Which of them are new is hard to predict: there is no
-/// branch that depends on it.
+/// Adds up the entries of one row of a sparse product: sum[column] is the entry of a column, zero at first.
+///
+/// Whether a column has come before is hard to predict, and a branch that goes wrong takes longer than the
+/// sum itself. So there is none. A column's slot is its number modulo SlotCount; a slot says where in the row
+/// its latest column stands. If the row has another column there, the column is new: it gets the place at
+/// the end of the row, and the slot points to it. Else it gets the place that the slot says. Which of the two
+/// places is chosen by arithmetic. Slots need not be cleared between rows: what one says of an earlier row is
+/// another column or None, the column of all places from the end of the row on.
+/// Two columns that share a slot and take turns get several places each; TakeSorted adds them up, and with
+/// SlotCount many times the columns of a row this is rare.
 template <typename Entry>
 class RowSum
 {
@@ -44,15 +52,15 @@ public:
     return this->Row[at].second;
   }
 
-  /// Calls take(begin, end) with the entries, then forgets them. Columns that share a slot may come
-  /// several times.
+  /// Calls take(begin, end) with the pairs (column, entry), then forgets them. Columns that share a slot may
+  /// come several times.
   template <typename TakeEntries>
   void Take(const TakeEntries& take)
   {
     take(this->Row.begin(), this->Row.begin() + this->End);
     this->Forget();
   }
-  /// Each column once, in ascending order.
+  /// The same with each column once, in ascending order.
   template <typename TakeEntries>
   void TakeSorted(const TakeEntries& take)
   {
@@ -84,9 +92,9 @@ private:
     this->End = 0;
   }
 
-  /// Where the last entry of the columns that share a slot is, or was.
+  /// For each slot the place in this row, or an earlier one, of its latest column.
   std::array<std::uint32_t, SlotCount> Slots;
-  /// Those at the end are none.
+  /// The row has End entries; the column of those that follow is None.
   std::vector<std::pair<Index, Entry>> Row;
   std::uint32_t End = 0;
 };

@@ -29,7 +29,8 @@ private:
   Eigen::Array2d ByImaginary = Eigen::Array2d::Zero();
 };
 
-/// The arrays of a sparse matrix by columns. Loops take copies: what they write could not change those.
+/// The arrays of a sparse matrix by columns. Loops take copies of the pointers: the compiler knows that what
+/// a loop writes does not change its own copies.
 struct SparseColumns
 {
   explicit SparseColumns(const SparseMatrix& matrix)

@@ -13,9 +13,9 @@ namespace DirectionFields
 {
 namespace
 {
-/// Local rows are those whose couplings add up to more than this times the diagonal, but no more than
-/// this part of all, besides what they are coupled with.
+/// A row is local where its couplings add up to more than this times the diagonal.
 constexpr float MostCouplings = 1.2f;
+/// No more than this part of all rows are local, besides those that they are coupled with.
 constexpr double MostLocalRows = 0.01;
 }
 
@@ -177,7 +177,8 @@ void CompactMatrix::FindLocalRows()
   this->Local.clear();
   for (const Index v : local)
   {
-    this->Local.push_back({ v, this->Inside[v] < this->Begin[v + 1] ? this->BoundaryFrom(v) : None });
+    this->Local.push_back(
+      { v, this->Inside[v] < this->Begin[v + 1] ? this->BoundaryFrom(v) : None });
   }
 }
 

@@ -15,24 +15,24 @@ namespace DirectionFields
 /// apart.
 struct CompactMatrix
 {
-  /// Of a block, which is swept by itself.
+  /// The number of rows of a block; a block is swept by itself.
   static constexpr Index BlockRows = 4096;
-  /// Rows of a piece where rows do not depend on each other.
+  /// The number of rows of a piece, where rows do not depend on each other.
   static constexpr Index PieceRows = 2048;
 
-  /// Entries of row v: Begin[v] to Inside[v] in columns of its block, Inside[v] to Begin[v + 1] in
-  /// others.
+  /// The entries of row v in columns of its block are those from Begin[v] to Inside[v], and its entries in
+  /// other columns those from Inside[v] to Begin[v + 1].
   LargeArray<Index> Begin;
   LargeArray<Index> Inside;
   LargeArray<Index> Column;
-  /// The same counted from the first row of the block; 0 for columns of other blocks.
+  /// The column counted from the first row of the block; 0 for columns of other blocks.
   LargeArray<std::uint16_t> ColumnInBlock;
   LargeArray<CompactComplex> Value;
   LargeArray<float> Diagonal;
   /// The rows with entries in columns of other blocks, ascending.
   LargeArray<Index> Boundary;
-  /// Those entries of row j of the boundary again: OutsideBegin[j] to OutsideBegin[j + 1]. Their
-  /// columns, which are of the boundary, too, are counted in it.
+  /// A copy of those entries: row j of the boundary has those from OutsideBegin[j] to OutsideBegin[j + 1].
+  /// Their columns belong to the boundary, too, and are counted in it.
   LargeArray<Index> OutsideBegin;
   LargeArray<Index> OutsideColumn;
   LargeArray<CompactComplex> OutsideValue;
@@ -56,24 +56,24 @@ struct CompactMatrix
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
   /// Fills in what only sweeps need: ColumnInBlock and the couplings of the boundary.
   void PrepareSweeps();
-  /// Fills in Local. Where many rows are like that, the worst ones only: more would take longer than
-  /// they save.
+  /// Fills in Local. Where many rows are like that, only the worst ones are taken: more of them would take
+  /// longer than they save.
   void FindLocalRows();
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }
-  /// But for the diagonal.
+  /// The number of entries outside the diagonal.
   Index Entries() const { return this->Begin.back(); }
   /// The first row of the boundary, counted in it, from a row on.
   Index BoundaryFrom(Index row) const;
 
-  /// Row v of A x.
+  /// Row v of A x for B sections x.
   template <int B>
   CompactValues<B> RowTimes(Index v, const float* x) const
   {
     CompactValues<B> sum;
     sum.AddReal(this->Diagonal[v], x, v);
-    AddManyProducts(this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1],
-      x, sum);
+    AddManyProducts(
+      this->Value.data(), this->Column.data(), this->Begin[v], this->Begin[v + 1], x, sum);
     return sum;
   }
 };

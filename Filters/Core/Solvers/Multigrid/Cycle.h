@@ -11,9 +11,9 @@
 
 namespace DirectionFields
 {
-/// A cycle for A + shift M, approximately: one sweep down, the coarser level's cycle, which from the
-/// third level on is repeated for what it leaves, one sweep up; a Cholesky factor on the coarsest
-/// level. Symmetric and positive definite for a shift >= 0.
+/// A multigrid cycle B, nearly the inverse of A + shift M: one sweep down, the coarser level's cycle, one
+/// sweep up; on the coarsest level a Cholesky factor. From the third level on a level's cycle is applied
+/// again, to the residual that it leaves. B is Hermitian, and positive definite for a shift >= 0.
 class Cycle
 {
 public:
@@ -22,16 +22,16 @@ public:
 
   /// False where the coarsest matrix could not be factored.
   bool IsUsable() const { return this->Usable; }
-  /// What the coarsest level adds to A instead of shift M is this times M: a little more.
+  /// The coarsest level adds this times M to A: a little more than shift.
   double GetCoarsestShift() const { return this->CoarsestShift; }
 
   /// y = B b on the given level.
-  /// @param b, y    B sections each, not the same
-  /// @param product Re b^* y, of all sections; or null
+  /// @param b, y    B sections each, in different storage
+  /// @param product becomes the sum over the sections of Re b^* y; or null
   template <int B>
   void Apply(const float* b, float* y, std::size_t level = 0, double* product = nullptr) const;
 
-  /// Frees the storage that Apply has kept for next time.
+  /// Frees the storage that Apply keeps between calls.
   void ReleaseStorage() { this->Workspaces = std::vector<Workspace>(this->Workspaces.size()); }
 
 private:

@@ -32,7 +32,7 @@ struct TwoEntries
   }
 };
 
-/// Products of two numbers with others.
+/// Multiplies an entry of the energy and one of the mass by the same number.
 class TwoFactors
 {
 public:
@@ -48,49 +48,14 @@ public:
 
 private:
   TwoEntries::Numbers Both;
-  /// Times i.
+  /// Both numbers times i.
   TwoEntries::Numbers Turned;
 };
-}
 
-LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolongator)
+/// The matrices of these rows, which are sorted and have their diagonal entries.
+LevelMatrices ToLevelMatrices(const SummedRows<TwoEntries>& rows)
 {
-  const CompactMatrix& energy = matrices.Energy;
-  // A P and M P first.
-  const SummedRows<TwoEntries> products(energy.Rows(), false,
-    [&](Index i, RowSum<TwoEntries>& sum)
-    {
-      const auto add = [&](Index j, const CompactComplex& a, const CompactComplex& m)
-      {
-        const TwoFactors factors(a, m);
-        for (Index k = prolongator.Begin[j]; k < prolongator.Begin[j + 1]; ++k)
-        {
-          sum[prolongator.Column[k]].Add(factors.Times(prolongator.Value[k]));
-        }
-      };
-      add(i, energy.Diagonal[i], matrices.MassDiagonal[i]);
-      for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
-      {
-        add(energy.Column[k], energy.Value[k], matrices.MassValue[k]);
-      }
-    });
-  const LargeArray<Index> begin = products.Begin();
-  const SummedRows<TwoEntries> rows(prolongator.CoarseRows(), true,
-    [&](Index row, RowSum<TwoEntries>& sum)
-    {
-      for (Index k = prolongator.AdjointBegin[row]; k < prolongator.AdjointBegin[row + 1]; ++k)
-      {
-        const Index i = prolongator.AdjointColumn[k];
-        const Index piece = i / products.PieceRows;
-        const auto* entry = products.Pieces[piece].data() + (begin[i] - begin[piece * products.PieceRows]);
-        for (Index e = 0; e < products.Size[i]; ++e, ++entry)
-        {
-          const TwoFactors factors(entry->second.Energy(), entry->second.Mass());
-          sum[entry->first].Add(factors.Times(prolongator.AdjointValue[k]));
-        }
-      }
-    });
-  const Index n = prolongator.CoarseRows();
+  const Index n = static_cast<Index>(rows.Size.size());
   const LargeArray<Index> rowBegin = rows.Begin();
   LevelMatrices coarse;
   coarse.Energy.Begin.resize(n + 1);
@@ -121,5 +86,47 @@ LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolonga
     });
   coarse.Energy.OrderByBlocks(&coarse.MassValue);
   return coarse;
+}
+}
+
+LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolongator)
+{
+  const CompactMatrix& energy = matrices.Energy;
+  // A P and M P. Their rows need no order, and columns may come several times.
+  const SummedRows<TwoEntries> products(energy.Rows(), false,
+    [&](Index i, RowSum<TwoEntries>& sum)
+    {
+      const auto add = [&](Index j, const CompactComplex& a, const CompactComplex& m)
+      {
+        const TwoFactors factors(a, m);
+        for (Index k = prolongator.Begin[j]; k < prolongator.Begin[j + 1]; ++k)
+        {
+          sum[prolongator.Column[k]].Add(factors.Times(prolongator.Value[k]));
+        }
+      };
+      add(i, energy.Diagonal[i], matrices.MassDiagonal[i]);
+      for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
+      {
+        add(energy.Column[k], energy.Value[k], matrices.MassValue[k]);
+      }
+    });
+  const LargeArray<Index> begin = products.Begin();
+  const SummedRows<TwoEntries> rows(prolongator.CoarseRows(), true,
+    [&](Index row, RowSum<TwoEntries>& sum)
+    {
+      for (Index k = prolongator.AdjointBegin[row]; k < prolongator.AdjointBegin[row + 1]; ++k)
+      {
+        const Index i = prolongator.AdjointColumn[k];
+        const Index piece = i / products.PieceRows;
+        const auto* entry =
+          products.Pieces[piece].data() + (begin[i] - begin[piece * products.PieceRows]);
+        for (Index e = 0; e < products.Size[i]; ++e, ++entry)
+        {
+          const TwoFactors factors(entry->second.Energy(), entry->second.Mass());
+          sum[entry->first].Add(factors.Times(prolongator.AdjointValue[k]));
+        }
+      }
+    });
+  return ToLevelMatrices(rows);
 }
 }

@@ -3,10 +3,14 @@
 
 #include "Solvers/Multigrid/Hierarchy.h"
 
+#include "Solvers/Matrices/SparseColumns.h"
 #include "Solvers/Multigrid/Galerkin.h"
 #include "Solvers/Multigrid/SmoothedAggregation.h"
 #include "Support/Threads.h"
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace DirectionFields
@@ -23,6 +27,68 @@ constexpr Index FewestRows = 8;
 /// With more rows than this, the storage of the pieces that coarse levels were made of is returned to the
 /// system: it would count towards the peak of what comes next.
 constexpr Index ManyRows = 1 << 20;
+
+/// Of all couplings this part may have no mass: its integrals may happen to cancel.
+constexpr double MostWithoutMass = 0.1;
+
+/// The numbers of couplings, and of those whose mass is zero.
+struct CouplingCounts
+{
+  Index All = 0;
+  Index WithoutMass = 0;
+  CouplingCounts& operator+=(const CouplingCounts& other)
+  {
+    this->All += other.All;
+    this->WithoutMass += other.WithoutMass;
+    return *this;
+  }
+};
+
+CouplingCounts CountCouplings(const Operators& operators)
+{
+  const SparseColumns energy(operators.Energy);
+  const Complex* const mass = operators.Mass.valuePtr();
+  return ParallelSum<CouplingCounts>(static_cast<Index>(operators.Energy.cols()),
+    CompactMatrix::PieceRows, {},
+    [&](Index begin, Index end)
+    {
+      CouplingCounts counts;
+      counts.All = energy.Begin[end] - energy.Begin[begin] - (end - begin);
+      for (Index k = energy.Begin[begin]; k < energy.Begin[end]; ++k)
+      {
+        counts.WithoutMass += mass[k] == 0.0 && energy.Value[k] != 0.0 ? 1 : 0;
+      }
+      return counts;
+    });
+}
+
+bool HaveOnePattern(const SparseMatrix& a, const SparseMatrix& b)
+{
+  return a.isCompressed() && b.isCompressed() && a.cols() == b.cols() &&
+    a.nonZeros() == b.nonZeros() &&
+    std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+    std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+/// Throws std::invalid_argument where the operators are not what Operators promises.
+void RequireTransport(const Operators& operators)
+{
+  const char* const advice =
+    " Multigrid reads the parallel transport of sections off the phases of the mass "
+    "matrix. Do not lump it: assemble it with an entry of its own for each edge.";
+  if (!HaveOnePattern(operators.Energy, operators.Mass))
+  {
+    throw std::invalid_argument(
+      std::string("Energy and mass matrix have entries at different places.") + advice);
+  }
+  const CouplingCounts counts = CountCouplings(operators);
+  if (counts.WithoutMass > MostWithoutMass * counts.All)
+  {
+    throw std::invalid_argument("The mass matrix is zero at " + std::to_string(counts.WithoutMass) +
+      " of the " + std::to_string(counts.All) + " places where the energy couples two vertices." +
+      advice);
+  }
+}
 
 LargeArray<float> Lumped(const LevelMatrices& matrices)
 {
@@ -56,6 +122,7 @@ LevelMatrices Finest(const Operators& operators)
 Hierarchy::Hierarchy(const Operators& operators, double scale, LeftOver leftOver)
   : Scale(scale)
 {
+  RequireTransport(operators);
   this->Levels.push_back({ Finest(operators), {}, {} });
   for (;;)
   {
@@ -73,8 +140,7 @@ Hierarchy::Hierarchy(const Operators& operators, double scale, LeftOver leftOver
       break;
     }
     const Index fewest = leftOver == LeftOver::Keep ? FewestRows : 1;
-    if (prolongator.CoarseRows() > NoCoarsening * level.Rows() ||
-      prolongator.CoarseRows() < fewest)
+    if (prolongator.CoarseRows() > NoCoarsening * level.Rows() || prolongator.CoarseRows() < fewest)
     {
       break;
     }

@@ -19,29 +19,32 @@ namespace DirectionFields
 class Hierarchy
 {
 public:
-  /// Sections on the coarsest level at most, as a rule.
+  /// The coarsest level has no more rows than this, as a rule.
   static constexpr Index CoarsestRows = 150;
-  /// Sections on the coarsest level where coarsening ends early.
+  /// The coarsest level has no more rows than this where coarsening ends early.
   static constexpr Index MostCoarsestRows = 1500;
 
   struct Level
   {
     LevelMatrices Matrices;
-    /// Mass of each vertex' surroundings, sum of |M_ij| over j: what M does to smooth sections.
+    /// The sum of |M_ij| over j for each row i: for smooth sections M nearly acts as this diagonal does.
     LargeArray<float> LumpedMass;
-    /// From the next coarser level; empty on the coarsest.
+    /// Interpolates sections of the next coarser level; empty on the coarsest.
     Prolongator FromCoarser;
 
     Index Rows() const { return this->Matrices.Energy.Rows(); }
   };
 
+  /// Throws std::invalid_argument where energy and mass matrix have different patterns, or where the mass
+  /// matrix does not tell the transport of sections (see Operators): aggregates would be made of vertices
+  /// whose values the energy does not draw together, and cycles would hardly reduce errors.
   /// @param scale    the order of magnitude of the smallest eigenvalue, as in EigenpairSettings
-  /// @param leftOver Drop for linear systems alone
+  /// @param leftOver Drop where only linear systems will be solved with the hierarchy
   Hierarchy(const Operators& operators, double scale, LeftOver leftOver = LeftOver::Keep);
 
   const std::vector<Level>& GetLevels() const { return this->Levels; }
   double GetScale() const { return this->Scale; }
-  /// Entries of all levels' matrices over those of the finest.
+  /// The number of entries of all levels' matrices over that of the finest.
   double OperatorComplexity() const;
 
 private:

@@ -43,7 +43,7 @@ void Multiply(const Operators& operators, const float* x, float* ax, float* mx)
     {
       Eigen::Array4d real = Eigen::Array4d::Zero();
       Eigen::Array4d imaginary = Eigen::Array4d::Zero();
-      // Of the mass no digits cancel.
+      // In M x no digits cancel: single precision will do.
       CompactValues<width> m;
       for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
       {

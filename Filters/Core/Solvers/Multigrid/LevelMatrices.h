@@ -13,7 +13,7 @@ namespace DirectionFields
 struct LevelMatrices
 {
   CompactMatrix Energy;
-  /// Off-diagonal entries at the places of Energy's.
+  /// The mass matrix' off-diagonal entries, in the order of Energy.Value.
   LargeArray<CompactComplex> MassValue;
   LargeArray<float> MassDiagonal;
 
@@ -22,8 +22,8 @@ struct LevelMatrices
   void Multiply(const float* x, float* ax, float* mx) const;
 };
 
-/// A x and M x of four sections in single precision (see CompactSections), A x added up in double
-/// precision.
+/// ax = A x and mx = M x for four sections in single precision (see CompactSections). The sums of A x are
+/// in double precision.
 void Multiply(const Operators& operators, const float* x, float* ax, float* mx);
 }
 

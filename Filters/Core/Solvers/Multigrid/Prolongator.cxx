@@ -21,8 +21,8 @@ template <int B>
 void Prolongator::Prolong(const float* y, float* x) const
 {
   ParallelFor(this->FineRows(), PieceRows,
-    [y, x, first = this->Begin.data(), columns = this->Column.data(),
-      values = this->Value.data()](Index begin, Index end)
+    [y, x, first = this->Begin.data(), columns = this->Column.data(), values = this->Value.data()](
+      Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {
@@ -37,8 +37,8 @@ template <int B>
 void Prolongator::AddTo(float* x, const float* y) const
 {
   ParallelFor(this->FineRows(), PieceRows,
-    [y, x, first = this->Begin.data(), columns = this->Column.data(),
-      values = this->Value.data()](Index begin, Index end)
+    [y, x, first = this->Begin.data(), columns = this->Column.data(), values = this->Value.data()](
+      Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
       {

@@ -27,7 +27,7 @@ struct FewColumns
   using Numbers = Eigen::Array<float, Count, 1>;
 
   Index First;
-  /// Of the columns from the first one.
+  /// The differences of the columns' numbers from the first one.
   Numbers Distance;
   Numbers Real = Numbers::Zero();
   Numbers Imaginary = Numbers::Zero();
@@ -41,7 +41,7 @@ struct FewColumns
                                     : std::numeric_limits<float>::infinity();
     }
   }
-  /// Where it is one of the columns; without a branch.
+  /// Adds the value to that of the column, if it is one of the few; without a branch.
   void Add(Index column, const CompactComplex& value)
   {
     const Numbers isSame =
@@ -59,7 +59,7 @@ CompactComplex Phase(const CompactComplex& z)
 
 /// One step towards columns of least energy that keeps the pattern and what transported constants are
 /// interpolated to.
-/// @param perRadius over what bounds the largest eigenvalue, times the diagonal
+/// @param perRadius 1 over a bound of the largest eigenvalue times the diagonal
 void LowerEnergy(const CompactMatrix& energy, const Couplings& couplings,
   const LargeArray<float>& perRadius, Prolongator& p)
 {
@@ -81,7 +81,7 @@ void LowerEnergy(const CompactMatrix& energy, const Couplings& couplings,
           std::copy_n(values + first, count, to + first);
           continue;
         }
-        // Of row i of A P what is within the pattern.
+        // What of row i of A P is within the pattern of P.
         phases.resize(count);
         CompactComplex along = 0.0f;
         for (Index at = 0; at < count; at += FewColumns::Count)
@@ -101,8 +101,8 @@ void LowerEnergy(const CompactMatrix& energy, const Couplings& couplings,
           for (Index c = at; c < std::min(at + FewColumns::Count, count); ++c)
           {
             const CompactComplex value = values[first + c];
-            const CompactComplex product = diagonal[i] * value +
-              CompactComplex(sum.Real[c - at], sum.Imaginary[c - at]);
+            const CompactComplex product =
+              diagonal[i] * value + CompactComplex(sum.Real[c - at], sum.Imaginary[c - at]);
             phases[c] = Phase(value);
             along += std::conj(phases[c]) * product;
             to[first + c] = product;
@@ -125,7 +125,7 @@ Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver l
   const CompactMatrix& energy = matrices.Energy;
   const Couplings couplings = FindCouplings(matrices, level);
   const Aggregates aggregates = Aggregate(matrices, couplings, leftOver);
-  // The inverse of what bounds the largest eigenvalue, times the diagonal.
+  // 1 over a bound of the largest eigenvalue times the diagonal.
   LargeArray<float> perRadius(energy.Rows());
   const SummedRows<CompactComplex> rows(energy.Rows(), true,
     [&](Index i, RowSum<CompactComplex>& sum)

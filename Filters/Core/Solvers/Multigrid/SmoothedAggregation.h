@@ -14,11 +14,11 @@ namespace DirectionFields
 /// after transport strongly and with the right sign, and a section of the coarse level is
 /// transported from each aggregate's root to the others before it is smoothed.
 ///
-/// Then a step lowers the energy of each column where it stands (J. Mandel, M. Brezina, P. Vaněk,
-/// Computing 62, 1999): a quarter fewer cycles with matrices that are no denser.
+/// Then a step lowers the energy of each column within its pattern (J. Mandel, M. Brezina, P. Vaněk,
+/// Computing 62, 1999): solvers take a quarter fewer cycles, with matrices that are no denser.
 ///
-/// The transport is that of the mass matrix: the phases of its entries, unlike the energy's, do not
-/// change where a cotangent weight is negative.
+/// The transport is the phase of the mass matrix' entries: unlike the energy's, they do not change sign where
+/// a cotangent weight is negative.
 /// @param level 0 for the finest: what counts as strong gets weaker from level to level
 Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver leftOver);
 }

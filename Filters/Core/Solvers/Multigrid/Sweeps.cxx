@@ -41,10 +41,11 @@ SweepDiagonal::SweepDiagonal(
 namespace
 {
 constexpr Index BlockRows = CompactMatrix::BlockRows;
-/// Products that are added up in single precision.
+/// This many products are added up in single precision, their sums in double precision.
 constexpr Index FewNumbers = 512;
 
-/// The arrays of a matrix. Loops take copies: what they write could not change those.
+/// The arrays of a matrix. Loops take copies of the pointers: the compiler knows that what a loop writes
+/// does not change its own copies.
 struct Entries
 {
   explicit Entries(const CompactMatrix& matrix)
@@ -68,13 +69,13 @@ struct Entries
   }
 };
 
-/// A copy of the part of sections that belongs to a block: a sweep that changed the part itself would
-/// change what sums of other blocks look at, if only to hide it.
+/// A copy of the part of sections that belongs to a block. Sums of other blocks read that part and multiply
+/// it by zero (see AddManyProducts): they must not read what a sweep is writing.
 template <int B>
 class BlockSections
 {
 public:
-  /// @param all zero if null
+  /// @param all the sections; null for sections that are zero
   BlockSections(const float* all, Index begin, Index end)
     : First(static_cast<std::size_t>(2 * B) * begin)
     , Size(static_cast<std::size_t>(2 * B) * (end - begin))
@@ -91,7 +92,8 @@ public:
 private:
   std::size_t First;
   std::size_t Size;
-  /// As many as columns may refer to that sums hide.
+  /// The values have room for a whole block: sums may read the value of any of its columns, even if they
+  /// multiply it by zero.
   std::array<float, static_cast<std::size_t>(2 * B) * BlockRows> Values;
 };
 
@@ -159,12 +161,12 @@ void ForLocalRows(
   }
 }
 
-/// Sets row v of a block to the solution of its equation, or moves it towards that.
+/// Moves row v of a block towards the solution of its equation, by the relaxation.
 template <int B>
 struct Relaxation
 {
-  Relaxation(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b, Index begin,
-    float* own)
+  Relaxation(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
+    Index begin, float* own)
     : Couplings(matrix)
     , Inverse(diagonal.Inverse.data())
     , Right(b)
@@ -204,14 +206,14 @@ private:
 };
 
 /// Calls body(j, v, sum) for the rows v of the boundary with what they get from other blocks.
-/// @param x of the boundary
+/// @param x the sections at the rows of the boundary
 template <int B, typename Body>
 void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
 {
   ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
     [x, body, boundary = matrix.Boundary.data(), first = matrix.OutsideBegin.data(),
-      columns = matrix.OutsideColumn.data(), values = matrix.OutsideValue.data()](
-      Index begin, Index end)
+      columns = matrix.OutsideColumn.data(),
+      values = matrix.OutsideValue.data()](Index begin, Index end)
     {
       const Body local = body;
       for (Index j = begin; j < end; ++j)
@@ -223,8 +225,8 @@ void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
     });
 }
 
-/// Stores what is left of a block that has been swept, but for what it gets from others, and its rows
-/// of the boundary.
+/// Stores the residual of a block that has been swept, without what other blocks contribute, and the block's
+/// rows of the boundary.
 /// @param x begins with the block
 template <int B>
 void StoreRestOfBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
@@ -253,14 +255,14 @@ double Product(const float* x, const float* y, Index count)
   for (Index k = 0; k < count; k += FewNumbers)
   {
     const Index few = std::min(FewNumbers, count - k);
-    product += Eigen::Map<const Eigen::VectorXf>(x + k, few).dot(
-      Eigen::Map<const Eigen::VectorXf>(y + k, few));
+    product += Eigen::Map<const Eigen::VectorXf>(x + k, few)
+                 .dot(Eigen::Map<const Eigen::VectorXf>(y + k, few));
   }
   return product;
 }
 
-/// Calls sweep(begin, end, own) for each block of x, and finds what is left.
-/// @param from    what a block begins with; zero if null
+/// Calls sweep(begin, end, own) for each block of x, and finds the residual.
+/// @param from    the sections that sweeps begin with; null for zero
 /// @param r       b - (A + shift m) x; or null
 /// @param product Re b^* x; or null
 template <int B, typename SweepBlock>
@@ -301,11 +303,11 @@ void SweepBlocks(const CompactMatrix& matrix, const SweepDiagonal& diagonal, con
 }
 
 template <int B>
-void SweepFromZero(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
-  float* x, float* r)
+void SweepFromZero(
+  const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b, float* x, float* r)
 {
   CompactSections boundary(2 * B * matrix.Boundary.size());
-  // Products with zeros take less time than to tell which rows come first.
+  // Rows that have not been swept yet are zero. To multiply by them takes less time than to tell them apart.
   SweepBlocks<B>(matrix, diagonal, b, nullptr, x, r, nullptr, boundary,
     [&](Index begin, Index end, float* own)
     {
@@ -323,9 +325,7 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
   CompactSections boundary(2 * B * matrix.Boundary.size());
   ParallelFor(static_cast<Index>(matrix.Boundary.size()), CompactMatrix::PieceRows,
     [=, rows = matrix.Boundary.data(), to = boundary.data()](Index begin, Index end)
-    {
-      ForRows(begin, end, [=](Index j) { CompactValues<B>(x, rows[j]).Store(to, j); });
-    });
+    { ForRows(begin, end, [=](Index j) { CompactValues<B>(x, rows[j]).Store(to, j); }); });
   CompactSections outside(boundary.size());
   ForBoundary<B>(matrix, boundary.data(),
     [from = boundary.data(), extra = diagonal.Extra.data(), to = outside.data()](
@@ -354,7 +354,7 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
         sweepLocalRows();
       }
       const Index middle = begin + (end - begin) / 2;
-      // Of the next row of the boundary in each half; upwards, of the one before.
+      // The number in the boundary of each half's next row of the boundary; upwards, one more than it.
       std::array<Index, 2> next{ matrix.BoundaryFrom(isDown ? begin : middle),
         matrix.BoundaryFrom(isDown ? middle : end) };
       ForBlockRows(begin, end, order,

@@ -13,38 +13,39 @@
 // more, by themselves (local relaxation: A. Brandt, Multigrid Techniques, 1984).
 namespace DirectionFields
 {
-/// How often local rows are swept besides.
+/// How often local rows are swept besides the sweep of all rows.
 constexpr int LocalSweeps = 4;
 
-/// The matrix A + shift m that is swept, but for its entries.
+/// What sweeps need of the matrix A + shift m besides the entries of A, where m is a diagonal.
 struct SweepDiagonal
 {
   SweepDiagonal() = default;
-  /// @param m, shift   as above
   /// @param relaxation how far a sweep goes towards each row's solution, above 0 and below 2
-  SweepDiagonal(const CompactMatrix& matrix, const LargeArray<float>& m, float shift,
-    float relaxation = 1.0f);
+  SweepDiagonal(
+    const CompactMatrix& matrix, const LargeArray<float>& m, float shift, float relaxation = 1.0f);
 
   float Relaxation = 1.0f;
   LargeArray<float> Diagonal;
-  /// The relaxation over the diagonal and the couplings to other blocks.
+  /// The relaxation over the sum of the diagonal and the couplings to other blocks.
   LargeArray<float> Inverse;
-  /// The couplings to other blocks of each row of the boundary.
+  /// For each row of the boundary the sum of its couplings to other blocks.
   LargeArray<float> Extra;
 };
 
-/// In the order of the rows and then some in that order again, or all in the opposite order: sweeps
-/// adjoint to each other.
+/// The order in which a sweep goes through the rows of a block. Sweeps in the two orders are adjoint to each
+/// other.
 enum class SweepOrder
 {
+  /// All rows, then the local ones again, by ascending numbers.
   Down,
+  /// The local rows, then all of them, by descending numbers.
   Up
 };
 
 /// One sweep for (A + shift m) x = b that goes on from x.
 /// @param b, x    B sections each
-/// @param r       b - (A + shift m) x once swept, in the same pass over the matrix; or null
-/// @param product Re b^* x once swept, of all sections, likewise
+/// @param r       becomes b - (A + shift m) x of the new x, in the same pass over the matrix; or null
+/// @param product becomes the sum over the sections of Re b^* x of the new x, in the same pass; or null
 template <int B>
 void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrder order,
   const float* b, float* x, float* r = nullptr, double* product = nullptr);

@@ -55,7 +55,7 @@ SystemSolution MinimizeResidualByMultigrid(const ShiftedSystem& system, const Fr
   solution.Residual = 1.0;
   const std::vector<Index>& freeVertices = freeSystem.Free.GetVertices();
   LeastSquaresPreconditioner preconditioner(
-    Combined(system.Matrices, system.EnergyFactor, system.MassFactor), freeVertices,
+    LinearCombination(system.Matrices, system.EnergyFactor, system.MassFactor), freeVertices,
     freeSystem.Hierarchy, std::max(0.0, system.Shift()));
   ComplexVector x = ComplexVector::Zero(b.size());
   int steps = 0;

@@ -33,12 +33,12 @@ TEST(RitzSpace, HasTheRitzPairsOfItsSections)
     sections.adjoint() * system.Matrices.Energy * sections,
     sections.adjoint() * system.Matrices.Mass * sections);
   ASSERT_EQ(space.GetValues().size(), 6);
-  EXPECT_LT((space.GetValues() - expected.eigenvalues()).norm(),
-    1e-12 * expected.eigenvalues().norm());
+  EXPECT_LT(
+    (space.GetValues() - expected.eigenvalues()).norm(), 1e-12 * expected.eigenvalues().norm());
 
   const SectionProducts first = space.First();
-  EXPECT_LT((first.Energy - system.Matrices.Energy * first.Vector).norm(),
-    1e-12 * first.Energy.norm());
+  EXPECT_LT(
+    (first.Energy - system.Matrices.Energy * first.Vector).norm(), 1e-12 * first.Energy.norm());
   EXPECT_LT((first.Mass - system.Matrices.Mass * first.Vector).norm(), 1e-12 * first.Mass.norm());
   const ComplexVector rest = first.Energy - space.GetValues()[0] * first.Mass;
   EXPECT_LT((sections.adjoint() * rest).norm(), 1e-10 * sections.norm() * first.Energy.norm());
@@ -49,8 +49,7 @@ TEST(RitzSpace, HasTheRitzPairsOfItsSections)
   block.Energy.assign(block.Energy.size(), 0.0f);
   space.WriteNext(block);
   SectionBlock multiplied(static_cast<Index>(n));
-  Multiply(
-    system.Matrices, block.Vectors.data(), multiplied.Energy.data(), multiplied.Mass.data());
+  Multiply(system.Matrices, block.Vectors.data(), multiplied.Energy.data(), multiplied.Mass.data());
   const std::vector<SmallMatrix> products = InnerProducts(block.Rows(),
     { { &block.Vectors, &multiplied.Mass }, { &block.Vectors, &block.Energy },
       { &block.Vectors, &multiplied.Energy } });

@@ -44,7 +44,7 @@ void ExpectProducts(const Surface& surface, double a, double m)
     EXPECT_LE(std::abs(Complex(narrow[v]) - wide[v]), 1e-7 * std::abs(wide[v]) + 10.0 * rounding);
   }
 
-  EXPECT_LT((Combined(system.Matrices, a, m) - expected).norm(), 1e-15 * expected.norm());
+  EXPECT_LT((LinearCombination(system.Matrices, a, m) - expected).norm(), 1e-15 * expected.norm());
 }
 }
 

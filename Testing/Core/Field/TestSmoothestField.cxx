@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DirectionField.h"
+#include "Meshes/Surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace DirectionFields;
+using namespace Meshes;
+
+TEST(Multigrid, BytesDoNotDependOnTheThreads)
+{
+  // The second has constraints, which enter by least squares.
+  for (const Surface& surface : { Potato(5), Hemisphere(5) })
+  {
+    Options options;
+    options.Solver = Solver::Multigrid;
+    options.ConstrainBoundary = true;
+    std::vector<Complex> serial;
+    for (const int threads : { 1, 2, 3 })
+    {
+      options.NumberOfThreads = threads;
+      const Result result = DirectionField(surface).Compute(options);
+      EXPECT_EQ(result.Components[0].SolverUsed, Solver::Multigrid);
+      EXPECT_GT(result.Components[0].Iterations, 0);
+      EXPECT_LE(result.Components[0].SystemResidual, 1e-6);
+      serial = serial.empty() ? result.Representation : serial;
+      EXPECT_EQ(result.Representation, serial) << threads;
+    }
+  }
+}
+
+TEST(Multigrid, AutomaticFallsBackToTheDirectSolver)
+{
+  Options options;
+  // Enough for the direct solver, not for multigrid, since many smallest eigenvalues lie together.
+  options.Degree = 6;
+  options.EnergyBias = 0.9;
+  options.MaximumIterations = 20;
+  options.Solver = Solver::Multigrid;
+  const Surface surface = Potato(5);
+  const ComponentReport multigrid = DirectionField(surface).Compute(options).Components[0];
+  EXPECT_EQ(multigrid.SolverUsed, Solver::Multigrid);
+  EXPECT_FALSE(multigrid.Converged);
+  EXPECT_LE(multigrid.Iterations, 20);
+  options.Solver = Solver::Automatic;
+  const ComponentReport automatic = DirectionField(surface).Compute(options).Components[0];
+  EXPECT_EQ(automatic.SolverUsed, Solver::Direct);
+  EXPECT_TRUE(automatic.Converged);
+}
+
+TEST(Multigrid, SmallComponentsAreSolvedDirectlyByAutomatic)
+{
+  Options options;
+  options.NumberOfThreads = 2;
+  const Result result = DirectionField(Joined(Potato(2), Potato(5))).Compute(options);
+  EXPECT_EQ(result.Components[0].SolverUsed, Solver::Direct);
+  EXPECT_EQ(result.Components[1].SolverUsed, Solver::Multigrid);
+  options.Solver = Solver::Direct;
+  EXPECT_EQ(DirectionField(Potato(5)).Compute(options).Components[0].SolverUsed, Solver::Direct);
+}

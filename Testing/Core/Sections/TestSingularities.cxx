@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Geometry/TangentFrames.h"
+#include "Meshes/Surfaces.h"
+#include "Meshes/System.h"
+#include "Sections/Singularities.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace DirectionFields;
+using namespace Meshes;
+
+TEST(Singularities, SumIsDegreeTimesChiForAnyField)
+{
+  const std::vector<std::pair<Surface, int>> surfaces = { { Tetrahedron(), 2 }, { Octahedron(), 2 },
+    { Cube(), 2 }, { Icosphere(1), 2 }, { Potato(2), 2 }, { Torus(5, 4), 0 },
+    { DoubleTorus(), -2 } };
+  for (const auto& [surface, chi] : surfaces)
+  {
+    for (int degree = 1; degree <= 16; ++degree)
+    {
+      const System system(surface, degree, 0.0);
+      const auto n = static_cast<std::size_t>(system.Mesh.GetNumberOfVertices());
+      std::vector<std::vector<Complex>> fields;
+      const ComplexVector random = RandomVector(static_cast<Eigen::Index>(n), degree);
+      fields.emplace_back(random.begin(), random.end());
+      // Vanishing vectors, and signs only: ties of omega at +-pi.
+      fields.emplace_back(n, 0.0);
+      fields.emplace_back(n, 1.0);
+      fields.emplace_back(n, 1e-300);
+      for (std::size_t i = 0; i < n; i += 2)
+      {
+        fields[2][i] = -1.0;
+        fields[3][i] = Complex(0.0, -1e300);
+      }
+      for (const auto& field : fields)
+      {
+        int sum = 0;
+        for (const int index : SingularityIndices(system.Mesh, system.Transport, degree, field))
+        {
+          sum += index;
+        }
+        EXPECT_EQ(sum, degree * chi) << "degree " << degree;
+      }
+    }
+  }
+}
+
+TEST(Singularities, KnownFieldsOnTheDisk)
+{
+  // u = (z / |z|)^k has one singularity of index k / n, at the center, for any n.
+  Surface disk = Disk(6);
+  for (Vector3& p : disk.Points)
+  {
+    p += Vector3(0.02, 0.03, 0.0);
+  }
+  const System system(disk, 1, 0.0);
+  const TangentFrames frames(system.Mesh, system.Transport, system.Positions);
+  for (const int k : { -2, -1, 0, 1, 2 })
+  {
+    for (const int degree : { 1, 2, 4, 6 })
+    {
+      std::vector<Complex> field;
+      for (Index v = 0; v < system.Mesh.GetNumberOfVertices(); ++v)
+      {
+        const Vector3& p = disk.Points[system.Mesh.Point(v)];
+        const double frame = std::atan2(frames.X[v].y(), frames.X[v].x());
+        field.push_back(std::polar(1.0, k * std::atan2(p.y(), p.x()) - degree * frame));
+      }
+      int sum = 0;
+      int nonZero = 0;
+      for (const int index : SingularityIndices(system.Mesh, system.Transport, degree, field))
+      {
+        sum += index;
+        nonZero += index != 0;
+      }
+      EXPECT_EQ(sum, k);
+      EXPECT_LE(nonZero, std::abs(k));
+    }
+  }
+}
