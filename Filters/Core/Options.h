@@ -6,6 +6,7 @@
 
 #include "Types.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace DirectionFields
@@ -118,6 +119,13 @@ struct Options
   DirectionFields::ConstraintSolver ConstraintSolver =
     DirectionFields::ConstraintSolver::LeastSquares;
 };
+
+/// Largest relative residual at which an aligned or constrained system counts as solved: Tolerance, but
+/// not less than 1e-8. The eigenvalue problem may ask for less, as far as rounding allows.
+inline double SystemTolerance(const Options& options)
+{
+  return std::max(1e-8, options.Tolerance);
+}
 
 /// Vectors that the user gives for the field to follow, one a point of the surface or none at all.
 struct Guidance

@@ -10,7 +10,8 @@ namespace DirectionFields
 {
 namespace
 {
-/// Not by the values' own comparison: that of NaN, as unused points may have, is never true.
+/// Whether two arrays have the same bytes. The values' own comparison would not do: unused points may
+/// have NaN, which is never equal.
 template <typename T>
 bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
 {
@@ -19,32 +20,28 @@ bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
 }
 }
 
-bool DirectionFieldCache::SetInput(
-  vtkPolyData* input, const std::optional<double>& time, const ProgressFunction& progress)
+void DirectionFieldCache::SetInput(
+  vtkPolyData* input, const std::optional<double>& time, const Progress& progress)
 {
   if (this->Solver && IsSurfaceOf(input, *this->Surface))
   {
-    return true;
+    return;
   }
   auto surface = std::make_shared<TriangulatedPolyData>(PolyDataToSurface(input, progress));
-  if (surface->Aborted)
-  {
-    return false;
-  }
   if (this->Solver && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
     SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
     SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
   {
     this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
     this->Surface->FirstCell = surface->FirstCell;
-    return true;
+    return;
   }
   // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
   const bool follows = this->Solver && time && this->Time && *time != *this->Time &&
     surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
     surface->CellOfTriangle == this->Surface->CellOfTriangle &&
     surface->FirstCell == this->Surface->FirstCell;
-  // What belongs to the old surface goes before the stages of the new one need memory.
+  // What belongs to the old surface goes before the solver of the new one needs memory.
   this->Solver.reset();
   this->Surface = std::move(surface);
   this->Solver.emplace(
@@ -55,7 +52,6 @@ bool DirectionFieldCache::SetInput(
   }
   this->Time = time;
   this->Directions.clear();
-  return true;
 }
 
 void DirectionFieldCache::SetField(const Result& field)

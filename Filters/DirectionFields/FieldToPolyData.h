@@ -6,6 +6,7 @@
 
 #include "DirectionField.h"
 #include "PolyDataToSurface.h"
+#include "Progress.h"
 
 #include <string>
 #include <vector>
@@ -15,17 +16,20 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Adds the field's point, cell and field data to a copy of the polydata it was computed from.
-/// The directions and the magnitude are double if the points are, else float. False where the
-/// progress function stopped it; the output is incomplete then.
-bool AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
-  const ProgressFunction& progress = {});
+/// Adds the field's point, cell and field data to a copy of the polydata it was computed from, whose
+/// points and cells are split where the surface was split for the field. The directions, the magnitude
+/// and the curvature are double if the points are, else float.
+///
+/// Throws Stopped; the output is incomplete then.
+void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+  const Progress& progress = {});
 
 /// Adds the counts of what was mended, and the warnings if there are any.
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);
 
-/// Makes a vertex at the centroid of every triangle whose index is not 0, but for ghosts. points: of the input.
+/// Makes a vertex at the centroid of every triangle whose index is not 0, except for ghosts.
+/// @param pointDataType of the input's points; those of the singularities are double or float as well
 void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,
   vtkPolyData* singularities);
 }

@@ -5,9 +5,6 @@
 #define GlyphsToPolyData_h
 
 #include "Glyphs/Glyphs.h"
-#include "PolyDataToSurface.h"
-
-#include <vector>
 
 class vtkPolyData;
 
@@ -18,13 +15,8 @@ namespace DirectionFields
 /// Magnitude is 1 where there is no array RepresentationMagnitude.
 PointDirections FindDirections(vtkPolyData* polyData);
 
-/// The triangles and points that vtkGhostType marks as duplicates of another part's, or as hidden.
-/// Empty where there are none.
-std::vector<char> GhostTriangles(vtkPolyData* polyData, const TriangulatedPolyData& surface);
-std::vector<char> GhostPoints(vtkPolyData* polyData);
-
-/// Points, cells and arrays of the glyphs. The points are double if the given data type is, else
-/// float.
+/// Adds points, cells and arrays of the glyphs to an empty output. The points are double if the given
+/// data type is, else float.
 void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* output);
 }
 

@@ -4,21 +4,21 @@
 #include "PolyDataToSurface.h"
 
 #include "Support/Threads.h"
+#include "Triangulator.h"
 
 #include "vtkAOSDataArrayTemplate.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -29,154 +29,12 @@ namespace DirectionFields
 namespace
 {
 constexpr vtkIdType MostPoints = std::numeric_limits<Index>::max();
+/// Each triangle has three half-edges, which Index numbers as well.
+constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
 /// Points or triangles that a thread takes at a time.
 constexpr Index PieceSize = 1 << 14;
-/// Three half-edges each.
-constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
-/// Cells between two reports of the progress, some milliseconds even where ears must be cut.
+/// Cells between two reports of the progress. They take some milliseconds even where ears must be cut.
 constexpr vtkIdType CellsPerReport = 16384;
-
-[[noreturn]] void RefuseId(vtkIdType cell, vtkIdType id, vtkIdType points)
-{
-  throw std::out_of_range("Cell " + std::to_string(cell) + " uses point " + std::to_string(id) +
-    ", but the input has " + std::to_string(points) +
-    " points, numbered from 0. Correct the connectivity of the mesh.");
-}
-
-/// Appends the triangles of one cell after the other.
-class Triangulator
-{
-public:
-  Triangulator(vtkPoints* points, TriangulatedPolyData& result)
-    : Points(points)
-    , NumberOfPoints(points ? points->GetNumberOfPoints() : 0)
-    , Result(result)
-  {
-    // vtkPolygon warns about each polygon that it cannot cut, but a fan is an answer to those.
-    // An observer keeps the warnings from the screen.
-    vtkNew<vtkCallbackCommand> silence;
-    this->Polygon->AddObserver("WarningEvent", silence);
-    this->Polygon->AddObserver("ErrorEvent", silence);
-  }
-
-  void AddStrip(vtkIdType cell, vtkIdType size, const vtkIdType* points)
-  {
-    for (vtkIdType i = 0; i + 2 < size; ++i)
-    {
-      // Every other triangle of a strip runs backwards.
-      const vtkIdType odd = i % 2;
-      this->AddTriangle(cell, points[i], points[i + 1 + odd], points[i + 2 - odd]);
-    }
-  }
-
-  void AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* points)
-  {
-    if (size == 3)
-    {
-      this->AddTriangle(cell, points[0], points[1], points[2]);
-      return;
-    }
-    this->SetCorners(size, points);
-    const vtkIdType corners = this->Polygon->PointIds->GetNumberOfIds();
-    if (size < 3)
-    {
-      return;
-    }
-    if (corners < 3)
-    {
-      // Nothing but repetitions: one collapsed triangle, so that the cell is counted as such.
-      this->AddTriangle(cell, points[0], points[0], points[0]);
-    }
-    else if (corners == 3 || !this->CutEars())
-    {
-      for (vtkIdType i = 1; i + 1 < corners; ++i)
-      {
-        this->AddTriangle(cell, this->Corners[0], this->Corners[i], this->Corners[i + 1]);
-      }
-    }
-    else
-    {
-      for (vtkIdType i = 0; i + 2 < this->Ears->GetNumberOfIds(); i += 3)
-      {
-        this->AddTriangle(cell, this->Corners[this->Ears->GetId(i)],
-          this->Corners[this->Ears->GetId(i + 1)], this->Corners[this->Ears->GetId(i + 2)]);
-      }
-    }
-  }
-
-private:
-  void AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k)
-  {
-    for (const vtkIdType id : { i, j, k })
-    {
-      if (id < 0 || id >= this->NumberOfPoints)
-      {
-        RefuseId(cell, id, this->NumberOfPoints);
-      }
-    }
-    this->Result.Mesh.Triangles.push_back(
-      { static_cast<Index>(i), static_cast<Index>(j), static_cast<Index>(k) });
-    this->Result.CellOfTriangle.push_back(cell);
-  }
-
-  /// The corners without consecutive repetitions, which would disturb the cutting of ears.
-  void SetCorners(vtkIdType size, const vtkIdType* points)
-  {
-    this->Corners.clear();
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      if (this->Corners.empty() || this->Corners.back() != points[i])
-      {
-        this->Corners.push_back(points[i]);
-      }
-    }
-    while (this->Corners.size() > 1 && this->Corners.front() == this->Corners.back())
-    {
-      this->Corners.pop_back();
-    }
-    const vtkIdType corners = static_cast<vtkIdType>(this->Corners.size());
-    this->Polygon->PointIds->SetNumberOfIds(corners);
-    for (vtkIdType i = 0; i < corners; ++i)
-    {
-      this->Polygon->PointIds->SetId(i, i);
-    }
-  }
-
-  /// False if the polygon cannot be cut; else Ears holds the triangles as positions in Corners.
-  bool CutEars()
-  {
-    const vtkIdType corners = static_cast<vtkIdType>(this->Corners.size());
-    this->Polygon->Points->SetDataTypeToDouble();
-    this->Polygon->Points->SetNumberOfPoints(corners);
-    for (vtkIdType i = 0; i < corners; ++i)
-    {
-      const vtkIdType id = this->Corners[i];
-      if (id < 0 || id >= this->Points->GetNumberOfPoints())
-      {
-        return false;
-      }
-      double point[3];
-      this->Points->GetPoint(id, point);
-      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-      {
-        return false;
-      }
-      this->Polygon->Points->SetPoint(i, point);
-    }
-    // The one signature that all versions of VTK share; vtkPolygon hides it in some.
-    vtkCell* polygon = this->Polygon;
-    return polygon->Triangulate(0, this->Ears, this->EarPoints) != 0 &&
-      this->Ears->GetNumberOfIds() == 3 * (corners - 2);
-  }
-
-  vtkPoints* Points;
-  vtkIdType NumberOfPoints;
-  TriangulatedPolyData& Result;
-  std::vector<vtkIdType> Corners;
-  vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Ears;
-  vtkNew<vtkPoints> EarPoints;
-};
 
 /// Copies points of one type; false if they are of another.
 template <typename Value>
@@ -301,6 +159,29 @@ bool AreCopied(vtkPolyData* polyData)
     polyData->GetStrips()->GetNumberOfCells() == 0 && polyData->GetPolys()->IsHomogeneous() == 3;
 }
 
+/// What vtkGhostType says of the points or the cells; nothing where there is no such array.
+class GhostMarks
+{
+public:
+  explicit GhostMarks(vtkDataSetAttributes* data)
+    : Array(vtkUnsignedCharArray::SafeDownCast(
+        data->GetArray(vtkDataSetAttributes::GhostArrayName())))
+  {
+  }
+
+  bool AreThere() const { return this->Array != nullptr; }
+
+  /// Whether any of some marks is on a point or a cell.
+  bool Has(vtkIdType at, int marks) const
+  {
+    return this->Array && at < this->Array->GetNumberOfValues() &&
+      (this->Array->GetValue(at) & marks) != 0;
+  }
+
+private:
+  vtkUnsignedCharArray* Array;
+};
+
 void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
 {
   if (count > most)
@@ -308,6 +189,90 @@ void RequireNumberable(const char* what, vtkIdType count, vtkIdType most)
     throw std::length_error("The input has " + std::to_string(count) + " " + what +
       ", but at most " + std::to_string(most) +
       " can be processed. Decimate it or process it in parts.");
+  }
+}
+
+/// The number of triangles if no cell is hidden and no corner of a polygon is repeated, else more.
+vtkIdType LargestNumberOfTriangles(vtkPolyData* polyData)
+{
+  vtkIdType number = 0;
+  for (vtkCellArray* cells : { polyData->GetPolys(), polyData->GetStrips() })
+  {
+    number += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+  }
+  return number;
+}
+
+/// Copies points of any type.
+void CopyAnyPoints(vtkPoints* points, std::vector<Vector3>& copies)
+{
+  copies.resize(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  if (CopyPoints<float>(points->GetData(), copies) ||
+    CopyPoints<double>(points->GetData(), copies))
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < copies.size(); ++i)
+  {
+    points->GetPoint(static_cast<vtkIdType>(i), copies[i].data());
+  }
+}
+
+/// Copies the cells if they are nothing but triangles; else false.
+bool CopyAllTriangles(vtkPolyData* polyData, TriangulatedPolyData& result)
+{
+  const vtkIdType firstCell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  const vtkIdType points = polyData->GetNumberOfPoints();
+  return AreCopied(polyData) &&
+    (CopyTriangles<vtkTypeInt64>(polyData->GetPolys(), firstCell, points, result) ||
+      CopyTriangles<vtkTypeInt32>(polyData->GetPolys(), firstCell, points, result));
+}
+
+/// Cuts all cells that are not hidden into triangles, in their order. Throws Stopped.
+void CutCells(vtkPolyData* polyData, const GhostMarks& ghosts, TriangulatedPolyData& result,
+  const Progress& progress)
+{
+  vtkCellArray* polys = polyData->GetPolys();
+  vtkCellArray* strips = polyData->GetStrips();
+  const vtkIdType numberOfPolys = polys->GetNumberOfCells();
+  const vtkIdType numberOfCells = numberOfPolys + strips->GetNumberOfCells();
+  const vtkIdType firstPoly = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  Triangulator triangulator(polyData->GetPoints(), result);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < numberOfCells; ++i)
+  {
+    if (i % CellsPerReport == 0)
+    {
+      progress.Report(static_cast<double>(i + 1) / static_cast<double>(numberOfCells));
+    }
+    const vtkIdType cell = firstPoly + i;
+    if (ghosts.Has(cell, vtkDataSetAttributes::HIDDENCELL))
+    {
+      continue;
+    }
+    if (i < numberOfPolys)
+    {
+      polys->GetCellAtId(i, ids);
+      triangulator.AddPolygon(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
+    }
+    else
+    {
+      strips->GetCellAtId(i - numberOfPolys, ids);
+      triangulator.AddStrip(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
+    }
+  }
+}
+
+/// Makes the triangles of cells that another piece owns ghosts.
+void MarkGhosts(const GhostMarks& ghosts, TriangulatedPolyData& result)
+{
+  for (std::size_t t = 0; ghosts.AreThere() && t < result.CellOfTriangle.size(); ++t)
+  {
+    if (ghosts.Has(result.CellOfTriangle[t], vtkDataSetAttributes::DUPLICATECELL))
+    {
+      result.Mesh.Ghost.resize(result.CellOfTriangle.size(), 0);
+      result.Mesh.Ghost[t] = 1;
+    }
   }
 }
 }
@@ -330,87 +295,43 @@ bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
     (SameTriangles<vtkTypeInt64>(polys, triangles) || SameTriangles<vtkTypeInt32>(polys, triangles));
 }
 
-TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const ProgressFunction& progress)
+TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& progress)
 {
   TriangulatedPolyData result;
-  vtkPoints* points = polyData->GetPoints();
-  const vtkIdType numberOfPoints = polyData->GetNumberOfPoints();
-  vtkCellArray* polys = polyData->GetPolys();
-  vtkCellArray* strips = polyData->GetStrips();
-  vtkIdType numberOfTriangles = 0;
-  for (vtkCellArray* cells : { polys, strips })
-  {
-    numberOfTriangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
-  }
-  RequireNumberable("points", numberOfPoints, MostPoints);
+  const vtkIdType numberOfTriangles = LargestNumberOfTriangles(polyData);
+  RequireNumberable("points", polyData->GetNumberOfPoints(), MostPoints);
   RequireNumberable("triangles", numberOfTriangles, MostTriangles);
-
-  result.Mesh.Points.resize(static_cast<size_t>(numberOfPoints));
-  if (numberOfPoints == 0)
+  if (polyData->GetNumberOfPoints() == 0)
   {
     return result;
   }
-  if (!CopyPoints<float>(points->GetData(), result.Mesh.Points) &&
-    !CopyPoints<double>(points->GetData(), result.Mesh.Points))
-  {
-    for (vtkIdType i = 0; i < numberOfPoints; ++i)
-    {
-      points->GetPoint(i, result.Mesh.Points[i].data());
-    }
-  }
-  auto ghosts = vtkUnsignedCharArray::SafeDownCast(
-    polyData->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  vtkIdType cell = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
-  if (AreCopied(polyData) &&
-    (CopyTriangles<vtkTypeInt64>(polys, cell, numberOfPoints, result) ||
-      CopyTriangles<vtkTypeInt32>(polys, cell, numberOfPoints, result)))
+  CopyAnyPoints(polyData->GetPoints(), result.Mesh.Points);
+  if (CopyAllTriangles(polyData, result))
   {
     return result;
   }
-
-  result.Mesh.Triangles.reserve(static_cast<size_t>(std::max<vtkIdType>(numberOfTriangles, 0)));
+  result.Mesh.Triangles.reserve(
+    static_cast<std::size_t>(std::max<vtkIdType>(numberOfTriangles, 0)));
   result.CellOfTriangle.reserve(result.Mesh.Triangles.capacity());
-
-  const auto isMarked = [ghosts](vtkIdType cell, unsigned char as)
-  { return ghosts && cell < ghosts->GetNumberOfValues() && (ghosts->GetValue(cell) & as) != 0; };
-  const auto isHidden = [&isMarked](vtkIdType cell)
-  { return isMarked(cell, vtkDataSetAttributes::HIDDENCELL); };
-
-  const vtkIdType numberOfCells = polys->GetNumberOfCells() + strips->GetNumberOfCells();
-  vtkIdType done = 0;
-  const auto goOn = [&]
-  {
-    result.Aborted = done++ % CellsPerReport == 0 && progress &&
-      !progress(static_cast<double>(done) / static_cast<double>(numberOfCells));
-    return !result.Aborted;
-  };
-
-  Triangulator triangulator(points, result);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < polys->GetNumberOfCells() && goOn(); ++i, ++cell)
-  {
-    if (!isHidden(cell))
-    {
-      polys->GetCellAtId(i, ids);
-      triangulator.AddPolygon(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
-    }
-  }
-  for (vtkIdType i = 0; !result.Aborted && i < strips->GetNumberOfCells() && goOn(); ++i, ++cell)
-  {
-    if (!isHidden(cell))
-    {
-      strips->GetCellAtId(i, ids);
-      triangulator.AddStrip(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
-    }
-  }
-  for (size_t t = 0; ghosts && t < result.CellOfTriangle.size(); ++t)
-  {
-    if (isMarked(result.CellOfTriangle[t], vtkDataSetAttributes::DUPLICATECELL))
-    {
-      result.Mesh.Ghost.resize(result.CellOfTriangle.size(), 0);
-      result.Mesh.Ghost[t] = 1;
-    }
-  }
+  const GhostMarks ghosts(polyData->GetCellData());
+  CutCells(polyData, ghosts, result, progress);
+  MarkGhosts(ghosts, result);
   return result;
+}
+
+std::vector<char> GhostPoints(vtkPolyData* polyData)
+{
+  const GhostMarks ghosts(polyData->GetPointData());
+  std::vector<char> excluded;
+  if (ghosts.AreThere())
+  {
+    excluded.resize(static_cast<std::size_t>(polyData->GetNumberOfPoints()), 0);
+    for (std::size_t i = 0; i < excluded.size(); ++i)
+    {
+      excluded[i] = ghosts.Has(static_cast<vtkIdType>(i),
+        vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT);
+    }
+  }
+  return excluded;
 }
 }

@@ -4,7 +4,8 @@
 #ifndef PolyDataToSurface_h
 #define PolyDataToSurface_h
 
-#include "DirectionField.h"
+#include "Progress.h"
+#include "Surface.h"
 
 #include "vtkType.h"
 
@@ -29,8 +30,6 @@ struct TriangulatedPolyData
   /// Empty where the cells from FirstCell on are the triangles.
   std::vector<vtkIdType> CellOfTriangle;
   vtkIdType FirstCell = 0;
-  /// Stopped by the progress function; the triangles are incomplete.
-  bool Aborted = false;
 };
 
 /// Triangles are taken as they are. Polygons are cut by their ears; one that cannot be cut so
@@ -38,13 +37,17 @@ struct TriangulatedPolyData
 /// Vertices, lines and cells marked as hidden in vtkGhostType give no triangle; cells marked as
 /// duplicates give ghosts.
 ///
-/// Throws std::length_error for more points or triangles than Index can number.
-TriangulatedPolyData PolyDataToSurface(
-  vtkPolyData* polyData, const ProgressFunction& progress = {});
+/// Throws std::length_error for more points or triangles than Index can number, std::out_of_range for
+/// cells with points that are not there, and Stopped.
+TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& progress = {});
 
 /// Whether PolyDataToSurface makes this surface, by value. Does not look at polygons: false wherever
 /// there is anything but points in single or double precision and triangles.
 bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface);
+
+/// For each point whether vtkGhostType marks it as a duplicate of another piece's, or as hidden. Empty
+/// where there is no such array.
+std::vector<char> GhostPoints(vtkPolyData* polyData);
 }
 
 #endif

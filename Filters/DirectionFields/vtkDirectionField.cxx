@@ -3,16 +3,16 @@
 
 #include "vtkDirectionField.h"
 
+#include "AlgorithmProgress.h"
 #include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
-#include "PolyDataToSurface.h"
+#include "PolyDataToGuidance.h"
 #include "Support/Threads.h"
+#include "Warnings.h"
 
-#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -25,19 +25,18 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkDirectionField);
 
 namespace
 {
-// The shares of the phases in the progress: reading the input, solving, writing the arrays.
+// Where the phases of the progress end: reading the input, solving. The rest is writing the arrays.
 constexpr double ProgressRead = 0.05;
 constexpr double ProgressSolved = 0.9;
 
-/// What NumberOfThreads = 0 stands for.
+/// The number of threads that NumberOfThreads = 0 stands for; 0 where Core is to choose it.
 int DefaultThreads()
 {
   if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0)
@@ -48,37 +47,6 @@ int DefaultThreads()
   const char* most = std::getenv("VTK_SMP_MAX_THREADS");
   const int number = most ? std::atoi(most) : 0;
   return number > 0 ? std::min(number, DirectionFields::Threads::GetDefaultNumber()) : 0;
-}
-
-/// What was mended in the input, for the user; empty if nothing was.
-std::string Describe(const DirectionFields::Repairs& repaired)
-{
-  std::ostringstream text;
-  const auto count = [&text](DirectionFields::Index number, const char* one, const char* many,
-                       const char* remedy)
-  {
-    if (number > 0)
-    {
-      text << (text.tellp() > 0 ? "; " : "") << number << ' ' << (number == 1 ? one : many) << ' '
-           << remedy;
-    }
-  };
-  count(repaired.ReversedTriangles, "triangle wound against the majority",
-    "triangles wound against the majority", "turned");
-  count(repaired.DuplicateTriangles, "duplicate triangle", "duplicate triangles", "ignored");
-  count(repaired.CollapsedTriangles, "triangle with a repeated corner",
-    "triangles with a repeated corner", "ignored");
-  count(repaired.DegenerateTriangles, "triangle without area", "triangles without area",
-    "given a little area");
-  count(repaired.NonOrientableComponents,
-    "connected component that cannot be oriented, like a Möbius strip,",
-    "connected components that cannot be oriented, like a Möbius strip,",
-    "covered on both sides, with a seam in the normals");
-  count(repaired.NonManifoldEdges, "edge of more than two triangles",
-    "edges of more than two triangles", "split");
-  count(repaired.NonManifoldPoints, "point where several sheets meet",
-    "points where several sheets meet", "split");
-  return text.str();
 }
 
 /// The field where there is no triangle: zero at every point.
@@ -92,46 +60,18 @@ DirectionFields::Result ZeroField(int degree, size_t points)
   return field;
 }
 
-/// A point array of a name and a number of components; null where the name is empty or ParaView's
-/// "None".
-vtkDataArray* FindPointArray(
-  vtkPolyData* input, const char* name, int components, const char* property)
+/// The time of the input, if it is one of a series.
+std::optional<double> TimeOf(vtkInformation* request, vtkPolyData* input)
 {
-  const std::string wanted = name ? name : "";
-  vtkDataArray* array = input->GetPointData()->GetArray(wanted.c_str());
-  if (wanted.empty() || (!array && wanted == "None"))
+  if (request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
-    return nullptr;
+    return request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
   }
-  if (!array || array->GetNumberOfComponents() != components)
+  if (input->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
   {
-    throw std::invalid_argument("There is no point array \"" + wanted + "\" of " +
-      std::to_string(components) + (components == 1 ? " component" : " components") +
-      ". Choose another for " + property + ".");
+    return input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
   }
-  return array;
-}
-
-DirectionFields::Guidance MakeGuidance(vtkPolyData* input, const char* vectors, const char* weights)
-{
-  DirectionFields::Guidance guidance;
-  if (vtkDataArray* array = FindPointArray(input, vectors, 3, "GuidanceVectors"))
-  {
-    guidance.Vectors.resize(static_cast<size_t>(array->GetNumberOfTuples()));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      array->GetTuple(i, guidance.Vectors[i].data());
-    }
-  }
-  if (vtkDataArray* array = FindPointArray(input, weights, 1, "GuidanceWeights"))
-  {
-    guidance.Weights.resize(static_cast<size_t>(array->GetNumberOfTuples()));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      guidance.Weights[i] = array->GetTuple1(i);
-    }
-  }
-  return guidance;
+  return {};
 }
 }
 
@@ -248,79 +188,55 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkDirectionField::IsAborted()
+DirectionFields::Result vtkDirectionField::ComputeField(
+  vtkPolyData* input, const DirectionFields::Options& options)
 {
-#ifdef DIRECTIONFIELDS_VTK_HAS_CHECKABORT
-  // CheckAbort notices a flag that was set with a time stamp only; the flag itself always counts.
-  return this->GetAbortExecute() || this->CheckAbort();
-#else
-  return this->GetAbortExecute() != 0;
-#endif
+  const DirectionFields::Surface& surface = this->Last->GetSurface().Mesh;
+  if (surface.Triangles.empty())
+  {
+    return ZeroField(options.Degree, surface.Points.size());
+  }
+  // Arrays that nothing asks for may be missing.
+  DirectionFields::Guidance guidance;
+  if (this->Alignment == ALIGN_POINT_VECTORS || this->ConstrainGuidance)
+  {
+    guidance =
+      DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
+  }
+  return this->Last->GetSolver().Compute(
+    options, guidance, DirectionFields::ReportTo(this, ProgressRead, ProgressSolved));
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkDirectionField::Warnings(const DirectionFields::Result& field) const
+void vtkDirectionField::ComputeOutputs(vtkInformation* request, vtkPolyData* input,
+  vtkPolyData* output, vtkPolyData* singularities)
 {
-  std::vector<std::string> warnings;
-  const std::string repairs = Describe(field.Repaired);
-  if (!repairs.empty())
+  const DirectionFields::Options options = this->MakeOptions();
+  DirectionFields::Threads threads(options.NumberOfThreads);
+  const DirectionFields::Threads::Scope scope(threads);
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::Progress progress(report);
+
+  this->Last->SetInput(input, TimeOf(request, input), progress.Part(0.0, ProgressRead));
+  const DirectionFields::Result field = this->ComputeField(input, options);
+  if (field.Aborted || DirectionFields::IsAborted(this))
   {
-    warnings.push_back("The surface was mended for the computation: " + repairs + ".");
+    throw DirectionFields::Stopped();
+  }
+  this->Last->SetField(field);
+  const std::vector<std::string> warnings = DirectionFields::Warnings(field, options);
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningMacro(<< warning);
   }
 
-  std::string notes;
-  for (const std::string& note : field.Notes)
-  {
-    notes += (notes.empty() ? "" : " ") + note;
-  }
-  if (!notes.empty())
-  {
-    warnings.push_back(notes);
-  }
-
-  double worst = 0.0;
-  double worstSystem = 0.0;
-  int unfinished = 0;
-  int exhausted = 0;
-  int unsolved = 0;
-  for (const auto& component : field.Components)
-  {
-    if (component.Residual > this->Tolerance)
-    {
-      worst = std::max(worst, component.Residual);
-      ++unfinished;
-      exhausted += component.Iterations >= this->MaximumIterations;
-    }
-    if (component.SystemResidual > std::max(1e-8, this->Tolerance))
-    {
-      worstSystem = std::max(worstSystem, component.SystemResidual);
-      ++unsolved;
-    }
-  }
-  if (unsolved > 0)
-  {
-    std::ostringstream text;
-    text << "The aligned or constrained system of " << unsolved << " of "
-         << field.Components.size() << " connected components was solved to a relative residual of "
-         << worstSystem << " only. "
-         << (this->Solver == SOLVER_MULTIGRID ? "Set Solver to Automatic."
-                                              : "Remesh the surface more evenly.");
-    warnings.push_back(text.str());
-  }
-  if (unfinished > 0)
-  {
-    std::ostringstream text;
-    text << "The field of " << unfinished << " of " << field.Components.size()
-         << " connected components has not converged: the residual is " << worst << ", not "
-         << this->Tolerance
-         << (exhausted > 0 ? ". Raise MaximumIterations."
-               : this->Solver == SOLVER_MULTIGRID
-               ? ". Multigrid does not get further here: set Solver to Automatic."
-               : ". More iterations would not help: the triangles are of too different sizes or "
-                 "shapes, remesh them.");
-    warnings.push_back(text.str());
-  }
-  return warnings;
+  const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
+  output->ShallowCopy(input);
+  DirectionFields::AddFieldArrays(surface, field, output, progress.Part(ProgressSolved, 1.0));
+  DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
+  DirectionFields::MakeSingularities(surface, field,
+    input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
+  this->UpdateProgress(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -335,7 +251,7 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
 
-  // Whatever happens below.
+  // Where nothing is to be kept, it goes whatever happens below.
   const struct AtEnd
   {
     vtkDirectionField* Self;
@@ -347,15 +263,6 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
       }
     }
   } atEnd{ this };
-
-  const auto progressOf = [this](double begin, double end) -> DirectionFields::ProgressFunction
-  {
-    return [this, begin, end](double done)
-    {
-      this->UpdateProgress(begin + done * (end - begin));
-      return !this->IsAborted();
-    };
-  };
   const auto giveNothing = [=]
   {
     output->Initialize();
@@ -364,65 +271,13 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   std::string error;
   try
   {
-    DirectionFields::Threads threads(this->MakeOptions().NumberOfThreads);
-    const DirectionFields::Threads::Scope scope(threads);
-    vtkInformation* request = outputVector->GetInformationObject(0);
-    std::optional<double> time;
-    if (request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
-    {
-      time = request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    }
-    else if (input->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
-    {
-      time = input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
-    }
-    if (!this->Last->SetInput(input, time, progressOf(0.0, ProgressRead)))
-    {
-      giveNothing();
-      return 1;
-    }
-    const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
-
-    DirectionFields::Result field;
-    if (surface.Mesh.Triangles.empty())
-    {
-      field = ZeroField(this->Degree, surface.Mesh.Points.size());
-    }
-    else
-    {
-      // Arrays that nothing asks for may be missing.
-      DirectionFields::Guidance guidance;
-      if (this->Alignment == ALIGN_POINT_VECTORS || this->ConstrainGuidance)
-      {
-        guidance = MakeGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
-      }
-      field = this->Last->GetSolver().Compute(
-        this->MakeOptions(), guidance, progressOf(ProgressRead, ProgressSolved));
-    }
-    if (field.Aborted || this->IsAborted())
-    {
-      giveNothing();
-      return 1;
-    }
-
-    this->Last->SetField(field);
-    const std::vector<std::string> warnings = this->Warnings(field);
-    for (const std::string& warning : warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
-    output->ShallowCopy(input);
-    if (!DirectionFields::AddFieldArrays(
-          surface, field, output, progressOf(ProgressSolved, 1.0)))
-    {
-      giveNothing();
-      return 1;
-    }
-    DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
-    DirectionFields::MakeSingularities(
-      surface, field, input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
-      singularities);
-    this->UpdateProgress(1.0);
+    this->ComputeOutputs(
+      outputVector->GetInformationObject(0), input, output, singularities);
+    return 1;
+  }
+  catch (const DirectionFields::Stopped&)
+  {
+    giveNothing();
     return 1;
   }
   catch (const std::bad_alloc&)

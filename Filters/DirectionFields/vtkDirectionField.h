@@ -146,8 +146,6 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
-#include <string> // For std::string
-#include <vector> // For std::vector
 
 namespace DirectionFields
 {
@@ -316,18 +314,13 @@ public:
 
   ///@{
   /**
-   * Take Shift instead of AlignmentStrength. Default off.
+   * Whether to take Shift, which is lambda_1 - lambda_t in 1 / length^2, instead of AlignmentStrength:
+   * for those who know the spectrum of their surface. Default off; Shift has the range 0 to
+   * VTK_DOUBLE_MAX and the default 0.
    */
   vtkSetMacro(UseShift, bool);
   vtkGetMacro(UseShift, bool);
   vtkBooleanMacro(UseShift, bool);
-  ///@}
-
-  ///@{
-  /**
-   * lambda_1 - lambda_t in 1 / length^2, for those who know the spectrum of their surface. Range 0
-   * to VTK_DOUBLE_MAX, default 0.
-   */
   vtkSetClampMacro(Shift, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Shift, double);
   ///@}
@@ -365,18 +358,13 @@ public:
 
   ///@{
   /**
-   * Constrain the points on sharp edges to the sharpest of their edges. Default off.
+   * Constrain the points on sharp edges to the sharpest of their edges. Default off. An edge is sharp
+   * where the normals of its two triangles differ by more than FeatureAngle, in degrees: range 0 to
+   * 180, default 30.
    */
   vtkSetMacro(ConstrainSharpEdges, bool);
   vtkGetMacro(ConstrainSharpEdges, bool);
   vtkBooleanMacro(ConstrainSharpEdges, bool);
-  ///@}
-
-  ///@{
-  /**
-   * An edge is sharp where the normals of its two triangles differ by more than this, in degrees.
-   * Range 0 to 180, default 30.
-   */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}
@@ -403,18 +391,13 @@ public:
 
   ///@{
   /**
-   * A curvature constraint is dropped where it differs by more than this from the constraint of a
-   * neighbour, in degrees, after transport and modulo 360 / n. Range 0 to 180, default 30.
+   * A curvature constraint is dropped where it differs by more than ConsistencyAngle from the
+   * constraint of a neighbour, in degrees, after transport and modulo 360 / n: range 0 to 180, default
+   * 30. With DropConstraintsAtSingularities, default off, so are the curvature constraints of triangles
+   * around which the constraints wind, as Pellenard et al. have it.
    */
   vtkSetClampMacro(ConsistencyAngle, double, 0.0, 180.0);
   vtkGetMacro(ConsistencyAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * Drop the curvature constraints of triangles around which the constraints wind, too, as
-   * Pellenard et al. do. Default off.
-   */
   vtkSetMacro(DropConstraintsAtSingularities, bool);
   vtkGetMacro(DropConstraintsAtSingularities, bool);
   vtkBooleanMacro(DropConstraintsAtSingularities, bool);
@@ -457,15 +440,16 @@ private:
   vtkDirectionField(const vtkDirectionField&) = delete;
   void operator=(const vtkDirectionField&) = delete;
 
-  /// Whether someone asked this filter, or one before it in the pipeline, to stop.
-  bool IsAborted();
-
   /// The options of the computation, from the properties.
   DirectionFields::Options MakeOptions() const;
 
-  /// One warning each if the surface had to be mended, if an option changed nothing, and if a
-  /// solver did not converge.
-  std::vector<std::string> Warnings(const DirectionFields::Result& field) const;
+  /// The field of the surface that was read last, with the guidance of the input.
+  DirectionFields::Result ComputeField(
+    vtkPolyData* input, const DirectionFields::Options& options);
+
+  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
+  void ComputeOutputs(vtkInformation* request, vtkPolyData* input, vtkPolyData* output,
+    vtkPolyData* singularities);
 
   int Degree;
   double EnergyBias;
@@ -493,7 +477,8 @@ private:
   bool ConstrainGuidance;
   int ConstraintSolver;
 
-  /// So that another strength or constraint does not start from nothing.
+  /// What is kept of the last input, so that another strength or constraint does not start from
+  /// nothing.
   std::unique_ptr<DirectionFields::DirectionFieldCache> Last;
 };
 

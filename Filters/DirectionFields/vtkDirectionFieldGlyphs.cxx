@@ -3,6 +3,7 @@
 
 #include "vtkDirectionFieldGlyphs.h"
 
+#include "AlgorithmProgress.h"
 #include "GlyphsToPolyData.h"
 #include "PolyDataToSurface.h"
 
@@ -21,7 +22,7 @@ vtkStandardNewMacro(vtkDirectionFieldGlyphs);
 
 namespace
 {
-/// The share of reading the input in the progress, and of all but writing the output.
+// Where the phases of the progress end: reading the input, making the glyphs.
 constexpr double ProgressRead = 0.2;
 constexpr double ProgressDrawn = 0.9;
 }
@@ -67,14 +68,26 @@ DirectionFields::GlyphOptions vtkDirectionFieldGlyphs::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkDirectionFieldGlyphs::IsAborted()
+void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output)
 {
-#ifdef DIRECTIONFIELDS_VTK_HAS_CHECKABORT
-  // CheckAbort notices a flag that was set with a time stamp only; the flag itself always counts.
-  return this->GetAbortExecute() || this->CheckAbort();
-#else
-  return this->GetAbortExecute() != 0;
-#endif
+  const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
+  if (field.Degree == 0)
+  {
+    throw std::invalid_argument("The input has no point array \"Direction0\" of 3 components. "
+                                "Apply Direction Field first and take its first output.");
+  }
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
+    input, DirectionFields::Progress(report).Part(0.0, ProgressRead));
+  const DirectionFields::Glyphs glyphs = DirectionFields::MakeGlyphs(surface.Mesh, field,
+    surface.Mesh.Ghost, DirectionFields::GhostPoints(input), this->MakeOptions(),
+    DirectionFields::ReportTo(this, ProgressRead, ProgressDrawn));
+  if (glyphs.Aborted || DirectionFields::IsAborted(this))
+  {
+    throw DirectionFields::Stopped();
+  }
+  DirectionFields::AddGlyphs(glyphs, input->GetPoints()->GetDataType(), output);
+  this->UpdateProgress(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -95,38 +108,12 @@ int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
   std::string error;
   try
   {
-    const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
-    if (field.Degree == 0)
-    {
-      throw std::invalid_argument("The input has no point array \"Direction0\" of 3 components. "
-                                  "Apply Direction Field first and take its first output.");
-    }
-    const auto surface = DirectionFields::PolyDataToSurface(input,
-      [this](double done)
-      {
-        this->UpdateProgress(done * ProgressRead);
-        return !this->IsAborted();
-      });
-    if (surface.Aborted)
-    {
-      output->Initialize();
-      return 1;
-    }
-    const auto glyphs = DirectionFields::MakeGlyphs(surface.Mesh, field,
-      DirectionFields::GhostTriangles(input, surface), DirectionFields::GhostPoints(input),
-      this->MakeOptions(),
-      [this](double done)
-      {
-        this->UpdateProgress(ProgressRead + done * (ProgressDrawn - ProgressRead));
-        return !this->IsAborted();
-      });
-    if (glyphs.Aborted || this->IsAborted())
-    {
-      output->Initialize();
-      return 1;
-    }
-    DirectionFields::AddGlyphs(glyphs, input->GetPoints()->GetDataType(), output);
-    this->UpdateProgress(1.0);
+    this->DrawGlyphs(input, output);
+    return 1;
+  }
+  catch (const DirectionFields::Stopped&)
+  {
+    output->Initialize();
     return 1;
   }
   catch (const std::bad_alloc&)

@@ -174,11 +174,11 @@ private:
   vtkDirectionFieldGlyphs(const vtkDirectionFieldGlyphs&) = delete;
   void operator=(const vtkDirectionFieldGlyphs&) = delete;
 
-  /// Whether someone asked this filter, or one before it in the pipeline, to stop.
-  bool IsAborted();
-
   /// The options of the drawing, from the properties.
   DirectionFields::GlyphOptions MakeOptions() const;
+
+  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
+  void DrawGlyphs(vtkPolyData* input, vtkPolyData* output);
 
   int GlyphType;
   int GlyphMode;

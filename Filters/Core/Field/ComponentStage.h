@@ -17,13 +17,6 @@
 
 namespace DirectionFields
 {
-/// Largest relative residual at which a linear system counts as solved. The eigenvalue problem may ask
-/// for less, as far as rounding allows.
-inline double SystemTolerance(const Options& options)
-{
-  return std::max(1e-8, options.Tolerance);
-}
-
 /// One component: its matrices and smallest eigenpairs, and what fields that were solved for leave for
 /// the next ones. All matrices and vectors are over the component's vertices.
 class ComponentStage

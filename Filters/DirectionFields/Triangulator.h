@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Triangulator_h
+#define Triangulator_h
+
+#include "PolyDataToSurface.h"
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolygon.h"
+#include "vtkType.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// Throws std::out_of_range with a sentence for the user: a cell has the id of a point that is not
+/// there.
+[[noreturn]] void RefuseId(vtkIdType cell, vtkIdType id, vtkIdType points);
+
+/// Cuts cells into triangles, and appends these to a surface. Throws std::out_of_range for cells with
+/// points that are not there.
+class Triangulator
+{
+public:
+  /// @param points and result must outlive the object
+  Triangulator(vtkPoints* points, TriangulatedPolyData& result);
+
+  /// Unrolls a triangle strip; all its triangles are wound as the first one is.
+  void AddStrip(vtkIdType cell, vtkIdType size, const vtkIdType* points);
+  /// Cuts a polygon by its ears; one that cannot be cut so becomes a fan.
+  void AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* points);
+
+private:
+  void AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k);
+  /// The corners without consecutive repetitions, which would disturb the cutting of ears.
+  void SetCorners(vtkIdType size, const vtkIdType* points);
+  /// False if the polygon cannot be cut; else Ears holds the triangles as positions in Corners.
+  bool CutEars();
+
+  vtkPoints* Points;
+  vtkIdType NumberOfPoints;
+  TriangulatedPolyData& Result;
+  std::vector<vtkIdType> Corners;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+  vtkNew<vtkPoints> EarPoints;
+};
+}
+
+#endif

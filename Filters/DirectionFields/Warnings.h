@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef Warnings_h
+#define Warnings_h
+
+#include "Options.h"
+#include "Result.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields
+{
+/// What the user is to know of a field: one text each if the surface had to be mended, if an option
+/// changed nothing, if a linear system was not solved, and if an eigenvalue problem was not. Each
+/// names the remedy.
+std::vector<std::string> Warnings(const Result& field, const Options& options);
+}
+
+#endif
