@@ -10,6 +10,7 @@
 #include "BenchmarkMeshes.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Meshes/Geometry.h"
+#include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
 #include "Solvers/Eigenpairs/JacobiDavidson.h"
 #include "Support/Threads.h"
@@ -50,7 +51,7 @@ const Surface& SurfaceOf(const std::string& name)
   static Surface surface;
   if (last != name)
   {
-    surface = BenchmarkMeshes::ToSurface(MeshOf(name));
+    surface = Meshes::ToSurface(MeshOf(name));
     last = name;
   }
   return surface;

@@ -3,11 +3,11 @@
 
 #include "BenchmarkMeshes.h"
 
+#include "Meshes/PolyData.h"
 #include "Meshes/Surfaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -191,49 +191,11 @@ vtkSmartPointer<vtkPolyData> ReadFile(const std::string& path)
   throw std::runtime_error(
     path + " is neither a number of triangles nor a .ply, .obj or .stl file.");
 }
-
-vtkSmartPointer<vtkPolyData> FromSurface(const Surface& surface)
-{
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(static_cast<vtkIdType>(surface.Points.size()));
-  for (std::size_t i = 0; i < surface.Points.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), surface.Points[i].data());
-  }
-  vtkNew<vtkCellArray> polys;
-  for (const auto& t : surface.Triangles)
-  {
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(polys);
-  return mesh;
-}
 }
 
 vtkSmartPointer<vtkPolyData> Potato(int triangles)
 {
   return Subdivision(std::max(1, static_cast<int>(std::ceil(std::sqrt(triangles / 20.0))))).Make();
-}
-
-Surface ToSurface(vtkPolyData* mesh)
-{
-  Surface surface;
-  surface.Points.resize(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < surface.Points.size(); ++i)
-  {
-    mesh->GetPoint(static_cast<vtkIdType>(i), surface.Points[i].data());
-  }
-  surface.Triangles.reserve(static_cast<std::size_t>(mesh->GetNumberOfPolys()));
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, corners);
-    surface.Triangles.push_back({ static_cast<Index>(corners->GetId(0)),
-      static_cast<Index>(corners->GetId(1)), static_cast<Index>(corners->GetId(2)) });
-  }
-  return surface;
 }
 
 vtkSmartPointer<vtkPolyData> Make(const std::string& name)
@@ -245,6 +207,8 @@ vtkSmartPointer<vtkPolyData> Make(const std::string& name)
   const std::size_t at = name.rfind('@');
   vtkSmartPointer<vtkPolyData> mesh = ReadFile(name.substr(0, at));
   const int levels = at == std::string::npos ? 0 : std::stoi(name.substr(at + 1));
-  return levels == 0 ? mesh : FromSurface(Meshes::FlatlySubdivided(ToSurface(mesh), levels));
+  return levels == 0
+    ? mesh
+    : Meshes::ToPolyData(Meshes::FlatlySubdivided(Meshes::ToSurface(mesh), levels), VTK_FLOAT);
 }
 }

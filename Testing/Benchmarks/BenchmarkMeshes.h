@@ -4,8 +4,6 @@
 #ifndef BenchmarkMeshes_h
 #define BenchmarkMeshes_h
 
-#include "DirectionField.h"
-
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -23,9 +21,6 @@ vtkSmartPointer<vtkPolyData> Make(const std::string& name);
 /// f^2 of them, f the least number that gives those asked for. The second eigenvalue of cross fields
 /// is 6 % above the first.
 vtkSmartPointer<vtkPolyData> Potato(int triangles);
-
-/// The triangles of a mesh that has nothing else, as the Core takes them.
-DirectionFields::Surface ToSurface(vtkPolyData* mesh);
 }
 
 #endif

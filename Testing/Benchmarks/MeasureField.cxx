@@ -22,6 +22,7 @@
 #include "Geometry/IntrinsicTriangulation.h"
 #include "MemoryBandwidth.h"
 #include "Meshes/Geometry.h"
+#include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
 #include "Support/Threads.h"
 #include "ThesisAlgorithm.h"
@@ -372,11 +373,11 @@ int Measure(const std::string& task, const std::string& name)
   }
   else if (task == "stages")
   {
-    MeasureStages(BenchmarkMeshes::ToSurface(mesh), figures);
+    MeasureStages(Meshes::ToSurface(mesh), figures);
   }
   else if (task == "baseline")
   {
-    MeasureBaseline(BenchmarkMeshes::ToSurface(mesh), figures);
+    MeasureBaseline(Meshes::ToSurface(mesh), figures);
   }
   else
   {

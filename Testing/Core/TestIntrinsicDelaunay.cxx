@@ -21,7 +21,8 @@ IntrinsicTriangulation Flipped(const Geometry& g)
   return { g.Mesh, g.Lengths, g.Transport };
 }
 
-Result Compute(const Surface& surface, int degree, bool delaunay)
+/// A field that must have converged.
+Result ComputeSound(const Surface& surface, int degree, bool delaunay)
 {
   Options options;
   options.Degree = degree;
@@ -40,7 +41,7 @@ Result Compute(const Surface& surface, int degree, bool delaunay)
 
 double Eigenvalue(const Surface& surface, int degree, bool delaunay)
 {
-  return Compute(surface, degree, delaunay).Components.at(0).Eigenvalue;
+  return ComputeSound(surface, degree, delaunay).Components.at(0).Eigenvalue;
 }
 }
 
@@ -56,8 +57,8 @@ TEST(IntrinsicDelaunay, DelaunayMeshesStayBitForBit)
     EXPECT_EQ(delaunay.Transport.EdgeAngle, g.Transport.EdgeAngle);
     EXPECT_EQ(delaunay.Transport.Rotation, g.Transport.Rotation);
     EXPECT_EQ(delaunay.Transport.Curvature, g.Transport.Curvature);
-    const Result with = Compute(surface, 4, true);
-    const Result without = Compute(surface, 4, false);
+    const Result with = ComputeSound(surface, 4, true);
+    const Result without = ComputeSound(surface, 4, false);
     EXPECT_EQ(with.Representation, without.Representation);
     EXPECT_EQ(with.SingularityIndex, without.SingularityIndex);
   }
@@ -69,9 +70,9 @@ TEST(IntrinsicDelaunay, KeepsParallelFieldsOfBadlyTriangulatedPlanes)
   {
     for (const int degree : { 1, 4, 6 })
     {
-      const Result result = Compute(surface, degree, true);
+      const Result result = ComputeSound(surface, degree, true);
       EXPECT_NEAR(result.Components[0].Eigenvalue, 0.0, 1e-9);
-      const Result without = Compute(surface, degree, false);
+      const Result without = ComputeSound(surface, degree, false);
       for (std::size_t i = 0; i < surface.Points.size(); ++i)
       {
         EXPECT_NEAR(std::abs(result.Representation[i] - without.Representation[i]), 0.0, 1e-6);
@@ -121,7 +122,7 @@ TEST(IntrinsicDelaunay, DegenerateTrianglesGiveAFiniteField)
   const Surface point{ { { 2, 2, 2 }, { 2, 2, 2 }, { 2, 2, 2 } }, { { 0, 1, 2 } } };
   for (const Surface& s : { surface, FlatlySubdivided(surface, 1), point })
   {
-    const Result result = Compute(s, 4, true);
+    const Result result = ComputeSound(s, 4, true);
     for (const Complex& u : result.Representation)
     {
       EXPECT_TRUE(std::isfinite(std::abs(u)));
@@ -172,13 +173,13 @@ TEST(IntrinsicDelaunay, DependsOnTheShapeOnlyAndOnNoThreads)
 {
   const Surface surface = Jittered(Potato(3), 0.06, 11);
   ASSERT_GT(Flipped(Geometry(surface)).NumberOfFlips, 50);
-  const Result result = Compute(surface, 4, true);
+  const Result result = ComputeSound(surface, 4, true);
   std::vector<Index> newPoint;
   std::vector<Index> newTriangle;
   const Eigen::Matrix3d rotation = ObliqueRotation(1.9);
   const Surface other =
     Transformed(Shuffled(surface, 5, newPoint, newTriangle), 1e3 * rotation, { 5e3, 1, 2 });
-  const Result moved = Compute(other, 4, true);
+  const Result moved = ComputeSound(other, 4, true);
   EXPECT_NEAR(moved.Components[0].Eigenvalue * 1e6 / result.Components[0].Eigenvalue, 1.0, 1e-9);
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {

@@ -16,18 +16,11 @@
 #include <string>
 
 using namespace DirectionFields;
+using namespace Fields;
 using namespace Meshes;
 
 namespace
 {
-Result Compute(const Surface& surface, int degree, double bias = 0.0)
-{
-  Options options;
-  options.Degree = degree;
-  options.EnergyBias = bias;
-  return DirectionField(surface).Compute(options);
-}
-
 /// The largest angle, in degrees, from a direction at one end of an edge to the nearest direction at
 /// the other, where it comes with the bend of the surface; but for edges near singularities.
 double LargestTurn(const Surface& surface, const Result& result)
@@ -297,7 +290,7 @@ TEST(NonOrientable, GlyphsLieAlongTheFieldWhereCornersMeanDifferentSides)
     const Surface strip = MoebiusStrip(120, 8);
     const Result result = Compute(strip, degree);
     const SurfaceIncidence incidence(strip);
-    const PointDirections field = Fields::Of(result);
+    const PointDirections field = Of(result);
     const FieldInterpolation interpolation(incidence, field);
     int torn = 0;
     for (Index t = 0; t < incidence.GetNumberOfTriangles(); ++t)

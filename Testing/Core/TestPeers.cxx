@@ -3,6 +3,7 @@
 //
 // What other programs for direction fields were seen to get wrong, one test each.
 
+#include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
@@ -14,17 +15,11 @@
 #include <utility>
 
 using namespace DirectionFields;
+using namespace Fields;
 using namespace Meshes;
 
 namespace
 {
-Result Compute(const Surface& surface, int degree)
-{
-  Options options;
-  options.Degree = degree;
-  return DirectionField(surface).Compute(options);
-}
-
 int Sum(const Result& result)
 {
   return std::accumulate(result.SingularityIndex.begin(), result.SingularityIndex.end(), 0);

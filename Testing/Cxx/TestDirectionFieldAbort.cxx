@@ -4,14 +4,14 @@
 // Whichever report of the progress is answered by an abort, it is the last, the outputs are empty, and
 // the next run is complete.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "vtkCallbackCommand.h"
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

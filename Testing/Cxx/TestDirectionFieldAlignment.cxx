@@ -3,7 +3,7 @@
 //
 // Alignment and constraints: which arrays there are, and what the messages say.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
@@ -12,7 +12,7 @@
 
 #include <functional>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

@@ -3,7 +3,7 @@
 //
 // What a filter keeps from run to run saves time and changes nothing.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
@@ -14,7 +14,7 @@
 #include <functional>
 #include <map>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

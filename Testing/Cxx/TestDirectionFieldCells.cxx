@@ -3,7 +3,7 @@
 //
 // Every kind of cell that polydata can have.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
@@ -15,7 +15,7 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

@@ -4,13 +4,13 @@
 // Surfaces that cannot be processed give one error and empty outputs; surfaces that can be mended
 // give one warning that counts what was mended.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
 #include "vtkStringArray.h"
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

@@ -3,7 +3,7 @@
 //
 // What the glyph filter draws, in numbers.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <set>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

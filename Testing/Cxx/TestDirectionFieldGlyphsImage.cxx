@@ -9,8 +9,8 @@
 // Ribbons or Tubes. The picture is written to OUTPUT. With "turned" the field is turned by 10
 // degrees before the glyphs are made, and the test passes if the comparison fails.
 
-#include "TestChecks.h"
-#include "TestPictures.h"
+#include "Checks.h"
+#include "Pictures.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
@@ -26,12 +26,12 @@
 #include <algorithm>
 #include <cstdlib>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {
 constexpr int WindowSize = 600;
-constexpr TestPictures::Limits Limits{ 0.25, 0.5 };
+constexpr Pictures::Limits Limits{ 0.25, 0.5 };
 
 struct Scene
 {
@@ -152,7 +152,7 @@ vtkSmartPointer<vtkImageData> Draw(const Scene& scene, vtkPolyData* glyphs)
   shapes->GetProperty()->SetColor(0.0, 0.30, 0.40);
   shapes->GetProperty()->SetAmbient(0.3);
   shapes->GetProperty()->SetLineWidth(3.0);
-  return TestPictures::Draw(renderer.GetPointer(), scene, WindowSize);
+  return Pictures::Draw(renderer.GetPointer(), scene, WindowSize);
 }
 }
 
@@ -190,6 +190,6 @@ int TestDirectionFieldGlyphsImage(int argc, char* argv[])
   CHECK(number > 0.9 * scene.Glyphs);
 
   auto image = Draw(scene, glyphs->GetOutput());
-  TestPictures::CheckPicture(image, baseline, output, turned, Limits);
+  Pictures::CheckPicture(image, baseline, output, turned, Limits);
   return Result();
 }

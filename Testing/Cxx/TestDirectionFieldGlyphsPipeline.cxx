@@ -3,7 +3,7 @@
 //
 // How the glyph filter behaves in a pipeline: parameters, errors, unusual input, progress, abort.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <sstream>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

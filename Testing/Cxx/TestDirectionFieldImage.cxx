@@ -10,9 +10,10 @@
 // it. With "turned" the field is turned by 10 degrees before it is drawn, and the test passes if
 // the comparison fails.
 
-#include "CoreMeshes.h"
-#include "TestChecks.h"
-#include "TestPictures.h"
+#include "Checks.h"
+#include "Meshes/PolyData.h"
+#include "Meshes/Surfaces.h"
+#include "Pictures.h"
 
 #include "vtkDirectionField.h"
 
@@ -30,12 +31,12 @@
 #include <cstdlib>
 #include <set>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {
 constexpr int WindowSize = 400;
-constexpr TestPictures::Limits Limits{ 0.5, 1.0 };
+constexpr Pictures::Limits Limits{ 0.5, 1.0 };
 
 struct Scene
 {
@@ -61,13 +62,14 @@ Scene MakeScene(const std::string& mesh)
   }
   if (mesh == "disk")
   {
-    return { CoreMeshes::Make(mesh), { 0.0, 0.0, 5.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
-      1.05 };
+    // It has the symmetries of the square.
+    return { Meshes::ToPolyData(Meshes::FourfoldDisk(7)), { 0.0, 0.0, 5.0 }, { 0.0, 0.0, 0.0 },
+      { 0.0, 1.0, 0.0 }, 1.05 };
   }
   if (mesh == "icosahedron")
   {
-    return { CoreMeshes::Make(mesh), { 2.0, 2.5, 4.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 },
-      1.06 };
+    return { Meshes::ToPolyData(Meshes::FlatlySubdivided(Meshes::Icosahedron(), 2)),
+      { 2.0, 2.5, 4.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 1.06 };
   }
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(mesh.c_str());
@@ -222,7 +224,7 @@ vtkSmartPointer<vtkImageData> Draw(
   Add(renderer, filter->GetOutput(), 1.0, false);
   Add(renderer, MakeGlyphs(filter->GetOutput(), filter->GetDegree(), turn), 0.0, false);
   Add(renderer, MakeBalls(filter->GetOutput(1), 0.045 * scene.Scale), 1.0, false);
-  return TestPictures::Draw(renderer.GetPointer(), scene, WindowSize);
+  return Pictures::Draw(renderer.GetPointer(), scene, WindowSize);
 }
 
 /// The field is as constrained and as aligned as the options say.
@@ -322,6 +324,6 @@ int TestDirectionFieldImage(int argc, char* argv[])
   }
 
   auto image = Draw(scene, filter, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
-  TestPictures::CheckPicture(image, baseline, output, turned, Limits);
+  Pictures::CheckPicture(image, baseline, output, turned, Limits);
   return Result();
 }

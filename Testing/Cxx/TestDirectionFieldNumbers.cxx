@@ -3,13 +3,13 @@
 //
 // The numbers of the output on surfaces for which they are known.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
 #include "vtkIntArray.h"
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

@@ -3,7 +3,7 @@
 //
 // How the filter behaves in a pipeline: parameters, progress, abort, attributes, repetition.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <sstream>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

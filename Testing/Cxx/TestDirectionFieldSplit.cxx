@@ -3,7 +3,7 @@
 //
 // A surface that is no manifold comes out split: points added, cells rewritten, data copied.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
@@ -16,7 +16,7 @@
 #include <cmath>
 #include <set>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

@@ -3,7 +3,7 @@
 //
 // However the input stores its numbers, and whoever else computes at the time: the same field.
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkDirectionField.h"
 
@@ -13,7 +13,7 @@
 
 #include <thread>
 
-using namespace TestChecks;
+using namespace Checks;
 
 namespace
 {

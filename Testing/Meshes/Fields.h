@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-/// Fields for the tests of what draws them.
+/// Fields for the tests, and fields as what draws them takes them.
 namespace Fields
 {
 using namespace DirectionFields;
@@ -29,6 +29,7 @@ PointDirections PlanarField(const Surface& surface, int degree, const Angle& ang
   return field;
 }
 
+/// A field that was computed, which must outlive what is returned.
 inline PointDirections Of(const Result& result)
 {
   PointDirections field;
@@ -38,10 +39,14 @@ inline PointDirections Of(const Result& result)
   return field;
 }
 
-inline Result Compute(const Surface& surface, int degree)
+/// The smoothest field.
+inline Result Compute(
+  const Surface& surface, int degree, double bias = 0.0, double tolerance = Options().Tolerance)
 {
   Options options;
   options.Degree = degree;
+  options.EnergyBias = bias;
+  options.Tolerance = tolerance;
   return DirectionField(surface).Compute(options);
 }
 }

@@ -3,8 +3,8 @@
 //
 // What the tests of the filter check again and again.
 
-#ifndef TestChecks_h
-#define TestChecks_h
+#ifndef Checks_h
+#define Checks_h
 
 #include "PolyMeshes.h"
 
@@ -33,7 +33,7 @@
     if (!(condition))                                                                              \
     {                                                                                              \
       std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << std::endl;           \
-      ++TestChecks::Failures();                                                                    \
+      ++Checks::Failures();                                                                    \
     }                                                                                              \
   } while (false)
 
@@ -44,12 +44,12 @@
     if (!(condition))                                                                              \
     {                                                                                              \
       std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << std::endl;           \
-      ++TestChecks::Failures();                                                                    \
+      ++Checks::Failures();                                                                    \
       return;                                                                                      \
     }                                                                                              \
   } while (false)
 
-namespace TestChecks
+namespace Checks
 {
 inline int& Failures()
 {

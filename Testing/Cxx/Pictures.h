@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef TestPictures_h
-#define TestPictures_h
+#ifndef Pictures_h
+#define Pictures_h
 
-#include "TestChecks.h"
+#include "Checks.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -21,7 +21,7 @@
 #include <string>
 
 /// Pictures by a parallel projection, and their comparison with baselines.
-namespace TestPictures
+namespace Pictures
 {
 /// A square picture without antialiasing, seen from view.Position towards view.FocalPoint with
 /// view.ViewUp above; view.Scale is half its height.
