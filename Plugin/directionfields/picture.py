@@ -126,7 +126,7 @@ def compute(mesh, degree, properties):
         raise TypeError("show() takes a source, an output port or the name of a file, not "
                         f"{type(mesh).__name__}.")
     if mesh.GetXMLName() == "DirectionField":
-        # Whichever of its ports was given.
+        # The field is on the first port, whichever one was given.
         field = simple.OutputPort(mesh, 0)
         if properties:
             raise TypeError("show() does not change the properties of a filter that it is given.")
@@ -138,7 +138,7 @@ def compute(mesh, degree, properties):
         mesh.UpdatePipeline()
         if mesh.GetDataInformation().GetNumberOfCells() == 0:
             raise ValueError("The mesh has no cells.")
-        # What may be aligned to depends on the degree, which therefore comes first.
+        # The degree decides which alignments there are, hence it is set first.
         connect(field, mesh, {"Degree": int(degree), **properties})
     field.UpdatePipeline()
     if not field.GetDataInformation(0).GetCellDataInformation().GetArrayInformation(
@@ -160,7 +160,7 @@ def color(display, rgb):
 def show_surface(field, view):
     surface = field
     if not field.PointData.GetArray("Normals"):
-        # Splits at sharp edges only. The orientation is the mesh's own.
+        # This splits the surface at sharp edges only, and keeps the orientation of the mesh.
         surface = simple.GenerateSurfaceNormals(
             registrationName="Surface", Input=field, FeatureAngle=60.0, Consistency=0)
     display = simple.Show(surface, view)
@@ -188,14 +188,15 @@ def show_singularities(field, view):
     display.GlyphType = "Sphere"
     display.GlyphType.ThetaResolution = 24
     display.GlyphType.PhiResolution = 16
-    # The magnitude of an index: spheres do not tell where they are turned inside out.
+    # The size follows the magnitude of the index: a negative one would turn its sphere inside out,
+    # which cannot be seen.
     display.Scaling = 1
     display.ScaleMode = "Magnitude"
     display.SelectScaleArray = "SingularityIndex"
     display.ScaleFactor = 0.022 * diagonal(field)
     display.Specular = 0.4
-    # A color map of its own, for the index of the cells has nothing to do with it. Set by hand:
-    # ColorBy() warns where there is no singularity to take the range from.
+    # The spheres have a color map of their own, which the index of the cells does not share. It is
+    # set by hand because ColorBy() warns where there is no singularity to take the range from.
     display.UseSeparateColorMap = 1
     lookup = simple.GetColorTransferFunction("SingularityIndex", display, separate=True)
     display.ColorArrayName = ["POINTS", "SingularityIndex"]
@@ -224,7 +225,7 @@ def show_legend(field, lookup, view):
     bar.DrawTickMarks = bar.DrawTickLabels = bar.AddRangeLabels = 0
     bar.ScalarBarLength = 0.12
     bar.WindowLocation = "Any Location"
-    # Both legend and caption must fit side by side into a small window, too.
+    # Legend and caption must fit side by side even into a small window.
     bar.Position = [0.87, 0.03]
     bar.TitleFontSize = bar.LabelFontSize = 13
     bar.TitleColor = bar.LabelColor = text_color(view)

@@ -25,7 +25,7 @@ def check():
     assert shown(glyphs, view)
     assert shown(FindSource("Surface"), view)
     assert shown(FindSource("Number of singularities"), view)
-    # The camera is the user's.
+    # The macro leaves the camera where the user has put it.
     assert list(view.CameraViewUp) == [0.0, 1.0, 0.0], list(view.CameraViewUp)
     SaveScreenshot(os.path.join(output, "Button.png"), view, ImageResolution=[800, 600])
 

@@ -29,7 +29,7 @@ def check_trace():
     assert display.Visibility == 1 and display.Representation == "Surface"
     assert not display.ColorArrayName[1], display.ColorArrayName
     assert GetRepresentation(OutputPort(filters()[0], 1), view).Visibility == 1
-    # What the panel Information lists.
+    # The panel Information lists these.
     data = filters()[0].GetDataInformation(0).GetFieldDataInformation()
     for name in ("Eigenvalue", "Residual", "Iterations", "EulerCharacteristic", "IndexSum"):
         array = data.GetArrayInformation(name)

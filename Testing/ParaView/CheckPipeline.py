@@ -12,12 +12,12 @@ def check():
     field = GetActiveSource()
     assert field.GetXMLName() == "DirectionField", field.GetXMLName()
     assert field.Input.GetXMLName() == "PLYReader", field.Input.GetXMLName()
-    # From the panel, and the default.
+    # The playback has set the degree and the edges in the panel, and left the iterations alone.
     assert field.Degree == 6, field.Degree
     assert field.MaximumIterations == 200, field.MaximumIterations
     assert field.ConstrainSharpEdges == 1, field.ConstrainSharpEdges
     assert field.FeatureAngle == 70.0, field.FeatureAngle
-    # Was chosen before the degree, which does not offer it.
+    # An alignment was chosen before the degree, which does not offer it.
     assert field.Alignment == "None", field.Alignment
 
     surface = servermanager.Fetch(field)

@@ -14,7 +14,7 @@ LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 
 def source(points, cells, **arrays):
-    """A source of quads with point arrays; the first of 3 components is the active vectors."""
+    """A source of quads with point arrays. The first one of 3 components is the active vectors."""
     mesh = vtkPolyData()
     coordinates = vtkPoints()
     coordinates.SetDataTypeToDouble()
@@ -41,7 +41,8 @@ def source(points, cells, **arrays):
 
 
 def cylinder(around=48, along=24):
-    """Radius 1, height 3, with helical vectors of slope 1/2 and weights on the upper half."""
+    """A cylinder of radius 1 and height 3 with helical vectors of slope 1/2 and with weights on the
+    upper half."""
     angles = [2.0 * math.pi * i / around for i in range(around)]
     points = [(math.cos(a), math.sin(a), 3.0 * j / along) for j in range(along + 1) for a in angles]
     cells = [(j * around + i, j * around + (i + 1) % around, (j + 1) * around + (i + 1) % around,
@@ -52,7 +53,7 @@ def cylinder(around=48, along=24):
 
 
 def disk(cells=12):
-    """Radius 1, made of squares about the center bent to circles."""
+    """A disk of radius 1, made of squares about the center that are bent to circles."""
     n = 2 * cells + 1
     points = []
     for j in range(-cells, cells + 1):
@@ -70,7 +71,8 @@ def value(surface, name):
 
 
 def largest_angle(surface, degree, wanted, where=lambda point: True):
-    """Degrees between the wanted directions and the nearest of the field, at the points where."""
+    """The largest angle, in degrees, between a wanted direction and the nearest one of the field, at
+    the points where(point) allows."""
     arrays = [surface.GetPointData().GetArray("Direction%d" % k) for k in range(degree)]
     largest = 0.0
     count = 0
@@ -113,7 +115,7 @@ def test_curvature():
     field.CurvatureDirection = "Minimum"
     assert largest_angle(servermanager.Fetch(field), 2, lambda p: (0, 0, 1), inside) < 2.0
 
-    # Without alignment nothing of it remains.
+    # Without alignment none of its arrays remain.
     field.Alignment = "None"
     surface = servermanager.Fetch(field)
     assert not surface.GetPointData().GetArray("MeanCurvature")
@@ -126,7 +128,7 @@ def test_vectors():
     mesh = cylinder()
     helix = lambda point: (-point[1], point[0], 0.5)
     field = DirectionField(Input=mesh, Degree=6, Alignment="Point Vectors")
-    # The active vectors are the choice to start with, weights are none.
+    # The panel starts with the active vectors and without weights.
     assert field.GuidanceVectors == "Helix", field.GuidanceVectors
     assert field.GuidanceWeights == "None", field.GuidanceWeights
     energies = []
@@ -139,7 +141,7 @@ def test_vectors():
     assert all(a <= b + 1e-9 for a, b in zip(energies, energies[1:])), energies
     assert angles[-1] < 0.01, angles
 
-    # The shift says the same in other units.
+    # A shift of the same size in 1 / length^2 gives the same field.
     field.AlignmentStrength = 0.6
     surface = servermanager.Fetch(field)
     shift = value(surface, "Eigenvalue") - value(surface, "Lambda")
@@ -150,7 +152,7 @@ def test_vectors():
     assert abs(value(shifted, "Lambda") - value(surface, "Lambda")) < 1e-9 * shift
     assert abs(value(shifted, "SmoothnessEnergy") / value(surface, "SmoothnessEnergy") - 1) < 1e-6
 
-    # As constraints, where the weight is positive.
+    # The same vectors are constraints where the weight is positive.
     field.Alignment = "None"
     field.ConstrainGuidance = 1
     field.GuidanceWeights = "Upper"

@@ -55,7 +55,7 @@ def test_surface_lic():
                                GuidanceVectors="Guide", AlignmentStrength=1.0)
         display = Show(given, view)
         display.SetRepresentationType("Surface LIC")
-        # Nothing else has to be set.
+        # No other property has to be set.
         assert list(display.SelectInputVectors) == ["POINTS", "Direction0"]
         view.ResetActiveCameraToNegativeZ()
         ResetCamera(view)
@@ -133,7 +133,7 @@ def test_tensor_glyph():
         offset = shape[k] - points[k]
         longest = offset[np.argmax(np.linalg.norm(offset, axis=1))]
         assert abs(longest @ direction[k]) > 0.9 * np.linalg.norm(longest), k
-        # Glyphs without thickness are not seen.
+        # Glyphs without thickness could not be seen.
         extents = np.linalg.svd(offset, compute_uv=False)
         assert extents[2] > 0.05 * extents[0], k
 

@@ -18,7 +18,7 @@ ENUMERATIONS = {
     "GlyphMode": ["Spread Evenly", "All Points"],
 }
 ADVANCED = ("Offset", "FollowSurface")
-# VTK_DOUBLE_MAX.
+# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
 UNLIMITED = 1e299
 
 

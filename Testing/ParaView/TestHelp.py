@@ -19,7 +19,7 @@ with sqlite3.connect(f"file:{sys.argv[2]}?mode=ro", uri=True) as database:
 
 
 def page(name):
-    # After four bytes with the length.
+    # The compressed text follows four bytes with its length.
     return zlib.decompress(files[name][4:]).decode("utf-8")
 
 

@@ -21,7 +21,7 @@ def total(array):
     return sum(int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples()))
 
 
-# Shift is not, for it stands in for the strength where UseShift is on.
+# Shift is not one of them, because it takes the place of the strength where UseShift is on.
 ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
             "IntrinsicDelaunay", "UseShift")
 ENUMERATIONS = {
@@ -30,7 +30,7 @@ ENUMERATIONS = {
     "ConstraintSolver": ["Least Squares", "Energy"],
     "Solver": ["Automatic", "Multigrid", "Direct"],
 }
-# VTK_DOUBLE_MAX.
+# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
 UNLIMITED = 1e299
 
 
@@ -167,7 +167,7 @@ def test_panel():
             ({"ConstrainCurvature": 1}, curvature | consistency | solver),
             ({"ConstrainCurvature": 1, "Degree": 2},
              curvature | consistency | solver | {"CurvatureDirection"}),
-            # An error that one must be able to switch off.
+            # Constraints of another degree are an error, which the user must be able to switch off.
             ({"ConstrainCurvature": 1, "Degree": 6}, curvature | consistency | solver)):
         assert shown(field, **settings) == expected, (settings, shown(field, **settings))
     Delete(field)
@@ -201,7 +201,7 @@ def test_field(degree):
                  "Lambda", "SmoothnessEnergy", "SystemResidual"):
         assert values.GetArray(name).GetNumberOfTuples() == 1, name
     assert values.GetArray("IndexSum").GetTuple1(0) == 2 * degree
-    # Radius 1/2: the eigenvalue of the unit sphere, n, times 4.
+    # A sphere of radius 1/2 has 4 times the eigenvalue of the unit sphere, which is n.
     assert abs(values.GetArray("Eigenvalue").GetTuple1(0) / (4.0 * degree) - 1.0) < 0.1
     for k in range(degree):
         array = surface.GetPointData().GetArray("Direction%d" % k)
@@ -214,7 +214,7 @@ def test_field(degree):
         "CellId", "Index", "Normals", "SingularityIndex"]
     assert total(singularities.GetPointData().GetArray("SingularityIndex")) == 2 * degree
 
-    # The second output by its name, in a pipeline of its own.
+    # The second output is found by its name, in a pipeline of its own.
     glyphs = Glyph(Input=field["Singularities"], GlyphType="Sphere")
     glyphs.GlyphMode = "All Points"
     glyphs.ScaleFactor = 0.02

@@ -17,13 +17,13 @@ def serve(pvserver, pvpython):
     server = subprocess.Popen([pvserver, "--server-port=0"], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
-        # "Accepting connection(s): host:port"; 0 asks for a port that is free.
+        # Port 0 asks for one that is free; the server says "Accepting connection(s): host:port".
         for line in server.stdout:
             if "Accepting connection" in line:
                 port = line.strip().rsplit(":", 1)[1]
                 break
         subprocess.run([pvpython, os.path.abspath(__file__), plugin, port], check=True)
-        # It stops when its only client leaves.
+        # The server stops when its only client leaves.
         assert server.wait(30) == 0, server.returncode
     finally:
         server.kill()

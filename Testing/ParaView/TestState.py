@@ -12,7 +12,7 @@ state = sys.argv[2]
 if os.path.exists(state):
     os.remove(state)
 
-# None of them the default.
+# None of these values is the default.
 values = {
     "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
     "Solver": "Direct", "NumberOfThreads": 3, "KeepStages": 0,
@@ -33,7 +33,8 @@ def figures(field):
         surface.GetNumberOfPoints(), singularities.GetNumberOfPoints()]
 
 
-# Cut open and stretched: with a boundary, sharp edges and strong curvature that no vector covers.
+# A sphere that is cut open and stretched has a boundary, sharp edges, and points of strong curvature
+# that have no vector.
 mesh = Sphere(ThetaResolution=24, PhiResolution=16, EndPhi=120.0)
 stretched = Transform(Input=mesh)
 stretched.Transform.Scale = [1.0, 0.5, 2.0]

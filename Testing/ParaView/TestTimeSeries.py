@@ -12,7 +12,7 @@ from Figures import figures
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 output = sys.argv[2]
 
-# A sphere, twice as large a sphere, and two spheres, that is, two components.
+# The steps are a sphere, a sphere twice as large, and two spheres, which are two components.
 small = Sphere(ThetaResolution=24, PhiResolution=16)
 large = Sphere(ThetaResolution=24, PhiResolution=16, Radius=1.0)
 two = AppendGeometry(Input=[small, Sphere(Center=[3, 0, 0])])
