@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-/// Says what failed and where, and goes on.
+/// Says what failed and where; the function goes on.
 #define CHECK(condition)                                                                           \
   do                                                                                               \
   {                                                                                                \
@@ -37,7 +37,7 @@
     }                                                                                              \
   } while (false)
 
-/// The same, and leaves the function, for what the rest of it needs.
+/// Says what failed and where, and leaves the function, whose rest needs the condition.
 #define REQUIRE(condition)                                                                         \
   do                                                                                               \
   {                                                                                                \
@@ -83,7 +83,7 @@ public:
     list.emplace_back(static_cast<const char*>(data));
   }
 
-  /// Exactly one error and no warning; the error has all the words.
+  /// Whether there was exactly one error and no warning, and the error has all the words.
   bool IsOneError(std::initializer_list<const char*> words) const
   {
     return this->Warnings.empty() && HasWords(this->Errors, words);
@@ -242,7 +242,7 @@ inline double LargestAngle(vtkPolyData* one, vtkPolyData* other, int degree)
   return largest;
 }
 
-/// Same name, type, size and bytes.
+/// Whether two arrays have the same type, size and bytes.
 inline bool IsSame(vtkDataArray* one, vtkDataArray* other)
 {
   return one && other && one->GetDataType() == other->GetDataType() &&

@@ -48,12 +48,12 @@ vtkSmartPointer<vtkImageData> Draw(vtkRenderer* renderer, const View& view, int 
   return grab->GetOutput();
 }
 
-/// In percent of the greatest difference.
+/// How much pictures may differ, in percent of the greatest possible difference.
 struct Limits
 {
-  /// The picture of a correct field may differ by this much on another machine;
+  /// The picture of a correct field differs by less than this on any machine.
   double Most;
-  /// one of a field turned by 10 degrees differs by more than this.
+  /// The picture of a field turned by 10 degrees differs by more than this.
   double LeastTurned;
 };
 

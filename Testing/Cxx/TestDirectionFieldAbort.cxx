@@ -17,7 +17,7 @@ namespace
 {
 struct Watch
 {
-  /// Number of the report to answer, or -1 for none.
+  /// The number of the report that is answered by an abort, or -1 for none.
   int When = -1;
   std::vector<double> Reports;
 
@@ -32,7 +32,7 @@ struct Watch
   }
 };
 
-/// Nothing was reported after the answer, but for the end, by the pipeline.
+/// Whether nothing was reported after the abort except for the end, which the pipeline reports.
 bool IsLast(const Watch& watch)
 {
   const auto after = static_cast<int>(watch.Reports.size()) - watch.When - 1;
@@ -54,11 +54,11 @@ void TestEveryReport(const Make& make, size_t least)
   CHECK(all.Reports.size() >= least);
   REQUIRE(complete->GetOutput()->GetNumberOfPoints() > 0);
 
-  // The filter is the same all the time, as is one in an application.
+  // All runs are those of one filter, as in an application.
   auto filter = make();
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  // The first report, of 0, is the pipeline's, before the filter gets to work.
+  // The pipeline makes the first report, of 0, before the filter gets to work.
   for (int when = 1; when < count && all.Reports[static_cast<size_t>(when)] < 1.0; ++when)
   {
     Watch watch;
@@ -69,7 +69,7 @@ void TestEveryReport(const Make& make, size_t least)
     filter->Update();
     filter->RemoveObserver(tag);
     filter->SetAbortExecute(0);
-    // Runs after the first have kept what an abort left complete, and report less.
+    // Runs after the first one find what an abort left complete, hence they report less.
     if (static_cast<int>(watch.Reports.size()) <= when)
     {
       break;

@@ -54,7 +54,7 @@ void TestError(
   CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
 
-  // The filter is none the worse for it.
+  // The filter works as before after the error.
   filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
   filter->ConstrainCurvatureOff();
   filter->ConstrainGuidanceOff();
@@ -140,7 +140,7 @@ void TestArrays()
   CheckArrays(FieldOf(PolyMeshes::Pebble(2), curved), true, true);
   CheckArrays(FieldOf(WithArrays(), vectors), false, false);
 
-  // Floats where the points are.
+  // The arrays are float where the points are.
   for (const int precision : { VTK_FLOAT, VTK_DOUBLE })
   {
     auto field = FieldOf(PolyMeshes::Pebble(2, precision), curved);
@@ -164,7 +164,7 @@ void TestArrays()
     CHECK(any);
   }
 
-  // Not those that an earlier filter left.
+  // Arrays that an earlier filter left are removed.
   vtkNew<vtkDirectionField> first, second;
   first->SetInputData(PolyMeshes::Pebble(2));
   curved(first);
@@ -178,7 +178,8 @@ void TestArrays()
   CheckArrays(first->GetOutput(), false, false);
 }
 
-/// One tuple per component, in the order of the components, and what the figures say.
+/// The figures have one tuple per component, in the order of the components, and say what was
+/// computed.
 void TestFieldData()
 {
   auto mesh =
@@ -220,7 +221,7 @@ void TestFieldData()
   CHECK(figures(smooth, "Eigenvalue", 0) != figures(smooth, "Eigenvalue", 1));
 }
 
-/// The vectors are those of the array, the weights those of theirs.
+/// The field follows the vectors of the array that is named, with the weights of the other one.
 void TestGuidance()
 {
   auto mesh = WithArrays();
@@ -305,7 +306,7 @@ void TestGuidance()
   CHECK(IsSame(unweighted->GetPointData(), FieldOf(mesh, aligned(""))->GetPointData()));
   CHECK(IsSame(unweighted->GetPointData(), FieldOf(mesh, aligned("None"))->GetPointData()));
   CHECK(!IsSame(unweighted->GetPointData(), FieldOf(mesh, aligned("upper"))->GetPointData()));
-  // Unless there is such an array.
+  // But "None" is the name of an array if there is one.
   mesh->GetPointData()->GetArray("upper")->SetName("None");
   CHECK(!IsSame(unweighted->GetPointData(), FieldOf(mesh, aligned("None"))->GetPointData()));
 }
@@ -338,7 +339,7 @@ void TestGuidanceErrors()
     }
   }
 
-  // What nothing asks for may be missing.
+  // An array that nothing asks for may be missing.
   auto field = FieldOf(mesh,
     [](vtkDirectionField* filter)
     {

@@ -76,7 +76,7 @@ PolyMeshes::Mesh WithVectors(PolyMeshes::Mesh mesh)
   return mesh;
 }
 
-/// Each setting on top of the ones before it.
+/// The settings, each of which is made on top of the ones before it.
 void TestSettings()
 {
   const std::vector<Settings> changes = {
@@ -102,7 +102,7 @@ void TestSettings()
       filter->ConstrainCurvatureOn();
       filter->SetCurvatureTolerance(0.4);
     },
-    // Constraints everywhere, also where they wind.
+    // With these limits there are constraints everywhere, also where they wind.
     [](vtkDirectionField* filter)
     {
       filter->SetCurvatureTolerance(0.0);
@@ -137,7 +137,7 @@ void TestSettings()
       filter->IntrinsicDelaunayOff();
     },
   };
-  // Stretched, so that some edges are not Delaunay, and open, so that there is a boundary.
+  // The surface is stretched, so that some edges are not Delaunay, and open, so that it has a boundary.
   auto mesh = WithVectors(PolyMeshes::Pebble(3));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -163,13 +163,13 @@ void TestSettings()
     change(filter);
     filter->Update();
     CheckAsNew(filter, mesh);
-    // Each setting changes something, for the comparison to mean anything.
+    // The comparison means something only if each setting changes something.
     vtkDataArray* now = filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude");
     REQUIRE(now);
     CHECK(!IsSame(last, now));
     last->DeepCopy(now);
 
-    // How it is computed changes nothing.
+    // Settings of how the field is computed change nothing.
     const Settings ways[] = { [](vtkDirectionField* other) { other->SetNumberOfThreads(3); },
       [](vtkDirectionField* other) { other->KeepStagesOff(); },
       [](vtkDirectionField* other) { other->SetNumberOfThreads(1); },
@@ -204,7 +204,7 @@ void TestInput()
   filter->Update();
   CheckAsNew(filter, mesh);
 
-  // Points moved in place, and any of those told that know them.
+  // Points are moved in place, and then one of the objects that have them is told.
   mesh->GetPoints()->SetPoint(5, 1.4, 0.2, 0.1);
   mesh->Modified();
   check();
@@ -220,7 +220,7 @@ void TestInput()
   mesh->SetPoints(points);
   check();
 
-  // Other cells on the same points; cells hidden.
+  // The same points get other cells, then some cells are hidden.
   vtkNew<vtkCellArray> polys;
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 1; i < mesh->GetNumberOfPolys(); ++i)
@@ -248,7 +248,7 @@ void TestInput()
   filter->Update();
   CheckAsNew(filter, mesh);
 
-  // Guidance of the same name with other values.
+  // Guidance of the same name gets other values.
   filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
   filter->SetGuidanceVectors("vectors");
   filter->Update();
@@ -256,7 +256,7 @@ void TestInput()
   mesh->GetPointData()->GetArray("vectors")->Modified();
   check();
 
-  // An error in between.
+  // An error happens in between.
   mesh->GetPoints()->SetPoint(2, std::nan(""), 0.0, 0.0);
   mesh->GetPoints()->Modified();
   {
@@ -272,7 +272,8 @@ void TestInput()
   CheckAsNew(filter, mesh);
 }
 
-/// Also at the end of what is compared in pieces, and in each way of storing it.
+/// A change is noticed also at the end of arrays that are compared in pieces, and in each way of
+/// storing them.
 void TestLargeInput()
 {
   auto mesh = PolyMeshes::Pebble(6);
@@ -400,7 +401,7 @@ void TestCurvature()
   filter->MergePointsOff();
   check();
 
-  // The same places in double precision.
+  // The points come at the same places in double precision.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->DeepCopy(mesh->GetPoints());

@@ -86,7 +86,7 @@ void TestStrips()
     strips->GetNumberOfCells());
 }
 
-/// Vertices and lines stay, count in the order of the cells, and have the index 0.
+/// Vertices and lines stay, count in the order of the cells, and get the index 0.
 void TestVertsAndLines()
 {
   auto mesh = PolyMeshes::Pebble(2);
@@ -95,7 +95,7 @@ void TestVertsAndLines()
   stripper->Update();
   vtkPolyData* strips = stripper->GetOutput();
 
-  // All four kinds: the first half of the triangles, and the strips of another pebble.
+  // There are all four kinds of cells: the first half of the triangles, and the strips of another pebble.
   auto twice = PolyMeshes::BesideEachOther(mesh, mesh, 5.0);
   const vtkIdType triangles = mesh->GetNumberOfCells();
   const vtkIdType points = mesh->GetNumberOfPoints();
@@ -154,7 +154,7 @@ void TestVertsAndLines()
   }
 }
 
-/// No polygons and strips: zero everywhere, and no error.
+/// An input without polygons and strips has the zero field, which is no error.
 void TestWithoutSurface()
 {
   for (const bool withCells : { false, true })
@@ -200,7 +200,7 @@ void TestWithoutSurface()
 /// Concave, with repeated corners, too small: each polygon gives what can be made of it.
 void TestPolygons()
 {
-  // An L of one polygon; the fan from its first corner would leave it.
+  // The polygon is an L, which the fan from its first corner would leave.
   auto concave = PolyMeshes::Make(
     { { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 } },
     { { 5, 0, 1, 2, 3, 4 } });
@@ -217,7 +217,7 @@ void TestPolygons()
     CHECK(vtkMath::Dot(side, Direction(field, 1)->GetTuple3(i)) < -0.99);
   }
 
-  // Corners repeated one after the other, at the ends too, change nothing.
+  // Corners that are repeated one after the other, also at the ends, change nothing.
   auto repeated = PolyMeshes::QuadCube();
   auto cells = PolyMeshes::Cells{ { 0, 0, 3, 2, 2, 1, 0 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 },
     { 1, 2, 6, 5 }, { 2, 3, 7, 6, 6 }, { 3, 0, 4, 7 } };
@@ -298,7 +298,7 @@ void TestGhostCells()
     ghosts->SetNumberOfTuples(mesh->GetNumberOfCells());
     for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
     {
-      // Cut obliquely, so that no number of a cell tells its piece.
+      // The cut is oblique, so that the number of a cell does not tell its piece.
       ghosts->SetValue(i, (i / 7) % 2 == piece ? 0 : vtkDataSetAttributes::DUPLICATECELL);
     }
     part->GetCellData()->AddArray(ghosts);
@@ -319,7 +319,7 @@ void TestGhostCells()
       CHECK(ghosts->GetValue(static_cast<vtkIdType>(cells->GetTuple1(i))) == 0);
     }
 
-    // Another owner of a cell is noticed.
+    // The filter notices that a cell has another owner.
     ghosts->SetValue(0, piece == 0 ? vtkDataSetAttributes::DUPLICATECELL : 0);
     ghosts->Modified();
     part->Modified();

@@ -27,7 +27,7 @@ void TestError(vtkPolyData* mesh, std::initializer_list<const char*> words)
   CHECK(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0);
   CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
 
-  // The filter is none the worse for it.
+  // The filter works as before after the error.
   filter->SetInputData(PolyMeshes::Icosphere(1));
   filter->Update();
   CHECK(messages->Errors.size() == 1);
@@ -41,7 +41,7 @@ void TestErrors()
     auto notFinite = PolyMeshes::Icosphere(1);
     notFinite->GetPoints()->SetPoint(17, 0.0, bad, 0.0);
     TestError(notFinite, { "point 17" });
-    // Also where a polygon has to be cut first.
+    // The error is the same where a polygon has to be cut first.
     auto quads = PolyMeshes::QuadCube();
     quads->GetPoints()->SetPoint(3, bad, 0.0, 0.0);
     TestError(quads, { "point 3" });
@@ -188,7 +188,7 @@ void TestWarnings()
   CHECK(RepairCount(book, "NonManifoldEdges") == 1);
   CHECK(RepairCount(book, "NonManifoldPoints") == 2);
 
-  // Without trouble there is nothing, also behind a filter that had some.
+  // A sound surface gives no report, also behind a filter that had something to mend.
   vtkNew<vtkDirectionField> behind;
   auto mended = vtkSmartPointer<vtkPolyData>::New();
   mended->DeepCopy(clean->GetOutput());
@@ -243,7 +243,7 @@ void TestSoup()
   CHECK(filter->GetOutput()->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 80);
 }
 
-/// Too few iterations: the field that was reached, and a warning that says what to do.
+/// Too few iterations give the field that was reached, and a warning that says what to do.
 void TestConvergence()
 {
   vtkNew<vtkDirectionField> filter;

@@ -42,7 +42,7 @@ double CellValue(vtkPolyData* data, const char* name, vtkIdType cell)
   return array ? array->GetComponent(cell, 0) : std::nan("");
 }
 
-/// All arrays, their types and sizes; the cells of the glyph types.
+/// All arrays have the types and sizes that are documented, and each glyph type its kind of cells.
 void TestArrays()
 {
   for (const int precision : { VTK_FLOAT, VTK_DOUBLE })
@@ -126,7 +126,7 @@ void TestAllPoints()
       glyphs->GetCellPoints(i, ids);
       if (ids->GetNumberOfIds() == 3)
       {
-        // The barbs of an arrow.
+        // The barbs of an arrow point elsewhere.
         continue;
       }
       double tail[3], tip[3], direction[3];
@@ -189,7 +189,7 @@ void TestOnSurface()
       CHECK(lowest > 0.15 * (offset - 0.03));
       CHECK(highest < 0.15 * (offset + 0.03));
 
-      // Diameter, up to the curvature.
+      // The glyph has this diameter, up to the curvature.
       const auto number = static_cast<vtkIdType>(FieldValue(glyphs, "NumberOfGlyphs"));
       std::vector<std::vector<PolyMeshes::Point>> points(static_cast<size_t>(number));
       vtkNew<vtkIdList> ids;

@@ -102,7 +102,7 @@ void TestErrors()
   checkError(mesh);
 }
 
-/// Nothing to draw is no error.
+/// An input without anything to draw is no error.
 void TestEmpty()
 {
   vtkNew<vtkPolyData> empty;
@@ -135,7 +135,7 @@ void TestEmpty()
   }
 }
 
-/// What is not finite has no glyphs and spoils no others.
+/// Points and directions that are not finite have no glyphs and do not spoil the others.
 void TestNotFinite()
 {
   vtkNew<vtkPolyData> field;
@@ -278,7 +278,7 @@ void TestProgressAndAbort()
     stopped->Update();
     CHECK(messages->IsEmpty());
     CHECK(stopped->GetOutput()->GetNumberOfPoints() == 0);
-    // Nothing of the computation follows, only what the pipeline and the first phase report.
+    // The computation reports nothing after that; only the pipeline and the first phase do.
     CHECK(state.Later >= 0 && state.Later <= 2);
 
     stopped->RemoveObserver(tag);
@@ -289,7 +289,7 @@ void TestProgressAndAbort()
   }
 }
 
-/// Composite input: block by block.
+/// A composite input is computed block by block.
 void TestComposite()
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -75,7 +75,7 @@ Scene MakeScene(const std::string& mesh)
   reader->SetFileName(mesh.c_str());
   reader->Update();
   Scene scene = { reader->GetOutput(), {}, {}, { 0.0, 1.0, 0.0 }, 0.0 };
-  // A part of the side, near enough to see the glyphs.
+  // The view shows a part of the side, from near enough to see the glyphs.
   double bounds[6];
   scene.Mesh->GetBounds(bounds);
   const double height = bounds[3] - bounds[2];
@@ -311,7 +311,7 @@ int TestDirectionFieldImage(int argc, char* argv[])
   }
   else
   {
-    // The disk.
+    // Only the disk has this Euler characteristic.
     CHECK(FieldValue(field, "IndexSum") == (options.count("boundary") > 0 ? degree : 0));
   }
   CheckOptions(field, degree, options);

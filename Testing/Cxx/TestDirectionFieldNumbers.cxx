@@ -13,7 +13,7 @@ using namespace Checks;
 
 namespace
 {
-/// A closed surface: sums, directions, and the second output against the first.
+/// On a closed surface the sums of the indices, the directions and the second output are right.
 void TestClosed(vtkPolyData* mesh, int degree, int euler)
 {
   vtkNew<vtkDirectionField> filter;
@@ -158,7 +158,7 @@ void TestFlat()
     {
       double p[3];
       mesh->GetPoint(i, p);
-      // Whole numbers, for the integer points.
+      // The coordinates are whole numbers, because some points are integer.
       points->InsertNextPoint(std::round(5.0 * p[0]), std::round(5.0 * p[1]), 0.0);
     }
     mesh->SetPoints(points);
@@ -188,7 +188,7 @@ void TestFlat()
   }
 }
 
-/// Two components: two tuples, and on each what it has alone.
+/// Two components have two tuples of figures, and on each of them is the field that it has alone.
 void TestTwoComponents()
 {
   auto pebble = PolyMeshes::Pebble(2);

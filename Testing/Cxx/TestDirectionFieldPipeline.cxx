@@ -166,7 +166,7 @@ void TestProgress()
   CHECK(between >= 3);
 }
 
-/// Aborted at whatever moment: empty outputs, no error; and the next run is complete.
+/// An abort at whatever moment leaves empty outputs and is no error, and the next run is complete.
 void TestAbort()
 {
   for (const double when : { 0.0, 0.3, 0.6, 0.85 })
@@ -226,13 +226,13 @@ void TestRepetition()
   CHECK(IsSame(
     one->GetOutput(1)->GetPoints()->GetData(), other->GetOutput(1)->GetPoints()->GetData()));
 
-  // The comparison can tell fields apart.
+  // The comparison tells another field from this one.
   other->SetEnergyBias(0.5);
   other->Update();
   CHECK(!IsSame(one->GetOutput()->GetPointData(), other->GetOutput()->GetPointData()));
 }
 
-/// Active vectors: Direction0. Active scalars, other arrays and the input itself: untouched.
+/// Direction0 becomes the active vectors; the active scalars, the other arrays and the input itself stay.
 void TestAttributes()
 {
   auto mesh = PolyMeshes::Icosphere(1);
@@ -273,7 +273,7 @@ void TestAttributes()
   CHECK(filter->GetOutput(1)->GetPointData()->GetNormals() != nullptr);
 }
 
-/// A field of lower degree behind one of higher degree leaves nothing of that.
+/// A field of lower degree, computed behind one of higher degree, leaves none of its arrays.
 void TestChain()
 {
   vtkNew<vtkDirectionField> first, second;
@@ -292,7 +292,7 @@ void TestChain()
   CHECK(FieldValue(second->GetOutput(), "IndexSum") == 4);
   CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 10);
 
-  // Changing the degree of a filter is the same as a new filter.
+  // A filter whose degree was changed gives the same as a new one.
   first->SetDegree(2);
   first->Update();
   CHECK(IsSame(first->GetOutput()->GetPointData(), second->GetOutput()->GetPointData()));
@@ -357,7 +357,7 @@ void TestTimeSteps()
   CHECK(fromFresh > 0.5);
 }
 
-/// Composite input: block by block.
+/// A composite input is computed block by block.
 void TestComposite()
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

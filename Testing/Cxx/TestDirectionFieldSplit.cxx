@@ -112,7 +112,7 @@ void CheckSplit(vtkPolyData* mesh, vtkPolyData* field, vtkIdType added)
       CHECK(std::abs(vtkMath::Norm(Direction(field, 0)->GetTuple3(i)) - 1.0) < 1e-6);
     }
   }
-  // The input keeps its own.
+  // The input keeps its own points and cells.
   CHECK(mesh->GetNumberOfPoints() == before);
   CHECK(!mesh->GetPointData()->HasArray("OriginalPointIds"));
 }
@@ -289,7 +289,7 @@ void TestStrips()
   CHECK(ends.size() == 3);
 }
 
-/// Polygons that meet in one point alone.
+/// Polygons that meet in nothing but one point get a point each.
 void TestBowTie()
 {
   auto mesh = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { -1, 0, 0 },
@@ -299,7 +299,7 @@ void TestBowTie()
   CheckSplit(mesh, field, 1);
   CHECK((Corners(field->GetPolys(), 0) == std::vector<vtkIdType>{ 0, 1, 2, 3 }));
   CHECK((Corners(field->GetPolys(), 1) == std::vector<vtkIdType>{ 7, 4, 5, 6 }));
-  // A point alone constrains nothing.
+  // Where sheets meet in a point only, nothing is constrained.
   CHECK(!field->GetPointData()->HasArray("ConstraintKind"));
 }
 
