@@ -9,6 +9,7 @@
 #include "Solvers/Systems/DirectSystem.h"
 #include "Solvers/Systems/LeastSquares.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

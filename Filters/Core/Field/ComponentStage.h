@@ -11,7 +11,6 @@
 #include "Solvers/Systems/FreeSystem.h"
 #include "Solvers/Systems/SystemSolution.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 
