@@ -27,9 +27,8 @@ class Stages;
 /// B. Pellenard, G. Orbay, J. Chen, S. Sohan, W. Kwok, J. R. Tristano: QMCF: QMorph Cross
 /// Field-driven Quad-dominant Meshing Algorithm. Procedia Engineering 82, 2014 (POC14).
 ///
-/// What Compute does first, the mesh, is kept for the next call, as are the matrices, the smallest
-/// eigenpairs and the curvature; each is redone only when the options that it depends on change. Not
-/// to be used by two threads at once.
+/// Mesh, matrices, smallest eigenpairs and curvature are kept for the next call of Compute; each is made
+/// anew only when the options change that it depends on. Two threads may not use one object at once.
 class DirectionField
 {
 public:

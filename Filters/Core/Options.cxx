@@ -20,7 +20,7 @@ void Require(bool valid, const char* what)
 
 }
 
-/// Written so that NaN is refused as well.
+/// The comparisons are written so that they refuse NaN, too.
 void Check(const Options& options)
 {
   Require(options.Degree >= 1 && options.Degree <= 16, "Degree must be 1 to 16.");

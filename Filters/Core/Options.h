@@ -14,7 +14,7 @@ namespace DirectionFields
 /// What the field is drawn to.
 enum class Alignment
 {
-  /// Nothing: the smoothest field.
+  /// Nothing, which gives the smoothest field.
   None = 0,
   /// The principal curvature directions; degrees 2 and 4 only.
   PrincipalCurvature = 1,
@@ -25,7 +25,7 @@ enum class Alignment
 /// Which principal direction a field of degree 2 is drawn to.
 enum class CurvatureDirection
 {
-  /// That of the larger signed curvature; curvature is positive where the surface is convex.
+  /// The direction of the larger signed curvature, which is positive where the surface is convex.
   Maximum = 0,
   Minimum = 1
 };
@@ -51,7 +51,7 @@ enum class Solver
   Direct = 2
 };
 
-/// What the user asks for. The one place of the defaults.
+/// What the user asks for. The defaults stand here and nowhere else.
 struct Options
 {
   /// Degree n of the rotational symmetry: the field has n directions at each point, 2 pi / n
@@ -60,29 +60,28 @@ struct Options
   /// s in the energy (1+s) E_holomorphic + (1-s) E_antiholomorphic. Range -1 to 1; 0 is the
   /// Dirichlet energy.
   double EnergyBias = 0.0;
-  /// Largest relative residual |A u - lambda M u| / |A u| of a solution that counts as converged,
-  /// and that of aligned and constrained systems, but not less than 1e-8 for them. Range 1e-12 to
-  /// 0.1.
+  /// A solution of the eigenvalue problem counts as converged up to this relative residual
+  /// |A u - lambda M u| / |A u|, one of an aligned or constrained system up to this or 1e-8, whichever is
+  /// larger. Range 1e-12 to 0.1.
   double Tolerance = 1e-6;
   /// Most solves with the factored matrix, or V-cycles, that a connected component may take for its
   /// smallest eigenpair. Range 1 to 10000.
   int MaximumIterations = 200;
   DirectionFields::Solver Solver = DirectionFields::Solver::Automatic;
-  /// Take the energy on the intrinsic Delaunay triangulation of the surface's vertices, the same
-  /// surface with better triangles: for the eigenvalue problem and the linear systems. Everything
-  /// else, the curvature, the constraints and the singularity indices, stays with the surface's own
-  /// triangles.
+  /// Take the energy on the intrinsic Delaunay triangulation of the surface's vertices, which is the
+  /// same surface with better triangles. The eigenvalue problem and the linear systems use it; the
+  /// curvature, the constraints and the singularity indices stay with the surface's own triangles.
   bool IntrinsicDelaunay = false;
   /// Whether fields of other strengths are likely to follow from the same DirectionField: the first
   /// aligned one takes a twentieth longer then, and the next ones a fifth less.
   bool OthersFollow = true;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
-  /// OMP_NUM_THREADS says. Changes no byte of the result. Range 0 to 1024.
+  /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;
 
   /// Points of exactly the same coordinates are one for the computation, which connects triangles
-  /// that share places but no points; the result is the same at each of them. Guidance is that of
-  /// the first of them that has any.
+  /// that share places but no points; the result is the same at each of them. Their guidance is that
+  /// of the first of them that has any.
   bool MergePoints = false;
 
   DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
@@ -130,8 +129,8 @@ inline double SystemTolerance(const Options& options)
 /// Vectors that the user gives for the field to follow, one a point of the surface or none at all.
 struct Guidance
 {
-  /// Projected to the tangent plane; the length that remains is a weight. Non-finite vectors count
-  /// as zero.
+  /// Each vector is projected to the tangent plane; the length that remains is a weight. Non-finite
+  /// vectors count as zero.
   std::vector<Vector3> Vectors;
   /// Further weights, or empty for 1. Negative and non-finite ones count as 0.
   std::vector<double> Weights;

@@ -22,7 +22,7 @@ void Result::FirstAngles(Index begin, Index end, double* angles) const
   for (Index i = 0; i < count; ++i)
   {
     const Vector3& normal = this->Normal[begin + i];
-    // Where the first axis of space is nearly normal, the second.
+    // The angle wanted is that of the x axis of space, or of the y axis where x is nearly normal.
     const int c = std::abs(normal[0]) < 1.0 - 1e-6 ? 0 : 1;
     const Vector3& x = this->XAxis[begin + i];
     axis[i] = Complex(x[c], normal.cross(x)[c]);

@@ -13,8 +13,9 @@
 
 namespace DirectionFields
 {
-/// Figures of one connected component. Counts and sums are those of its part that belongs to this
-/// piece, where there are ghosts of others (Surface::Ghost); eigenvalue and field those of all of it.
+/// Figures of one connected component. Where there are ghosts of other pieces (Surface::Ghost), counts
+/// and sums are those of the part that belongs to this piece; eigenvalue and field are those of the whole
+/// component.
 struct ComponentReport
 {
   /// The smallest lambda of A u = lambda M u, in 1 / length^2 of the input.
@@ -40,7 +41,7 @@ struct ComponentReport
   /// though their unscaled energy may be less.
   double SmoothnessEnergy = 0.0;
   /// Relative residual of the linear system that gave the aligned or constrained field, 0 for the
-  /// smoothest field. For least squares that of the normal equations.
+  /// smoothest field. For least squares it is the residual of the normal equations.
   double SystemResidual = 0.0;
   Index Vertices = 0;
   Index Triangles = 0;
@@ -52,20 +53,20 @@ struct ComponentReport
   bool Converged = false;
 };
 
-/// Why the direction of a point is given. Priority: Given, then Boundary and NonManifold, then
-/// SharpEdge, then Curvature.
+/// Why the direction of a point is given. Given has priority over Boundary and NonManifold, these over
+/// SharpEdge, and that over Curvature.
 enum class ConstraintKind : signed char
 {
   None = 0,
-  /// On the boundary: its direction.
+  /// The point is on the boundary and follows it.
   Boundary = 1,
-  /// On a sharp edge: the edge.
+  /// The point is on a sharp edge and follows it.
   SharpEdge = 2,
-  /// Of high curvature: a principal direction.
+  /// The curvature is high: the point follows a principal direction.
   Curvature = 3,
-  /// On an edge of more than two triangles: the edge.
+  /// The point is on an edge of more than two triangles and follows it.
   NonManifold = 4,
-  /// By the user's guidance vector.
+  /// The point follows the user's guidance vector.
   Given = 5
 };
 
@@ -99,7 +100,7 @@ struct Result
   std::vector<Complex> Representation;
   /// Unit normal of each point, weighted by angle; zero at points that no triangle uses.
   std::vector<Vector3> Normal;
-  /// Unit tangent vector of each point from which angles are measured; zero likewise.
+  /// Unit tangent vector of each point from which angles are measured; zero where Normal is.
   std::vector<Vector3> XAxis;
   /// Kind of each point's constraint, and its unit vector, zero where there is none. Empty where no
   /// point is constrained.

@@ -33,7 +33,7 @@ Constraints::Constraints(
       notes.emplace_back(what);
     }
   };
-  // By falling priority: what is set stays.
+  // The kinds come by falling priority: what is set stays.
   if (options.ConstrainGuidance)
   {
     this->AddGiven(input);
@@ -159,7 +159,8 @@ void Constraints::MirrorBoundary(const Input& input, const Options& options)
   }
 }
 
-/// What else is constrained in a cover is so on both sides, but for rounding.
+/// Makes all other constraints of a cover equal on both of its sides, where rounding may have made a
+/// difference.
 void Constraints::MirrorInterior(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Mesh;
@@ -205,8 +206,8 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
       const Vector3& here = input.Positions[v];
       const Vector3& there = input.Positions[mesh.Head(sharpest)];
       const bool turn = LexicographicallyLess(there, here);
-      // The angle of the edge's projection, not that in the tangent cone: the field is to follow the
-      // edge in space, and where the edge is sharp the two differ by some degrees.
+      // The angle is that of the edge's projection, not that in the tangent cone: the field is to follow
+      // the edge in space, and where the edge is sharp the two differ by some degrees.
       const Vector3 edge = (there - here).stableNormalized();
       const Complex projected = input.Frames.Tangential(v, edge);
       const double angle = std::abs(projected) > 1e-9 ? std::arg(projected)
@@ -245,7 +246,7 @@ void Constraints::AddCurvature(const Input& input, const Options& options)
   }
 }
 
-/// All comparisons are made before anything is dropped: the result depends on no order.
+/// All comparisons are made before anything is dropped, so that the result depends on no order.
 void Constraints::DropInconsistent(const Input& input, const Options& options)
 {
   const double bound = options.ConsistencyAngle * Pi / 180.0;

@@ -14,8 +14,9 @@
 
 namespace DirectionFields
 {
-/// Which vertices are constrained, and to what; after POC14, section 3, as the thesis of C. Clemenz
-/// (TU Wien 2019) settled it. Vertices of a non-manifold edge are always constrained to it.
+/// Which vertices are constrained, and to what. The rules are those of POC14, section 3, with what the
+/// thesis of C. Clemenz (TU Wien 2019) settled. Vertices of a non-manifold edge are always constrained
+/// to it.
 struct Constraints
 {
   struct Input
@@ -23,15 +24,15 @@ struct Constraints
     const TriangleMesh& Mesh;
     const Connection& Transport;
     const TangentFrames& Frames;
-    /// Of the vertices.
+    /// Positions of the vertices.
     const std::vector<Vector3>& Positions;
-    /// Of each edge; may be empty if sharp edges are not asked for.
+    /// The angle of each edge; empty is enough where sharp edges are not asked for.
     const std::vector<double>& DihedralAngles;
-    /// May be null if curvature is not asked for.
+    /// Null is enough where curvature is not asked for.
     const Curvature* Curved;
     /// Area of each component in its unit.
     const std::vector<double>& ComponentArea;
-    /// Guidance as a section of the field's degree; empty if not asked for.
+    /// Guidance as a section of the field's degree; empty where it does not constrain.
     const std::vector<Complex>& Given;
   };
 
@@ -40,9 +41,9 @@ struct Constraints
 
   bool Any() const { return this->Count > 0; }
 
-  /// Over the vertices; empty, as Value, if none is constrained.
+  /// The kind of each vertex; empty, as Value is, where no vertex is constrained.
   std::vector<ConstraintKind> Kind;
-  /// Representation vector, of modulus 1 where constrained, else 0.
+  /// The representation vector of each vertex: its modulus is 1 where the vertex is constrained, else 0.
   std::vector<Complex> Value;
   Index Count = 0;
 

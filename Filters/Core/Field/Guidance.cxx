@@ -15,7 +15,8 @@ std::vector<Complex> GuidanceSection(
   const TriangleMesh& mesh, const TangentFrames& frames, const Guidance& guidance, int degree)
 {
   std::vector<Complex> section(mesh.GetNumberOfVertices(), 0.0);
-  // Only relative lengths and weights count; their squares and products must not be lost.
+  // Only ratios of lengths and weights count. They are scaled so that their squares and products neither
+  // overflow nor underflow.
   double longest = 0.0;
   for (const Vector3& v : guidance.Vectors)
   {
@@ -39,7 +40,7 @@ std::vector<Complex> GuidanceSection(
     if (weight > 0.0 && vector.allFinite())
     {
       const Complex z = frames.Tangential(v, vector);
-      // What is left of a normal vector is rounding.
+      // The tangential part of a normal vector is nothing but rounding.
       if (std::abs(z) > 1e-9 * vector.norm())
       {
         section[v] = std::polar(weight * std::abs(z), degree * std::arg(z));

@@ -12,7 +12,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// Rows up to which Automatic takes the direct solver: it is about as fast there.
+/// Automatic takes the direct solver up to this number of rows, where it is about as fast as multigrid.
 constexpr Eigen::Index DirectRows = 3000;
 }
 

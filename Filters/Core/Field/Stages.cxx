@@ -109,7 +109,7 @@ EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
   }
   this->Energy.reset();
   EnergyStage stage{ key, {} };
-  // Flipping takes less time than assembly: nothing of it is kept but the matrices.
+  // Flipping takes less time than assembly does, so that only the matrices are kept.
   std::optional<IntrinsicTriangulation> delaunay;
   if (options.IntrinsicDelaunay)
   {

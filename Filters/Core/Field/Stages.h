@@ -39,8 +39,8 @@ struct EnergyStage
   std::vector<ComponentStage> Components;
 };
 
-/// What is kept between calls of DirectionField::Compute: the surface's stages for good, the others
-/// until the options change that they depend on.
+/// What is kept between calls of DirectionField::Compute. What depends on the surface alone is kept for
+/// good, everything else until the options change that it depends on.
 class Stages
 {
 public:
@@ -56,7 +56,7 @@ public:
   /// merged.
   const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
   const TriangleMesh& GetMesh() const { return this->Mesh; }
-  /// Of the vertices.
+  /// Positions of the vertices.
   const std::vector<Vector3>& GetPositions() const { return this->Positions; }
   const Metric& GetMetric() const { return this->Geometry; }
   const Connection& GetConnection() const { return this->Transport; }
