@@ -68,8 +68,7 @@ std::vector<Complex> DirectionField::PhaseReferenceSection(int degree) const
   {
     return {};
   }
-  return GuidanceSection(
-    this->Kept->GetMesh(), this->Kept->GetFrames(), this->PhaseReference, degree);
+  return GuidanceSection(this->Kept->GetGeometry(), this->PhaseReference, degree);
 }
 
 Stages& DirectionField::StagesFor(const Options& options)

@@ -9,7 +9,7 @@
 
 #include "BenchmarkMeshes.h"
 #include "Geometry/IntrinsicTriangulation.h"
-#include "Meshes/Geometry.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
 #include "Solvers/Eigenpairs/JacobiDavidson.h"
@@ -28,7 +28,6 @@
 #include <vector>
 
 using namespace DirectionFields;
-using SurfaceParts::Geometry;
 
 namespace
 {
@@ -71,7 +70,7 @@ void Setup(benchmark::State& state, const std::string& mesh)
   const Threads::Scope scope(threads);
   for (auto _ : state)
   {
-    const Geometry g(surface);
+    const SurfaceGeometry g(surface);
     benchmark::DoNotOptimize(g.Frames.X.data());
   }
   Count(state, mesh);
@@ -81,22 +80,22 @@ void Flips(benchmark::State& state, const std::string& mesh)
 {
   Threads threads;
   const Threads::Scope scope(threads);
-  const Geometry g(SurfaceOf(mesh));
+  const SurfaceGeometry g(SurfaceOf(mesh));
   for (auto _ : state)
   {
-    const IntrinsicTriangulation flipped(g.Mesh, g.Lengths, g.Transport);
+    const IntrinsicTriangulation flipped(g);
     state.counters["flips"] = flipped.NumberOfFlips;
   }
   Count(state, mesh);
 }
 
 /// The matrices of all components.
-std::vector<Operators> Assembled(const Geometry& g)
+std::vector<Operators> Assembled(const SurfaceGeometry& g)
 {
   std::vector<Operators> operators;
   for (const TriangleMesh::Component& component : g.Mesh.GetComponents())
   {
-    operators.push_back(AssembleOperators(g.Mesh, g.Lengths, g.Transport, component, 4, 0.0));
+    operators.push_back(AssembleOperators(g, component, 4, 0.0));
   }
   return operators;
 }
@@ -105,7 +104,7 @@ void Assembly(benchmark::State& state, const std::string& mesh)
 {
   Threads threads;
   const Threads::Scope scope(threads);
-  const Geometry g(SurfaceOf(mesh));
+  const SurfaceGeometry g(SurfaceOf(mesh));
   for (auto _ : state)
   {
     const std::vector<Operators> operators = Assembled(g);
@@ -115,7 +114,7 @@ void Assembly(benchmark::State& state, const std::string& mesh)
 }
 
 /// The order of magnitude of a component's smallest eigenvalue.
-double ScaleOf(const Geometry& g, std::size_t component)
+double ScaleOf(const SurfaceGeometry& g, std::size_t component)
 {
   return 8.0 * Pi / g.Lengths.ComponentArea[component];
 }
@@ -124,7 +123,7 @@ void BuildHierarchy(benchmark::State& state, const std::string& mesh)
 {
   Threads threads;
   const Threads::Scope scope(threads);
-  const Geometry g(SurfaceOf(mesh));
+  const SurfaceGeometry g(SurfaceOf(mesh));
   const std::vector<Operators> operators = Assembled(g);
   for (auto _ : state)
   {
@@ -141,7 +140,7 @@ void Eigensolve(benchmark::State& state, const std::string& mesh)
 {
   Threads threads;
   const Threads::Scope scope(threads);
-  const Geometry g(SurfaceOf(mesh));
+  const SurfaceGeometry g(SurfaceOf(mesh));
   const std::vector<Operators> operators = Assembled(g);
   std::vector<std::unique_ptr<Hierarchy>> hierarchies;
   for (std::size_t c = 0; c < operators.size(); ++c)

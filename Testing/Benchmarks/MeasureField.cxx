@@ -20,8 +20,8 @@
 
 #include "BenchmarkMeshes.h"
 #include "Geometry/IntrinsicTriangulation.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "MemoryBandwidth.h"
-#include "Meshes/Geometry.h"
 #include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
 #include "Support/Threads.h"
@@ -280,18 +280,16 @@ void MeasureStages(const DirectionFields::Surface& surface, Figures& figures)
   }
   Threads threads;
   const Threads::Scope scope(threads);
-  std::optional<SurfaceParts::Geometry> g;
+  std::optional<SurfaceGeometry> g;
   figures.Add("setup_seconds", Least(Repeated([&] { g.emplace(surface); })));
   figures.Add("flip_seconds",
-    Least(Repeated(
-      [&] { const IntrinsicTriangulation flipped(g->Mesh, g->Lengths, g->Transport); })));
+    Least(Repeated([&] { const IntrinsicTriangulation flipped(*g); })));
   Operators operators;
   figures.Add("assembly_seconds",
     Least(Repeated(
       [&]
       {
-        operators = AssembleOperators(
-          g->Mesh, g->Lengths, g->Transport, g->Mesh.GetComponents().at(0), Degree, 0.0);
+        operators = AssembleOperators(*g, g->Mesh.GetComponents().at(0), Degree, 0.0);
       })));
   figures.Add("rows", static_cast<double>(operators.Energy.rows()));
   figures.Add("entries", static_cast<double>(operators.Energy.nonZeros()));

@@ -3,9 +3,7 @@
 
 #include "ThesisAlgorithm.h"
 
-#include "Geometry/Connection.h"
-#include "Geometry/Metric.h"
-#include "Mesh/TriangleMesh.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "Sections/Assembly.h"
 #include "Sections/Singularities.h"
 #include "Solvers/Eigenpairs/Lanczos.h"
@@ -61,14 +59,12 @@ ThesisAlgorithm::ThesisAlgorithm(const Surface& surface, int degree)
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&begin]
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-  const TriangleMesh mesh(surface);
-  const std::vector<Vector3> positions = mesh.Positions(surface.Points);
-  const Metric metric(mesh, positions);
-  const Connection connection(mesh, metric, positions);
+  const SurfaceGeometry geometry(surface);
+  const TriangleMesh& mesh = geometry.Mesh;
   std::vector<Operators> matrices;
   for (const TriangleMesh::Component& component : mesh.GetComponents())
   {
-    matrices.push_back(AssembleOperators(mesh, metric, connection, component, degree, 0.0));
+    matrices.push_back(AssembleOperators(geometry, component, degree, 0.0));
   }
   this->SetupSeconds = elapsed();
 
@@ -76,18 +72,18 @@ ThesisAlgorithm::ThesisAlgorithm(const Surface& surface, int degree)
   for (std::size_t c = 0; c < matrices.size(); ++c)
   {
     const Operators& both = matrices[c];
-    const double scale = 2.0 * Pi * degree / metric.ComponentArea[c];
+    const double scale = 2.0 * Pi * degree / geometry.Lengths.ComponentArea[c];
     const ComplexVector u = InverseIterations(both, Shift * scale);
     const double lambda = u.dot(both.Energy * u).real();
     this->Residual =
       std::max(this->Residual, RelativeResidual(both.Energy, both.Mass, u, lambda));
     if (c == 0)
     {
-      this->Eigenvalue = PerSquare(lambda, metric.Unit[c]);
+      this->Eigenvalue = PerSquare(lambda, geometry.Lengths.Unit[c]);
     }
     std::copy(u.begin(), u.end(), field.begin() + mesh.GetComponents()[c].FirstVertex);
   }
-  for (const int index : SingularityIndices(mesh, connection, degree, field))
+  for (const int index : SingularityIndices(geometry, degree, field))
   {
     this->Singularities += index != 0;
   }

@@ -4,7 +4,8 @@
 // Fields whose energy is that of the intrinsic Delaunay triangulation.
 
 #include "Geometry/IntrinsicTriangulation.h"
-#include "Meshes/Geometry.h"
+#include "Geometry/SurfaceGeometry.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +13,9 @@
 
 using namespace DirectionFields;
 using namespace Meshes;
-using SurfaceParts::Geometry;
 
 namespace
 {
-IntrinsicTriangulation Flipped(const Geometry& g)
-{
-  return { g.Mesh, g.Lengths, g.Transport };
-}
-
 /// A field that must have converged.
 Result ComputeSound(const Surface& surface, int degree, bool delaunay)
 {
@@ -49,11 +44,11 @@ TEST(IntrinsicDelaunay, DelaunayMeshesStayBitForBit)
 {
   for (const Surface& surface : { Icosphere(3), Square(6), Disk(5), Cube(), Hemisphere(3) })
   {
-    const Geometry g(surface);
-    const IntrinsicTriangulation delaunay = Flipped(g);
+    const SurfaceGeometry g(surface);
+    const IntrinsicTriangulation delaunay(g);
     EXPECT_EQ(delaunay.NumberOfFlips, 0);
-    EXPECT_EQ(delaunay.Geometry.SquaredLength, g.Lengths.SquaredLength);
-    EXPECT_EQ(delaunay.Geometry.Area, g.Lengths.Area);
+    EXPECT_EQ(delaunay.Lengths.SquaredLength, g.Lengths.SquaredLength);
+    EXPECT_EQ(delaunay.Lengths.Area, g.Lengths.Area);
     EXPECT_EQ(delaunay.Transport.EdgeAngle, g.Transport.EdgeAngle);
     EXPECT_EQ(delaunay.Transport.Rotation, g.Transport.Rotation);
     EXPECT_EQ(delaunay.Transport.Curvature, g.Transport.Curvature);
@@ -87,7 +82,7 @@ TEST(IntrinsicDelaunay, IsTheSameHoweverTheSurfaceIsTriangulated)
          FlatlySubdivided(Potato(1), 2) })
   {
     const Surface bad = Scrambled(surface, 8);
-    ASSERT_GT(Flipped(Geometry(bad)).NumberOfFlips, 200);
+    ASSERT_GT(IntrinsicTriangulation(SurfaceGeometry(bad)).NumberOfFlips, 200);
     for (const int degree : { 1, 4 })
     {
       const double expected = Eigenvalue(surface, degree, true);
@@ -172,7 +167,7 @@ TEST(IntrinsicDelaunay, EverythingButTheOperatorsStays)
 TEST(IntrinsicDelaunay, DependsOnTheShapeOnlyAndOnNoThreads)
 {
   const Surface surface = Jittered(Potato(3), 0.06, 11);
-  ASSERT_GT(Flipped(Geometry(surface)).NumberOfFlips, 50);
+  ASSERT_GT(IntrinsicTriangulation(SurfaceGeometry(surface)).NumberOfFlips, 50);
   const Result result = ComputeSound(surface, 4, true);
   std::vector<Index> newPoint;
   std::vector<Index> newTriangle;

@@ -66,7 +66,7 @@ TEST(NonOrientable, TheMirrorImageOfASectionHasTheConjugateOperators)
     {
       for (const double bias : { -1.0, 0.0, 0.4, 1.0 })
       {
-        const DoubleCover cover(mesh, stages.GetConnection(), component, degree);
+        const DoubleCover cover(stages.GetGeometry(), component, degree);
         const auto mirrored = [&](const ComplexVector& section)
         {
           ComplexVector image(section.size());
@@ -79,8 +79,8 @@ TEST(NonOrientable, TheMirrorImageOfASectionHasTheConjugateOperators)
           return image;
         };
         EXPECT_LT((mirrored(mirrored(u)) - u).norm(), 1e-11 * u.norm());
-        const Operators operators = AssembleOperators(
-          mesh, stages.GetMetric(), stages.GetConnection(), component, degree, bias);
+        const Operators operators =
+          AssembleOperators(stages.GetGeometry(), component, degree, bias);
         for (const SparseMatrix& matrix : { operators.Energy, operators.Mass })
         {
           const ComplexVector image = matrix * u;

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_System_h
 #define DirectionFields_System_h
 
+#include "Geometry/SurfaceGeometry.h"
 #include "Sections/Assembly.h"
 #include "Solvers/Matrices/CompactValues.h"
 
@@ -14,22 +15,14 @@ namespace Meshes
 {
 using namespace DirectionFields;
 
-struct System
+struct System : SurfaceGeometry
 {
   System(const Surface& surface, int degree, double energyBias)
-    : Mesh(surface)
-    , Positions(this->Mesh.Positions(surface.Points))
-    , Lengths(this->Mesh, this->Positions)
-    , Transport(this->Mesh, this->Lengths, this->Positions)
-    , Matrices(AssembleOperators(this->Mesh, this->Lengths, this->Transport,
-        this->Mesh.GetComponents()[0], degree, energyBias))
+    : SurfaceGeometry(surface)
+    , Matrices(AssembleOperators(*this, this->Mesh.GetComponents()[0], degree, energyBias))
     , Scale(2.0 * Pi * degree / this->Lengths.ComponentArea[0])
   {
   }
-  TriangleMesh Mesh;
-  std::vector<Vector3> Positions;
-  Metric Lengths;
-  Connection Transport;
   Operators Matrices;
   double Scale;
 };

@@ -35,7 +35,7 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
     }
     if (component.IsCover)
     {
-      DoubleCover(mesh, stages.GetConnection(), component, options.Degree).Symmetrize(u);
+      DoubleCover(stages.GetGeometry(), component, options.Degree).Symmetrize(u);
     }
     std::copy(u.begin(), u.end(), fields.Section.begin() + component.FirstVertex);
   }

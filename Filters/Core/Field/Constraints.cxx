@@ -23,8 +23,8 @@ constexpr double Umbilic = 1e-6;
 
 Constraints::Constraints(
   const Input& input, const Options& options, std::vector<std::string>& notes)
-  : Kind(input.Mesh.GetNumberOfVertices(), ConstraintKind::None)
-  , Value(input.Mesh.GetNumberOfVertices(), 0.0)
+  : Kind(input.Geometry.Mesh.GetNumberOfVertices(), ConstraintKind::None)
+  , Value(input.Geometry.Mesh.GetNumberOfVertices(), 0.0)
 {
   const auto note = [&](bool asked, ConstraintKind kind, const char* what)
   {
@@ -43,9 +43,9 @@ Constraints::Constraints(
   }
   this->AddBoundary(input, options);
   this->MirrorBoundary(input, options);
-  const bool anyBoundary =
-    std::any_of(input.Mesh.GetComponents().begin(), input.Mesh.GetComponents().end(),
-      [](const TriangleMesh::Component& component) { return !component.Closed; });
+  const std::vector<TriangleMesh::Component>& components = input.Geometry.Mesh.GetComponents();
+  const bool anyBoundary = std::any_of(components.begin(), components.end(),
+    [](const TriangleMesh::Component& component) { return !component.Closed; });
   if (options.ConstrainBoundary && !anyBoundary)
   {
     notes.emplace_back("ConstrainBoundary changes nothing: the surface has no boundary.");
@@ -100,7 +100,7 @@ void Constraints::AddGiven(const Input& input)
 
 void Constraints::AddBoundary(const Input& input, const Options& options)
 {
-  const TriangleMesh& mesh = input.Mesh;
+  const TriangleMesh& mesh = input.Geometry.Mesh;
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     if (!mesh.IsBoundary(v))
@@ -121,7 +121,7 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
     // the mean of their n-th powers a right-angled corner keeps a cross, as a straight boundary
     // keeps any field; where they cancel, one of them stands for both.
     const Complex forward = 1.0;
-    const Complex onward = std::polar(1.0, options.Degree * (input.Transport.AngleSum[v] - Pi));
+    const Complex onward = std::polar(1.0, options.Degree * (input.Geometry.Transport.AngleSum[v] - Pi));
     const Complex mean = forward + onward;
     if (useNext && usePrevious)
     {
@@ -139,12 +139,12 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
 /// one loop of each pair decides for both.
 void Constraints::MirrorBoundary(const Input& input, const Options& options)
 {
-  const TriangleMesh& mesh = input.Mesh;
+  const TriangleMesh& mesh = input.Geometry.Mesh;
   std::vector<char> decided(mesh.GetRepairs().NonOrientableComponents > 0 ? this->Kind.size() : 0, 0);
   for (std::size_t c = 0; c < mesh.GetComponents().size() && !decided.empty(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
-    const DoubleCover cover(mesh, input.Transport, component, options.Degree);
+    const DoubleCover cover(input.Geometry, component, options.Degree);
     for (Index start = component.FirstVertex; component.IsCover && start < component.EndVertex;
          ++start)
     {
@@ -163,10 +163,10 @@ void Constraints::MirrorBoundary(const Input& input, const Options& options)
 /// difference.
 void Constraints::MirrorInterior(const Input& input, const Options& options)
 {
-  const TriangleMesh& mesh = input.Mesh;
+  const TriangleMesh& mesh = input.Geometry.Mesh;
   for (const TriangleMesh::Component& component : mesh.GetComponents())
   {
-    const DoubleCover cover(mesh, input.Transport, component, options.Degree);
+    const DoubleCover cover(input.Geometry, component, options.Degree);
     for (Index v = component.FirstVertex; component.IsCover && v < component.EndVertex; ++v)
     {
       const Index mirror = mesh.MirrorVertex(v);
@@ -182,7 +182,7 @@ void Constraints::MirrorInterior(const Input& input, const Options& options)
 
 void Constraints::AddSharpEdges(const Input& input, const Options& options)
 {
-  const TriangleMesh& mesh = input.Mesh;
+  const TriangleMesh& mesh = input.Geometry.Mesh;
   const double bound = options.FeatureAngle * Pi / 180.0;
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
@@ -203,15 +203,15 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
     if (sharpest != None)
     {
       // For odd degrees both ends of the edge must agree on its direction.
-      const Vector3& here = input.Positions[v];
-      const Vector3& there = input.Positions[mesh.Head(sharpest)];
+      const Vector3& here = input.Geometry.Positions[v];
+      const Vector3& there = input.Geometry.Positions[mesh.Head(sharpest)];
       const bool turn = LexicographicallyLess(there, here);
       // The angle is that of the edge's projection, not that in the tangent cone: the field is to follow
       // the edge in space, and where the edge is sharp the two differ by some degrees.
       const Vector3 edge = (there - here).stableNormalized();
-      const Complex projected = input.Frames.Tangential(v, edge);
+      const Complex projected = input.Geometry.Frames.Tangential(v, edge);
       const double angle = std::abs(projected) > 1e-9 ? std::arg(projected)
-                                                      : input.Transport.EdgeAngle[sharpest];
+                                                      : input.Geometry.Transport.EdgeAngle[sharpest];
       this->Set(v, ConstraintKind::SharpEdge,
         std::polar(1.0, options.Degree * (turn ? angle + Pi : angle)));
     }
@@ -220,10 +220,10 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
 
 void Constraints::AddCurvature(const Input& input, const Options& options)
 {
-  for (std::size_t c = 0; c < input.Mesh.GetComponents().size(); ++c)
+  for (std::size_t c = 0; c < input.Geometry.Mesh.GetComponents().size(); ++c)
   {
-    const TriangleMesh::Component& component = input.Mesh.GetComponents()[c];
-    const double radius = std::sqrt(input.ComponentArea[c] / (4.0 * Pi));
+    const TriangleMesh::Component& component = input.Geometry.Mesh.GetComponents()[c];
+    const double radius = std::sqrt(input.Geometry.Lengths.ComponentArea[c] / (4.0 * Pi));
     if (component.IsCover && options.Degree == 2)
     {
       // The larger curvature of one side is the smaller one of the other.
@@ -250,15 +250,16 @@ void Constraints::AddCurvature(const Input& input, const Options& options)
 void Constraints::DropInconsistent(const Input& input, const Options& options)
 {
   const double bound = options.ConsistencyAngle * Pi / 180.0;
+  const TriangleMesh& mesh = input.Geometry.Mesh;
   std::vector<char> drop(this->Kind.size(), 0);
-  for (Index e = 0; e < input.Mesh.GetNumberOfEdges(); ++e)
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
-    const Index i = input.Mesh.Tail(input.Mesh.HalfEdge(e));
-    const Index j = input.Mesh.Head(input.Mesh.HalfEdge(e));
+    const Index i = mesh.Tail(mesh.HalfEdge(e));
+    const Index j = mesh.Head(mesh.HalfEdge(e));
     if (this->Kind[i] != ConstraintKind::None && this->Kind[j] != ConstraintKind::None)
     {
       const Complex arrived =
-        this->Value[i] * std::polar(1.0, options.Degree * input.Transport.Rotation[e]);
+        this->Value[i] * std::polar(1.0, options.Degree * input.Geometry.Transport.Rotation[e]);
       if (std::abs(std::arg(this->Value[j] * std::conj(arrived))) > options.Degree * bound)
       {
         drop[i] = drop[j] = 1;
@@ -270,13 +271,14 @@ void Constraints::DropInconsistent(const Input& input, const Options& options)
 
 void Constraints::DropAtSingularities(const Input& input, const Options& options)
 {
+  const TriangleMesh& mesh = input.Geometry.Mesh;
   const std::vector<int> index =
-    SingularityIndices(input.Mesh, input.Transport, options.Degree, this->Value);
+    SingularityIndices(input.Geometry, options.Degree, this->Value);
   std::vector<char> drop(this->Kind.size(), 0);
-  for (Index t = 0; t < input.Mesh.GetNumberOfTriangles(); ++t)
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
-    const std::array<Index, 3> corners = { input.Mesh.Tail(3 * t), input.Mesh.Tail(3 * t + 1),
-      input.Mesh.Tail(3 * t + 2) };
+    const std::array<Index, 3> corners = { mesh.Tail(3 * t), mesh.Tail(3 * t + 1),
+      mesh.Tail(3 * t + 2) };
     const bool all = std::all_of(corners.begin(), corners.end(),
       [this](Index v) { return this->Kind[v] != ConstraintKind::None; });
     if (all && index[t] != 0)

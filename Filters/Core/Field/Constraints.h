@@ -5,7 +5,7 @@
 #define DirectionFields_Constraints_h
 
 #include "Field/Curvature.h"
-#include "Geometry/TangentFrames.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "Options.h"
 #include "Result.h"
 
@@ -21,17 +21,11 @@ struct Constraints
 {
   struct Input
   {
-    const TriangleMesh& Mesh;
-    const Connection& Transport;
-    const TangentFrames& Frames;
-    /// Positions of the vertices.
-    const std::vector<Vector3>& Positions;
+    const SurfaceGeometry& Geometry;
     /// The angle of each edge; empty is enough where sharp edges are not asked for.
     const std::vector<double>& DihedralAngles;
     /// Null is enough where curvature is not asked for.
     const Curvature* Curved;
-    /// Area of each component in its unit.
-    const std::vector<double>& ComponentArea;
     /// Guidance as a section of the field's degree; empty where it does not constrain.
     const std::vector<Complex>& Given;
   };

@@ -6,10 +6,7 @@
 #include "Sections/Assembly.h"
 #include "Solvers/Matrices/CombinedMatrix.h"
 #include "Solvers/Matrices/VectorOperations.h"
-#include "Support/VectorMath.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace DirectionFields
@@ -17,7 +14,6 @@ namespace DirectionFields
 namespace
 {
 constexpr Index PieceSize = 1 << 12;
-constexpr Index FewEdges = 64;
 /// Relative residual of systems with the mass matrix: all digits that there are.
 constexpr double Tolerance = 1e-14;
 /// Some 30 are usual.
@@ -94,57 +90,15 @@ ComplexVector SolveMass(const Operators& operators, const ComplexVector& b)
 }
 }
 
-std::vector<double> DihedralAngles(
-  const TriangleMesh& mesh, const std::vector<Vector3>& positions)
+Curvature::Curvature(
+  const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles)
+  : Hopf(geometry.Mesh.GetNumberOfVertices(), 0.0)
+  , Mean(geometry.Mesh.GetNumberOfVertices())
+  , Gaussian(geometry.Mesh.GetNumberOfVertices())
 {
-  const auto point = [&](Index h) -> const Vector3& { return positions[mesh.Tail(h)]; };
-  std::vector<Vector3> normals(mesh.GetNumberOfTriangles());
-  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
-    [&](Index begin, Index end)
-    {
-      for (Index t = begin; t < end; ++t)
-      {
-        const Vector3& a = point(3 * t);
-        normals[t] = (point(3 * t + 1) - a)
-                       .stableNormalized()
-                       .cross((point(3 * t + 2) - a).stableNormalized())
-                       .stableNormalized();
-      }
-    });
-  std::vector<double> angles(mesh.GetNumberOfEdges());
-  ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
-    [&](Index begin, Index end)
-    {
-      std::array<Complex, FewEdges> turns;
-      for (Index first = begin; first < end; first += FewEdges)
-      {
-        const Index last = std::min(end, first + FewEdges);
-        for (Index e = first; e < last; ++e)
-        {
-          const Index h = mesh.HalfEdge(e);
-          const Index twin = mesh.Twin(h);
-          turns[e - first] = 0.0;
-          if (twin != None)
-          {
-            const Vector3& left = normals[h / 3];
-            const Vector3& right = normals[twin / 3];
-            const Vector3 along = (point(twin) - point(h)).stableNormalized();
-            turns[e - first] = Complex(left.dot(right), along.dot(left.cross(right)));
-          }
-        }
-        Arguments(turns.data(), last - first, angles.data() + first);
-      }
-    });
-  return angles;
-}
-
-Curvature::Curvature(const TriangleMesh& mesh, const Metric& metric, const Connection& connection,
-  const TangentFrames& frames, const std::vector<Vector3>& positions,
-  const std::vector<double>& dihedralAngles)
-  : Hopf(mesh.GetNumberOfVertices(), 0.0)
-  , Mean(mesh.GetNumberOfVertices())
-  , Gaussian(mesh.GetNumberOfVertices())
-{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Metric& metric = geometry.Lengths;
+  const std::vector<Vector3>& positions = geometry.Positions;
   mesh.ForEachComponent(
     [&](Index c)
     {
@@ -173,19 +127,20 @@ Curvature::Curvature(const TriangleMesh& mesh, const Metric& metric, const Conne
                 Vector3(positions[mesh.Tail(previous)] - positions[v]);
               area += metric.Area[h / 3] / 3.0;
               const double strength = -0.25 * dihedralAngles[mesh.Edge(h)] * std::sqrt(out);
-              this->Hopf[v] += strength * std::polar(1.0, 2.0 * connection.EdgeAngle[h]);
+              this->Hopf[v] += strength * std::polar(1.0, 2.0 * geometry.Transport.EdgeAngle[h]);
             }
             laplacian /= area;
-            const double outward = laplacian.dot(frames.Normal[v]);
+            const double outward = laplacian.dot(geometry.Frames.Normal[v]);
             const bool boundary = mesh.IsBoundary(v);
             this->Mean[v] =
               boundary ? -0.5 * outward : std::copysign(0.5 * laplacian.norm(), -outward);
-            this->Gaussian[v] = boundary ? 0.0 : (2.0 * Pi - 2.0 * Pi / connection.Scale[v]) / area;
+            this->Gaussian[v] =
+              boundary ? 0.0 : (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
           }
         });
       Eigen::Map<ComplexVector> hopf(
         this->Hopf.data() + component.FirstVertex, component.Vertices());
-      hopf = SolveMass(AssembleOperators(mesh, metric, connection, component, 2, 0.0), hopf);
+      hopf = SolveMass(AssembleOperators(geometry, component, 2, 0.0), hopf);
     });
 }
 }

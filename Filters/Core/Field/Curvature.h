@@ -4,24 +4,17 @@
 #ifndef DirectionFields_Curvature_h
 #define DirectionFields_Curvature_h
 
-#include "Geometry/TangentFrames.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include <vector>
 
 namespace DirectionFields
 {
-/// Signed angle between the normals of the two triangles of each edge, radians, positive where the
-/// surface is convex; 0 on the boundary.
-/// @param positions of the vertices
-std::vector<double> DihedralAngles(
-  const TriangleMesh& mesh, const std::vector<Vector3>& positions);
-
 /// Discrete curvature of a mesh over its vertices. Lengths are in units of Metric::Unit.
 struct Curvature
 {
-  Curvature(const TriangleMesh& mesh, const Metric& metric, const Connection& connection,
-    const TangentFrames& frames, const std::vector<Vector3>& positions,
-    const std::vector<double>& dihedralAngles);
+  /// @param dihedralAngles of each edge
+  Curvature(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles);
 
   /// Hopf differential, a section of degree 2: (k_max - k_min) / 2 exp(2 i theta) with theta the
   /// direction of the larger signed curvature. From M_2 q = q~, where

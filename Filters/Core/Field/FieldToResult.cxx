@@ -88,23 +88,23 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   Result result;
   result.Degree = options.Degree;
   result.Repaired = mesh.GetRepairs();
-  result.Repaired.DegenerateTriangles = stages.GetMetric().DegenerateTriangles;
+  result.Repaired.DegenerateTriangles = stages.GetGeometry().Lengths.DegenerateTriangles;
   result.Notes = std::move(notes);
   result.Components = std::move(fields.Reports);
   AddCounts(mesh, surface, constraints, result.Components);
   AddTriangles(mesh, surface,
-    SingularityIndices(mesh, stages.GetConnection(), options.Degree, fields.Section), result);
+    SingularityIndices(stages.GetGeometry(), options.Degree, fields.Section), result);
 
   const OutputPoints& points = stages.GetOutputPoints();
   const Vector3 zero = Vector3::Zero();
   result.Representation = points.Spread(fields.Section, Complex(0.0));
-  result.Normal = points.Spread(stages.GetFrames().Normal, zero);
-  result.XAxis = points.Spread(stages.GetFrames().X, zero);
+  result.Normal = points.Spread(stages.GetGeometry().Frames.Normal, zero);
+  result.XAxis = points.Spread(stages.GetGeometry().Frames.X, zero);
   if (constraints.Any())
   {
     result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
     result.ConstraintDirection =
-      points.Spread(DirectionsOf(constraints.Value, stages.GetFrames(), options.Degree), zero);
+      points.Spread(DirectionsOf(constraints.Value, stages.GetGeometry().Frames, options.Degree), zero);
   }
   if (UsesCurvature(options))
   {

@@ -12,8 +12,9 @@
 namespace DirectionFields
 {
 std::vector<Complex> GuidanceSection(
-  const TriangleMesh& mesh, const TangentFrames& frames, const Guidance& guidance, int degree)
+  const SurfaceGeometry& geometry, const Guidance& guidance, int degree)
 {
+  const TriangleMesh& mesh = geometry.Mesh;
   std::vector<Complex> section(mesh.GetNumberOfVertices(), 0.0);
   // Only ratios of lengths and weights count. They are scaled so that their squares and products neither
   // overflow nor underflow.
@@ -39,7 +40,7 @@ std::vector<Complex> GuidanceSection(
     const Vector3 vector = guidance.Vectors[point] / longest;
     if (weight > 0.0 && vector.allFinite())
     {
-      const Complex z = frames.Tangential(v, vector);
+      const Complex z = geometry.Frames.Tangential(v, vector);
       // The tangential part of a normal vector is nothing but rounding.
       if (std::abs(z) > 1e-9 * vector.norm())
       {

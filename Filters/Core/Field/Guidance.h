@@ -4,7 +4,7 @@
 #ifndef DirectionFields_Guidance_h
 #define DirectionFields_Guidance_h
 
-#include "Geometry/TangentFrames.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "Options.h"
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace DirectionFields
 /// The user's vectors as a section of degree n over the vertices of the mesh: the n-th power of the
 /// projected vector's direction times its length times its weight.
 std::vector<Complex> GuidanceSection(
-  const TriangleMesh& mesh, const TangentFrames& frames, const Guidance& guidance, int degree);
+  const SurfaceGeometry& geometry, const Guidance& guidance, int degree);
 
 /// The Hopf differential as a section of degree 2, towards the larger curvature or the smaller, or
 /// its square, of degree 4.

@@ -19,7 +19,7 @@ std::vector<Complex> GivenSection(
   {
     return {};
   }
-  return GuidanceSection(stages.GetMesh(), stages.GetFrames(),
+  return GuidanceSection(stages.GetGeometry(),
     options.MergePoints ? Merged(guidance, stages.GetFirstPoints()) : guidance, options.Degree);
 }
 
@@ -34,10 +34,9 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
                        "walk around it. Take Degree 4.");
   }
   return Constraints(
-    { stages.GetMesh(), stages.GetConnection(), stages.GetFrames(), stages.GetPositions(),
+    { stages.GetGeometry(),
       options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
-      UsesCurvature(options) ? &stages.GetCurvature() : nullptr, stages.GetMetric().ComponentArea,
-      given },
+      UsesCurvature(options) ? &stages.GetCurvature() : nullptr, given },
     options, notes);
 }
 

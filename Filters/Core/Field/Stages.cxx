@@ -3,6 +3,7 @@
 
 #include "Field/Stages.h"
 
+#include "Geometry/DihedralAngles.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Sections/Assembly.h"
 #include "Sections/DoubleCover.h"
@@ -18,12 +19,9 @@ Stages::Stages(std::shared_ptr<const Surface> surface, bool mergePoints)
   : Input(std::move(surface))
   , Merges(mergePoints)
   , FirstPoint(mergePoints ? FirstAtSamePlace(*this->Input) : std::vector<Index>{})
-  , Mesh(mergePoints ? TriangleMesh(Merged(*this->Input, this->FirstPoint)) : TriangleMesh(*this->Input))
-  , Positions(this->Mesh.Positions(this->Input->Points))
-  , Geometry(this->Mesh, this->Positions)
-  , Transport(this->Mesh, this->Geometry, this->Positions)
-  , Frames(this->Mesh, this->Transport, this->Positions)
-  , Boundary(this->Mesh, this->Input->Points)
+  , Geometry(mergePoints ? SurfaceGeometry(Merged(*this->Input, this->FirstPoint))
+                         : SurfaceGeometry(*this->Input))
+  , Boundary(this->Geometry.Mesh, this->Input->Points)
 {
 }
 
@@ -34,14 +32,14 @@ Stages::Stages(const Surface& surface)
 
 double Stages::GetScale(std::size_t component, int degree) const
 {
-  return 2.0 * Pi * degree / this->Geometry.ComponentArea[component];
+  return 2.0 * Pi * degree / this->Geometry.Lengths.ComponentArea[component];
 }
 
 const std::vector<double>& Stages::GetDihedralAngles()
 {
   if (!this->Dihedral)
   {
-    this->Dihedral = DihedralAngles(this->Mesh, this->Positions);
+    this->Dihedral = DihedralAngles(this->Geometry);
   }
   return *this->Dihedral;
 }
@@ -50,8 +48,7 @@ const Curvature& Stages::GetCurvature()
 {
   if (!this->Curved)
   {
-    this->Curved.emplace(this->Mesh, this->Geometry, this->Transport, this->Frames, this->Positions,
-      this->GetDihedralAngles());
+    this->Curved.emplace(this->Geometry, this->GetDihedralAngles());
   }
   return *this->Curved;
 }
@@ -60,7 +57,7 @@ const OutputPoints& Stages::GetOutputPoints()
 {
   if (!this->Points)
   {
-    this->Points.emplace(this->Mesh, *this->Input, this->FirstPoint);
+    this->Points.emplace(this->Geometry.Mesh, *this->Input, this->FirstPoint);
   }
   return *this->Points;
 }
@@ -76,10 +73,10 @@ const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport()
   std::vector<Complex> smaller(curvature.Hopf.size());
   std::vector<double> mean = curvature.Mean;
   std::vector<double> gaussian = curvature.Gaussian;
-  const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
+  const std::vector<TriangleMesh::Component>& components = this->Geometry.Mesh.GetComponents();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    const double unit = this->Geometry.Unit[c];
+    const double unit = this->Geometry.Lengths.Unit[c];
     ParallelFor(components[c].Vertices(), piece,
       [&](Index begin, Index end)
       {
@@ -94,8 +91,8 @@ const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport()
   const OutputPoints& points = this->GetOutputPoints();
   const Vector3 zero = Vector3::Zero();
   this->CurvatureAtPoints = std::make_shared<const CurvatureReport>(CurvatureReport{
-    points.Spread(DirectionsOf(curvature.Hopf, this->Frames, 2), zero),
-    points.Spread(DirectionsOf(smaller, this->Frames, 2), zero), points.Spread(mean, 0.0),
+    points.Spread(DirectionsOf(curvature.Hopf, this->Geometry.Frames, 2), zero),
+    points.Spread(DirectionsOf(smaller, this->Geometry.Frames, 2), zero), points.Spread(mean, 0.0),
     points.Spread(gaussian, 0.0) });
   return this->CurvatureAtPoints;
 }
@@ -113,13 +110,15 @@ EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
   std::optional<IntrinsicTriangulation> delaunay;
   if (options.IntrinsicDelaunay)
   {
-    delaunay.emplace(this->Mesh, this->Geometry, this->Transport);
+    delaunay.emplace(this->Geometry);
   }
-  const std::vector<TriangleMesh::Component>& components = this->Mesh.GetComponents();
-  const double vertices = this->Mesh.GetNumberOfVertices();
+  const IntrinsicGeometry& triangulation =
+    delaunay ? static_cast<const IntrinsicGeometry&>(*delaunay) : this->Geometry;
+  const std::vector<TriangleMesh::Component>& components = this->Geometry.Mesh.GetComponents();
+  const double vertices = this->Geometry.Mesh.GetNumberOfVertices();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    stage.Components.push_back(this->MakeComponent(options, c, delaunay,
+    stage.Components.push_back(this->MakeComponent(options, c, triangulation,
       progress.Part(components[c].FirstVertex / vertices, components[c].EndVertex / vertices)));
   }
   this->Energy = std::move(stage);
@@ -127,27 +126,25 @@ EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
 }
 
 ComponentStage Stages::MakeComponent(const Options& options, std::size_t c,
-  const std::optional<IntrinsicTriangulation>& delaunay, const Progress& progress) const
+  const IntrinsicGeometry& triangulation, const Progress& progress) const
 {
-  const TriangleMesh::Component& component = this->Mesh.GetComponents()[c];
-  Operators matrices = AssembleOperators(delaunay ? delaunay->Mesh : this->Mesh,
-    delaunay ? delaunay->Geometry : this->Geometry,
-    delaunay ? delaunay->Transport : this->Transport, component, options.Degree,
-    options.EnergyBias);
+  const TriangleMesh::Component& component = this->Geometry.Mesh.GetComponents()[c];
+  Operators matrices =
+    AssembleOperators(triangulation, component, options.Degree, options.EnergyBias);
   EigenpairSettings settings;
   settings.Tolerance = options.Tolerance;
   settings.MaximumIterations = options.MaximumIterations;
   settings.Scale = this->GetScale(c, options.Degree);
-  const ReferenceSection reference(this->Frames, this->Positions, component, options.Degree);
+  const ReferenceSection reference(this->Geometry, component, options.Degree);
   SmallestPairs pairs = FindSmallestPairs(
     matrices, [&] { return reference.Start(); }, options.Solver, settings, progress);
   reference.FixPhase(pairs.First.Vector);
   if (component.IsCover)
   {
-    DoubleCover(this->Mesh, this->Transport, component, options.Degree)
+    DoubleCover(this->Geometry, component, options.Degree)
       .MakeSymmetric(pairs.First.Vector, matrices.Mass);
   }
   return ComponentStage(
-    std::move(matrices), std::move(pairs), settings.Scale, this->Geometry.Unit[c]);
+    std::move(matrices), std::move(pairs), settings.Scale, this->Geometry.Lengths.Unit[c]);
 }
 }

@@ -6,12 +6,9 @@
 
 #include "Field/ComponentStage.h"
 #include "Field/Curvature.h"
-#include "Geometry/Connection.h"
-#include "Geometry/Metric.h"
-#include "Geometry/TangentFrames.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "Mesh/MergePoints.h"
 #include "Mesh/OutputPoints.h"
-#include "Mesh/TriangleMesh.h"
 #include "Progress.h"
 
 #include <memory>
@@ -21,8 +18,6 @@
 
 namespace DirectionFields
 {
-class IntrinsicTriangulation;
-
 /// The options that matrices and smallest eigenpairs depend on.
 using EnergyKey = std::tuple<int, double, double, int, Solver, bool>;
 
@@ -55,12 +50,8 @@ public:
   /// For each point of the input the one that stands for it in the mesh; empty where points are not
   /// merged.
   const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
-  const TriangleMesh& GetMesh() const { return this->Mesh; }
-  /// Positions of the vertices.
-  const std::vector<Vector3>& GetPositions() const { return this->Positions; }
-  const Metric& GetMetric() const { return this->Geometry; }
-  const Connection& GetConnection() const { return this->Transport; }
-  const TangentFrames& GetFrames() const { return this->Frames; }
+  const SurfaceGeometry& GetGeometry() const { return this->Geometry; }
+  const TriangleMesh& GetMesh() const { return this->Geometry.Mesh; }
   const BoundaryPoints& GetBoundaryPoints() const { return this->Boundary; }
 
   /// The order of magnitude of a component's smallest eigenvalue: 2 pi n / area, in 1 / unit^2.
@@ -75,17 +66,14 @@ public:
   const std::shared_ptr<const CurvatureReport>& GetCurvatureReport();
 
 private:
+  /// @param triangulation that the energy is integrated on
   ComponentStage MakeComponent(const Options& options, std::size_t c,
-    const std::optional<IntrinsicTriangulation>& delaunay, const Progress& progress) const;
+    const IntrinsicGeometry& triangulation, const Progress& progress) const;
 
   std::shared_ptr<const Surface> Input;
   bool Merges;
   std::vector<Index> FirstPoint;
-  TriangleMesh Mesh;
-  std::vector<Vector3> Positions;
-  Metric Geometry;
-  Connection Transport;
-  TangentFrames Frames;
+  SurfaceGeometry Geometry;
   BoundaryPoints Boundary;
   std::optional<EnergyStage> Energy;
   std::optional<std::vector<double>> Dihedral;

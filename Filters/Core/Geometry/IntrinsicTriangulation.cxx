@@ -28,9 +28,9 @@ class Flipper
 public:
   explicit Flipper(IntrinsicTriangulation& triangulation)
     : Mesh(triangulation.Mesh)
-    , Geometry(triangulation.Geometry)
+    , Lengths(triangulation.Lengths)
     , Transport(triangulation.Transport)
-    , Length(this->Geometry.SquaredLength.size())
+    , Length(this->Lengths.SquaredLength.size())
     , Angle(this->Mesh.GetNumberOfHalfEdges())
     , Open(this->Length.size())
     , Queued(this->Length.size(), 0)
@@ -41,7 +41,7 @@ public:
       {
         for (Index e = begin; e < end; ++e)
         {
-          this->Length[e] = std::sqrt(this->Geometry.SquaredLength[e]);
+          this->Length[e] = std::sqrt(this->Lengths.SquaredLength[e]);
         }
       });
     ParallelFor(this->Mesh.GetNumberOfHalfEdges(), PieceSize,
@@ -154,7 +154,7 @@ private:
     const auto apexX = [base = length(h)](double left, double right)
     { return 0.5 * (base + (left - right) * ((left + right) / base)); };
     const double dx = apexX(length(h2), length(h1)) - apexX(length(g1), length(g2));
-    const double dy = 2.0 * (this->Geometry.Area[h / 3] + this->Geometry.Area[g / 3]) / length(h);
+    const double dy = 2.0 * (this->Lengths.Area[h / 3] + this->Lengths.Area[g / 3]) / length(h);
     const double squaredLength = dx * dx + dy * dy;
     const double diagonal = std::sqrt(squaredLength);
     const std::array<double, 3> lengthsH = { diagonal, length(h2), length(g1) };
@@ -187,9 +187,9 @@ private:
     theta[h] = this->Direction(g1, anglesG[1]);
     theta[g] = this->Direction(h1, anglesH[1]);
     this->Length[edge] = diagonal;
-    this->Geometry.SquaredLength[edge] = squaredLength;
-    this->Geometry.Area[h / 3] = areaH;
-    this->Geometry.Area[g / 3] = areaG;
+    this->Lengths.SquaredLength[edge] = squaredLength;
+    this->Lengths.Area[h / 3] = areaH;
+    this->Lengths.Area[g / 3] = areaG;
     const Index corners[] = { h, h1, h2, g, g1, g2 };
     for (int c = 0; c < 3; ++c)
     {
@@ -234,7 +234,7 @@ private:
   }
 
   TriangleMesh& Mesh;
-  Metric& Geometry;
+  Metric& Lengths;
   Connection& Transport;
   /// Of each edge.
   LargeArray<double> Length;
@@ -249,11 +249,8 @@ private:
 };
 }
 
-IntrinsicTriangulation::IntrinsicTriangulation(
-  const TriangleMesh& mesh, const Metric& metric, const Connection& connection)
-  : Mesh(mesh)
-  , Geometry(metric)
-  , Transport(connection)
+IntrinsicTriangulation::IntrinsicTriangulation(const IntrinsicGeometry& geometry)
+  : IntrinsicGeometry(geometry)
 {
   Flipper flipper(*this);
   this->NumberOfFlips = flipper.FlipAll();

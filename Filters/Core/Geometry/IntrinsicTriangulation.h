@@ -4,9 +4,7 @@
 #ifndef DirectionFields_IntrinsicTriangulation_h
 #define DirectionFields_IntrinsicTriangulation_h
 
-#include "Geometry/Connection.h"
-#include "Geometry/Metric.h"
-#include "Mesh/TriangleMesh.h"
+#include "Geometry/IntrinsicGeometry.h"
 
 namespace DirectionFields
 {
@@ -22,18 +20,14 @@ namespace DirectionFields
 /// vertices, and their operators, mean the same on both triangulations. Where nothing is flipped
 /// nothing changes, not in a bit.
 ///
-/// An edge may join a vertex to itself, and several edges the same vertices.
-struct IntrinsicTriangulation
+/// An edge may join a vertex to itself, and several edges the same vertices. Flipped triangles have no
+/// input triangle.
+struct IntrinsicTriangulation : IntrinsicGeometry
 {
   /// Flips edges in an order that depends on nothing but their numbers. Where flips do not come to
   /// an end, as rounding might have it with extreme triangles, what was reached stands.
-  IntrinsicTriangulation(
-    const TriangleMesh& mesh, const Metric& metric, const Connection& connection);
+  explicit IntrinsicTriangulation(const IntrinsicGeometry& geometry);
 
-  /// Triangles have no input triangle.
-  TriangleMesh Mesh;
-  Metric Geometry;
-  Connection Transport;
   /// How often an edge was flipped.
   Index NumberOfFlips = 0;
 

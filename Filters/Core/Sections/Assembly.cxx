@@ -19,9 +19,7 @@ constexpr Index PieceSize = 1 << 11;
 
 struct Problem
 {
-  const TriangleMesh& Mesh;
-  const Metric& Lengths;
-  const Connection& Angles;
+  const IntrinsicGeometry& Geometry;
   const TriangleMesh::Component& Component;
   int Degree;
   double EnergyBias;
@@ -41,7 +39,7 @@ public:
   /// The number of entries of a vertex' column.
   Index Count(Index vertex)
   {
-    const TriangleMesh& mesh = this->Given.Mesh;
+    const TriangleMesh& mesh = this->Given.Geometry.Mesh;
     mesh.GetFan(vertex, this->Fan);
     if (!mesh.MayRepeatNeighbours())
     {
@@ -59,7 +57,7 @@ public:
 
   void Fill(Index vertex, Index* rows, Complex* energy, Complex* mass)
   {
-    this->Given.Mesh.GetFan(vertex, this->Fan);
+    this->Given.Geometry.Mesh.GetFan(vertex, this->Fan);
     this->AddRows(vertex);
     this->Integrate();
     SortFew(this->Order);
@@ -113,7 +111,7 @@ private:
   /// The neighbours counter-clockwise, then the vertex itself.
   void AddRows(Index vertex)
   {
-    const TriangleMesh& mesh = this->Given.Mesh;
+    const TriangleMesh& mesh = this->Given.Geometry.Mesh;
     const auto along = [&](Index h) -> const Complex&
     { return this->Given.Transport[mesh.Edge(h) - this->Given.Component.FirstEdge]; };
     this->Column.clear();
@@ -136,15 +134,16 @@ private:
   void Integrate()
   {
     const Problem& given = this->Given;
+    const IntrinsicGeometry& geometry = given.Geometry;
     Entry& diagonal = this->Column.back();
     for (std::size_t k = 0; k < this->Fan.size(); ++k)
     {
       const Index h = this->Fan[k];
-      const auto squaredLength = [&given](Index side)
-      { return given.Lengths.SquaredLength[given.Mesh.Edge(side)]; };
+      const auto squaredLength = [&geometry](Index side)
+      { return geometry.Lengths.SquaredLength[geometry.Mesh.Edge(side)]; };
       const LocalIntegrals local({ squaredLength(h), squaredLength(TriangleMesh::Next(h)),
                                    squaredLength(TriangleMesh::Previous(h)) },
-        given.Lengths.Area[h / 3], given.Degree * given.Angles.Curvature[h / 3],
+        geometry.Lengths.Area[h / 3], given.Degree * geometry.Transport.Curvature[h / 3],
         given.EnergyBias);
       diagonal.Energy += local.EnergyDiagonal(0);
       diagonal.Mass += local.MassDiagonal();
@@ -165,7 +164,7 @@ private:
   std::size_t Neighbours = 0;
 };
 
-std::vector<Complex> Transport(
+std::vector<Complex> EdgeTransport(
   const Connection& connection, const TriangleMesh::Component& component, int degree)
 {
   std::vector<Complex> transport(component.Edges());
@@ -194,12 +193,11 @@ std::vector<Complex> Transport(
 }
 }
 
-Operators AssembleOperators(const TriangleMesh& mesh, const Metric& metric,
-  const Connection& connection, const TriangleMesh::Component& component, int degree,
-  double energyBias)
+Operators AssembleOperators(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, double energyBias)
 {
-  const Problem problem{ mesh, metric, connection, component, degree, energyBias,
-    Transport(connection, component, degree) };
+  const Problem problem{ geometry, component, degree, energyBias,
+    EdgeTransport(geometry.Transport, component, degree) };
   const Index n = component.Vertices();
   std::vector<Index> begin(n + 1, 0);
   ParallelFor(n, PieceSize,

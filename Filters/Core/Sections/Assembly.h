@@ -4,7 +4,7 @@
 #ifndef DirectionFields_Assembly_h
 #define DirectionFields_Assembly_h
 
-#include "Geometry/Connection.h"
+#include "Geometry/IntrinsicGeometry.h"
 #include "Solvers/Matrices/Operators.h"
 
 namespace DirectionFields
@@ -13,9 +13,8 @@ namespace DirectionFields
 /// edges that join a vertex to itself.
 /// @param degree     n
 /// @param energyBias s
-Operators AssembleOperators(const TriangleMesh& mesh, const Metric& metric,
-  const Connection& connection, const TriangleMesh::Component& component, int degree,
-  double energyBias);
+Operators AssembleOperators(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, double energyBias);
 }
 
 #endif

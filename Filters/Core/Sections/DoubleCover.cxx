@@ -7,10 +7,10 @@
 
 namespace DirectionFields
 {
-DoubleCover::DoubleCover(const TriangleMesh& mesh, const Connection& connection,
-  const TriangleMesh::Component& component, int degree)
-  : Mesh(mesh)
-  , Transport(connection)
+DoubleCover::DoubleCover(
+  const IntrinsicGeometry& geometry, const TriangleMesh::Component& component, int degree)
+  : Mesh(geometry.Mesh)
+  , Transport(geometry.Transport)
   , Component(component)
   , Degree(degree)
 {

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_DoubleCover_h
 #define DirectionFields_DoubleCover_h
 
-#include "Geometry/Connection.h"
+#include "Geometry/IntrinsicGeometry.h"
 
 namespace DirectionFields
 {
@@ -18,8 +18,8 @@ class DoubleCover
 {
 public:
   /// @param component only used where it is a cover
-  DoubleCover(const TriangleMesh& mesh, const Connection& connection,
-    const TriangleMesh::Component& component, int degree);
+  DoubleCover(
+    const IntrinsicGeometry& geometry, const TriangleMesh::Component& component, int degree);
 
   /// What a value at a vertex of the mesh is at the mirror vertex.
   Complex Mirrored(Index vertex, const Complex& value) const;

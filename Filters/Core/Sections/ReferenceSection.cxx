@@ -54,10 +54,10 @@ struct Largest
 };
 }
 
-ReferenceSection::ReferenceSection(const TangentFrames& frames,
-  const std::vector<Vector3>& positions, const TriangleMesh::Component& component, int degree)
-  : Frames(frames)
-  , Positions(positions)
+ReferenceSection::ReferenceSection(
+  const SurfaceGeometry& geometry, const TriangleMesh::Component& component, int degree)
+  : Frames(geometry.Frames)
+  , Positions(geometry.Positions)
   , Component(component)
   , Degree(degree)
 {
@@ -67,7 +67,7 @@ ReferenceSection::ReferenceSection(const TangentFrames& frames,
       BoundingBox part;
       for (Index v = begin; v < end; ++v)
       {
-        part.Add(positions[component.FirstVertex + v]);
+        part.Add(this->Positions[component.FirstVertex + v]);
       }
       return part;
     });

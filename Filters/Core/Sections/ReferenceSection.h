@@ -4,7 +4,7 @@
 #ifndef DirectionFields_ReferenceSection_h
 #define DirectionFields_ReferenceSection_h
 
-#include "Geometry/TangentFrames.h"
+#include "Geometry/SurfaceGeometry.h"
 
 namespace DirectionFields
 {
@@ -14,9 +14,8 @@ namespace DirectionFields
 class ReferenceSection
 {
 public:
-  /// @param positions of the vertices of the mesh
-  ReferenceSection(const TangentFrames& frames,
-    const std::vector<Vector3>& positions, const TriangleMesh::Component& component, int degree);
+  ReferenceSection(
+    const SurfaceGeometry& geometry, const TriangleMesh::Component& component, int degree);
 
   /// A smooth section without any symmetry, made of a smooth vector field in space.
   ComplexVector Start() const;

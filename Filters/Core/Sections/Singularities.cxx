@@ -21,9 +21,11 @@ double Nearest(double x)
 }
 }
 
-std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& connection,
-  int degree, const std::vector<Complex>& field)
+std::vector<int> SingularityIndices(
+  const IntrinsicGeometry& geometry, int degree, const std::vector<Complex>& field)
 {
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Connection& connection = geometry.Transport;
   LargeArray<double> phase(mesh.GetNumberOfVertices());
   ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_Singularities_h
 #define DirectionFields_Singularities_h
 
-#include "Geometry/Connection.h"
+#include "Geometry/IntrinsicGeometry.h"
 
 namespace DirectionFields
 {
@@ -14,8 +14,8 @@ namespace DirectionFields
 /// Euler characteristic, exactly, whatever the field.
 /// @param degree n
 /// @param field  representation vector of each vertex; one that vanishes counts as 1
-std::vector<int> SingularityIndices(const TriangleMesh& mesh, const Connection& connection,
-  int degree, const std::vector<Complex>& field);
+std::vector<int> SingularityIndices(
+  const IntrinsicGeometry& geometry, int degree, const std::vector<Complex>& field);
 }
 
 #endif

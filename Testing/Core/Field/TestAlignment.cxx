@@ -175,8 +175,7 @@ TEST(Alignment, EnergiesAreMonotoneInTheStrength)
     const Surface surface = Potato(3);
     Stages stages(surface);
     const Guidance vectors = SpatialVectors(surface);
-    const std::vector<Complex> q =
-      GuidanceSection(stages.GetMesh(), stages.GetFrames(), vectors, degree);
+    const std::vector<Complex> q = GuidanceSection(stages.GetGeometry(), vectors, degree);
     const ComplexVector guidance =
       Eigen::Map<const ComplexVector>(q.data(), static_cast<Eigen::Index>(q.size()));
     Options options;
@@ -205,7 +204,7 @@ TEST(Alignment, EnergiesAreMonotoneInTheStrength)
       }
       smoothness = energy;
       overlap = along;
-      const double unit = stages.GetMetric().Unit[0];
+      const double unit = stages.GetGeometry().Lengths.Unit[0];
       EXPECT_NEAR(result.Components[0].SmoothnessEnergy * unit * unit / energy, 1.0, 1e-9);
       EXPECT_LE(result.Components[0].SystemResidual, 1e-6);
       EXPECT_TRUE(result.Components[0].Converged);

@@ -48,7 +48,7 @@ int DemandedSum(const Surface& surface, int degree)
     if (mesh.IsBoundary(v))
     {
       sum -= static_cast<int>(
-        std::lround((Pi - stages.GetConnection().AngleSum[v]) * degree / (2.0 * Pi)));
+        std::lround((Pi - stages.GetGeometry().Transport.AngleSum[v]) * degree / (2.0 * Pi)));
     }
   }
   return sum;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Field/Stages.h"
+#include "Geometry/DihedralAngles.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Solvers/Matrices/Factorization.h"
@@ -18,8 +19,7 @@ namespace
 {
 std::vector<double> Dihedrals(const Surface& surface)
 {
-  const TriangleMesh mesh(surface);
-  return DihedralAngles(mesh, mesh.Positions(surface.Points));
+  return DihedralAngles(SurfaceGeometry(surface));
 }
 
 using Gradient = std::function<Vector3(const Vector3&)>;
@@ -77,7 +77,7 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
   Stages stages(surface);
   const Curvature& curvature = stages.GetCurvature();
   const TriangleMesh& mesh = stages.GetMesh();
-  const double unit = stages.GetMetric().Unit[0];
+  const double unit = stages.GetGeometry().Lengths.Unit[0];
   const auto normal = [&](const Vector3& p) -> Vector3 { return gradient(p).normalized(); };
   const Index n = mesh.GetNumberOfVertices();
   ComplexVector exact(n);
@@ -85,7 +85,7 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
   Eigen::VectorXd area = Eigen::VectorXd::Zero(n);
   for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
-    area[mesh.Tail(h)] += stages.GetMetric().Area[h / 3];
+    area[mesh.Tail(h)] += stages.GetGeometry().Lengths.Area[h / 3];
   }
   Eigen::Vector2d error(0, 0);
   Eigen::Vector2d size(0, 0);
@@ -99,8 +99,8 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
       const Vector3 d = step * Vector3::Unit(k);
       shape.col(k) = (normal(p + d) - normal(p - d)) / (2.0 * step);
     }
-    const Vector3& x = stages.GetFrames().X[v];
-    const Vector3 y = stages.GetFrames().Y(v);
+    const Vector3& x = stages.GetGeometry().Frames.X[v];
+    const Vector3 y = stages.GetGeometry().Frames.Y(v);
     const double xx = x.dot(shape * x);
     const double yy = y.dot(shape * y);
     const double xy = 0.5 * (x.dot(shape * y) + y.dot(shape * x));
@@ -111,8 +111,7 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
     error += area[v] * (computed - invariants).cwiseAbs2();
     size += area[v] * invariants.cwiseAbs2();
   }
-  const Operators operators = AssembleOperators(mesh, stages.GetMetric(), stages.GetConnection(),
-    mesh.GetComponents()[0], 2, 0.0);
+  const Operators operators = AssembleOperators(stages.GetGeometry(), mesh.GetComponents()[0], 2, 0.0);
   Factorization factor;
   EXPECT_TRUE(factor.Compute(operators.Energy + unit * unit * operators.Mass));
   const auto weak = [&](const ComplexVector& q)
@@ -181,9 +180,8 @@ TEST(Curvature, ConvergesWeaklyOnIrregularMeshes)
 TEST(Curvature, DihedralAnglesAreSignedAndExact)
 {
   const Surface cube = Cube();
-  const TriangleMesh mesh(cube);
   int right = 0;
-  for (const double angle : DihedralAngles(mesh, mesh.Positions(cube.Points)))
+  for (const double angle : Dihedrals(cube))
   {
     EXPECT_TRUE(std::abs(angle) < 1e-12 || std::abs(angle - 0.5 * Pi) < 1e-12) << angle;
     right += angle > 1.0;
@@ -209,7 +207,7 @@ TEST(Curvature, SphereIsUmbilic)
 {
   Stages stages(Transformed(Icosphere(4), 2.5 * Eigen::Matrix3d::Identity(), { 1, 2, 3 }));
   const Curvature& curvature = stages.GetCurvature();
-  const double unit = stages.GetMetric().Unit[0];
+  const double unit = stages.GetGeometry().Lengths.Unit[0];
   double meanError = 0.0;
   double gaussianError = 0.0;
   for (std::size_t v = 0; v < curvature.Mean.size(); ++v)
@@ -234,10 +232,8 @@ TEST(Curvature, IsThatOfItsDefinitions)
   for (const Surface& surface : { Potato(6), Hemisphere(4), Scrambled(Square(20), 3), Tetrahedron() })
   {
     const System system(surface, 2, 0.0);
-    const std::vector<double> dihedral = DihedralAngles(system.Mesh, system.Positions);
-    const TangentFrames frames(system.Mesh, system.Transport, system.Positions);
-    const Curvature curvature(
-      system.Mesh, system.Lengths, system.Transport, frames, system.Positions, dihedral);
+    const std::vector<double> dihedral = DihedralAngles(system);
+    const Curvature curvature(system, dihedral);
     const Index vertices = system.Mesh.GetNumberOfVertices();
     ComplexVector right = ComplexVector::Zero(vertices);
     std::vector<Index> fan;
@@ -265,7 +261,7 @@ TEST(Curvature, IsThatOfItsDefinitions)
       laplacian /= system.Lengths.Unit[0] * area;
       const bool boundary = system.Mesh.IsBoundary(v);
       EXPECT_NEAR(std::abs(curvature.Mean[v]),
-        0.5 * (boundary ? std::abs(laplacian.dot(frames.Normal[v])) : laplacian.norm()),
+        0.5 * (boundary ? std::abs(laplacian.dot(system.Frames.Normal[v])) : laplacian.norm()),
         1e-11 * (1.0 + laplacian.norm()));
       EXPECT_NEAR(curvature.Gaussian[v], boundary ? 0.0 : (2.0 * Pi - angle) / area, 1e-13 / area);
     }

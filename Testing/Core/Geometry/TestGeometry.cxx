@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshes/Geometry.h"
+#include "Geometry/DihedralAngles.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include "Field/Curvature.h"
+#include "Meshes/Angles.h"
+#include "Meshes/Surfaces.h"
 #include "Sections/Assembly.h"
 #include "Sections/ReferenceSection.h"
 #include "Sections/Singularities.h"
@@ -17,8 +20,6 @@
 
 using namespace DirectionFields;
 using namespace Meshes;
-using SurfaceParts::Geometry;
-using SurfaceParts::Wrapped;
 
 namespace
 {
@@ -117,7 +118,7 @@ TEST(Connection, TotalCurvatureIsTwoPiChi)
     { Potato(2), 2 }, { Torus(12, 9), 0 }, { DoubleTorus(), -2 } };
   for (const auto& [surface, chi] : surfaces)
   {
-    const Geometry g(surface);
+    const SurfaceGeometry g(surface);
     double sum = 0.0;
     for (const double curvature : g.Transport.Curvature)
     {
@@ -131,7 +132,7 @@ TEST(Connection, TransportAroundATriangleIsItsCurvature)
 {
   for (const Surface& surface : { Cube(), Potato(2), Hemisphere(2), Jittered(Disk(5), 0.1, 1) })
   {
-    const Geometry g(surface);
+    const SurfaceGeometry g(surface);
     for (Index t = 0; t < g.Mesh.GetNumberOfTriangles(); ++t)
     {
       double sum = 0.0;
@@ -146,7 +147,7 @@ TEST(Connection, TransportAroundATriangleIsItsCurvature)
 
 TEST(Connection, FlatPatchStaysFlatUpToItsBoundary)
 {
-  const Geometry g(Transformed(Disk(6), ObliqueRotation(1.1), { 1, 2, 3 }));
+  const SurfaceGeometry g(Transformed(Disk(6), ObliqueRotation(1.1), { 1, 2, 3 }));
   for (const double curvature : g.Transport.Curvature)
   {
     EXPECT_NEAR(curvature, 0.0, 1e-12);
@@ -165,10 +166,10 @@ TEST(Connection, FlatPatchStaysFlatUpToItsBoundary)
 
 TEST(TangentFrames, AreOrthonormalAndPointOutwards)
 {
-  const Geometry g(Icosphere(3));
+  const SurfaceGeometry g(Icosphere(3));
   for (Index v = 0; v < g.Mesh.GetNumberOfVertices(); ++v)
   {
-    const Vector3& p = g.Points[v];
+    const Vector3& p = g.Positions[v];
     EXPECT_GT(g.Frames.Normal[v].dot(p), 0.999);
     EXPECT_NEAR(g.Frames.X[v].norm(), 1.0, 1e-14);
     EXPECT_NEAR(g.Frames.X[v].dot(g.Frames.Normal[v]), 0.0, 1e-14);
@@ -178,12 +179,12 @@ TEST(TangentFrames, AreOrthonormalAndPointOutwards)
 
 TEST(TangentFrames, AnglesFitTheEdges)
 {
-  const Geometry g(Potato(3));
+  const SurfaceGeometry g(Potato(3));
   // On a fine smooth surface the angle theta in the frame is the projected edge's own.
   for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Index i = g.Mesh.Tail(h);
-    const Vector3 edge = g.Points[g.Mesh.Head(h)] - g.Points[i];
+    const Vector3 edge = g.Positions[g.Mesh.Head(h)] - g.Positions[i];
     const double angle = std::atan2(edge.dot(g.Frames.Y(i)), edge.dot(g.Frames.X[i]));
     EXPECT_NEAR(Wrapped(angle - g.Transport.EdgeAngle[h]), 0.0, 0.05);
   }
@@ -194,8 +195,8 @@ TEST(TangentFrames, DependOnlyOnTheShapeUpToTheReferenceAngle)
   // The direction of a fixed edge's angle in space is the same whichever edge angle 0 stands for.
   const Surface surface = Potato(2);
   const Eigen::Matrix3d rotation = ObliqueRotation(2.2);
-  const Geometry g(surface);
-  const Geometry turned(Transformed(surface, rotation, { -4, 1, 2 }));
+  const SurfaceGeometry g(surface);
+  const SurfaceGeometry turned(Transformed(surface, rotation, { -4, 1, 2 }));
   int otherReference = 0;
   const std::vector<Index> halfEdge = HalfEdgesIn(turned.Mesh, g.Mesh);
   for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)
@@ -221,7 +222,7 @@ TEST(Geometry, SameBytesForAnyNumberOfThreads)
   {
     Threads threads(number);
     const Threads::Scope scope(threads);
-    const Geometry g(surface);
+    const SurfaceGeometry g(surface);
     std::vector<double> all;
     const auto add = [&all](const auto& values)
     { all.insert(all.end(), values.begin(), values.end()); };
@@ -240,14 +241,13 @@ TEST(Geometry, SameBytesForAnyNumberOfThreads)
       add(g.Frames.X[v]);
       field.push_back(std::polar(1.0, 0.01 * v));
     }
-    add(SingularityIndices(g.Mesh, g.Transport, 4, field));
-    const Curvature curvature(g.Mesh, g.Lengths, g.Transport, g.Frames, g.Points,
-      DihedralAngles(g.Mesh, g.Points));
+    add(SingularityIndices(g, 4, field));
+    const Curvature curvature(g, DihedralAngles(g));
     add(curvature.Mean);
     add(curvature.Gaussian);
     for (const TriangleMesh::Component& component : g.Mesh.GetComponents())
     {
-      Operators operators = AssembleOperators(g.Mesh, g.Lengths, g.Transport, component, 4, 0.3);
+      Operators operators = AssembleOperators(g, component, 4, 0.3);
       for (const SparseMatrix& matrix : { operators.Energy, operators.Mass })
       {
         for (Index k = 0; k < matrix.nonZeros(); ++k)
@@ -257,7 +257,7 @@ TEST(Geometry, SameBytesForAnyNumberOfThreads)
           all.push_back(matrix.valuePtr()[k].imag());
         }
       }
-      const ReferenceSection reference(g.Frames, g.Points, component, 4);
+      const ReferenceSection reference(g, component, 4);
       ComplexVector u = reference.Start();
       reference.FixPhase(u);
       for (const Complex& value : u)
@@ -277,13 +277,13 @@ TEST(Geometry, SameBytesForAnyNumberOfThreads)
 TEST(Singularities, IndicesAreThoseOfEachTriangleAlone)
 {
   const int degree = 4;
-  const Geometry g(Potato(5));
+  const SurfaceGeometry g(Potato(5));
   std::vector<Complex> field;
   for (Index v = 0; v < g.Mesh.GetNumberOfVertices(); ++v)
   {
     field.push_back(std::polar(1.0 + 0.1 * (v % 7), 0.7 * v));
   }
-  const std::vector<int> indices = SingularityIndices(g.Mesh, g.Transport, degree, field);
+  const std::vector<int> indices = SingularityIndices(g, degree, field);
   int singular = 0;
   for (Index t = 0; t < g.Mesh.GetNumberOfTriangles(); ++t)
   {
@@ -304,7 +304,7 @@ TEST(Connection, ScaledCornerAnglesFillTheConesOfTheVertices)
 {
   for (const Surface& surface : { Cube(), Potato(2), Disk(4), Hemisphere(2) })
   {
-    const Geometry g(surface);
+    const SurfaceGeometry g(surface);
     std::vector<double> sum(g.Mesh.GetNumberOfVertices(), 0.0);
     std::vector<double> unscaled(g.Mesh.GetNumberOfVertices(), 0.0);
     for (Index h = 0; h < g.Mesh.GetNumberOfHalfEdges(); ++h)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Geometry/IntrinsicTriangulation.h"
-#include "Meshes/Geometry.h"
+#include "Geometry/SurfaceGeometry.h"
+#include "Meshes/Angles.h"
+#include "Meshes/Surfaces.h"
 #include "Sections/Assembly.h"
 #include "Sections/SectionIntegrals.h"
 
@@ -19,15 +21,14 @@
 
 using namespace DirectionFields;
 using namespace Meshes;
-using SurfaceParts::Wrapped;
 
 namespace
 {
-struct Flipped : SurfaceParts::Geometry
+struct Flipped : SurfaceGeometry
 {
   explicit Flipped(const Surface& surface)
-    : Geometry(surface)
-    , Delaunay(this->Mesh, this->Lengths, this->Transport)
+    : SurfaceGeometry(surface)
+    , Delaunay(*this)
   {
   }
   IntrinsicTriangulation Delaunay;
@@ -78,7 +79,7 @@ std::vector<double> AngleSums(const TriangleMesh& mesh, const Angles& angles)
 void ExpectDelaunay(const Flipped& g)
 {
   const TriangleMesh& mesh = g.Delaunay.Mesh;
-  const Metric& metric = g.Delaunay.Geometry;
+  const Metric& metric = g.Delaunay.Lengths;
   const Connection& connection = g.Delaunay.Transport;
   ExpectConsistent(mesh);
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
@@ -153,10 +154,10 @@ std::array<Eigen::MatrixXcd, 2> DenseOperators(
     std::array<Complex, 3> r;
     for (int c = 0; c < 3; ++c)
     {
-      squaredLength[c] = triangulation.Geometry.SquaredLength[mesh.Edge(3 * t + c)];
+      squaredLength[c] = triangulation.Lengths.SquaredLength[mesh.Edge(3 * t + c)];
       r[c] = std::polar(1.0, degree * triangulation.Transport.RotationAlong(mesh, 3 * t + c));
     }
-    const LocalMatrices local(squaredLength, triangulation.Geometry.Area[t],
+    const LocalMatrices local(squaredLength, triangulation.Lengths.Area[t],
       degree * triangulation.Transport.Curvature[t], r, 0.0);
     for (int c = 0; c < 3; ++c)
     {
@@ -175,8 +176,7 @@ std::array<Eigen::MatrixXcd, 2> DenseOperators(
 
 Operators Assemble(const IntrinsicTriangulation& triangulation, int degree)
 {
-  return AssembleOperators(triangulation.Mesh, triangulation.Geometry, triangulation.Transport,
-    triangulation.Mesh.GetComponents()[0], degree, 0.0);
+  return AssembleOperators(triangulation, triangulation.Mesh.GetComponents()[0], degree, 0.0);
 }
 }
 
@@ -227,7 +227,7 @@ TEST(IntrinsicTriangulation, AFlatMeshBecomesThePlaneDelaunayTriangulation)
   {
     const Vector3 edge =
       surface.Points[mesh.Point(mesh.Head(h))] - surface.Points[mesh.Point(mesh.Tail(h))];
-    const double length = std::sqrt(g.Delaunay.Geometry.SquaredLength[mesh.Edge(h)]);
+    const double length = std::sqrt(g.Delaunay.Lengths.SquaredLength[mesh.Edge(h)]);
     EXPECT_NEAR(length * g.Lengths.Unit[0], edge.norm(), 1e-13);
   }
 
@@ -272,7 +272,7 @@ TEST(IntrinsicTriangulation, BendingChangesNothing)
     for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
     {
       byPoints[{ mesh.Point(mesh.Tail(h)), mesh.Point(mesh.Head(h)) }] = {
-        g.Delaunay.Geometry.SquaredLength[mesh.Edge(h)] * g.Lengths.Unit[0] * g.Lengths.Unit[0],
+        g.Delaunay.Lengths.SquaredLength[mesh.Edge(h)] * g.Lengths.Unit[0] * g.Lengths.Unit[0],
         g.Delaunay.Transport.RotationAlong(mesh, h)
       };
     }
@@ -344,7 +344,7 @@ TEST(IntrinsicTriangulation, EdgesOnAConeAreThoseOfItsDevelopment)
   std::vector<double> zero(g.Mesh.GetNumberOfVertices(), 10.0);
   for (const auto& [mesh, metric, connection] :
     { std::tie(g.Mesh, g.Lengths, g.Transport),
-      std::tie(g.Delaunay.Mesh, g.Delaunay.Geometry, g.Delaunay.Transport) })
+      std::tie(g.Delaunay.Mesh, g.Delaunay.Lengths, g.Delaunay.Transport) })
   {
     int edges = 0;
     for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)

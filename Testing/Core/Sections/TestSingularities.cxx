@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Geometry/TangentFrames.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Sections/Singularities.h"
@@ -41,7 +40,7 @@ TEST(Singularities, SumIsDegreeTimesChiForAnyField)
       for (const auto& field : fields)
       {
         int sum = 0;
-        for (const int index : SingularityIndices(system.Mesh, system.Transport, degree, field))
+        for (const int index : SingularityIndices(system, degree, field))
         {
           sum += index;
         }
@@ -60,7 +59,6 @@ TEST(Singularities, KnownFieldsOnTheDisk)
     p += Vector3(0.02, 0.03, 0.0);
   }
   const System system(disk, 1, 0.0);
-  const TangentFrames frames(system.Mesh, system.Transport, system.Positions);
   for (const int k : { -2, -1, 0, 1, 2 })
   {
     for (const int degree : { 1, 2, 4, 6 })
@@ -69,12 +67,12 @@ TEST(Singularities, KnownFieldsOnTheDisk)
       for (Index v = 0; v < system.Mesh.GetNumberOfVertices(); ++v)
       {
         const Vector3& p = disk.Points[system.Mesh.Point(v)];
-        const double frame = std::atan2(frames.X[v].y(), frames.X[v].x());
+        const double frame = std::atan2(system.Frames.X[v].y(), system.Frames.X[v].x());
         field.push_back(std::polar(1.0, k * std::atan2(p.y(), p.x()) - degree * frame));
       }
       int sum = 0;
       int nonZero = 0;
-      for (const int index : SingularityIndices(system.Mesh, system.Transport, degree, field))
+      for (const int index : SingularityIndices(system, degree, field))
       {
         sum += index;
         nonZero += index != 0;

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_SurfaceGeometry_h
+#define DirectionFields_SurfaceGeometry_h
+
+#include "Geometry/IntrinsicGeometry.h"
+#include "Geometry/TangentFrames.h"
+#include "Surface.h"
+
+#include <vector>
+
+namespace DirectionFields
+{
+/// All that is computed of a surface before anything of a field is: its mesh, the lengths and the
+/// parallel transport on it, and how its tangent planes lie in space.
+struct SurfaceGeometry : IntrinsicGeometry
+{
+  /// Takes time linear in the triangles. Throws MeshError for a surface that cannot be processed.
+  explicit SurfaceGeometry(const Surface& surface);
+
+  /// The position of each vertex, in the surface's own unit.
+  std::vector<Vector3> Positions;
+  TangentFrames Frames;
+
+private:
+  /// The positions are found before the mesh is moved away.
+  SurfaceGeometry(TriangleMesh&& mesh, const Surface& surface);
+  SurfaceGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions);
+};
+}
+
+#endif
