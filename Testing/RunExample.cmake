@@ -1,8 +1,8 @@
 # Runs the commands below a HEADING of the examples' README as they stand there, in a DIRECTORY that
 # looks like the project's, and compares what they print with the text below the commands, where
-# there is one. The first heading's commands build the programs, anew.
+# there is one. The commands below the headings Examples and Core build the programs, anew.
 include("${CMAKE_CURRENT_LIST_DIR}/ExtractReadme.cmake")
-if (HEADING STREQUAL "Examples")
+if (HEADING MATCHES "^(Examples|Core)$")
   file(REMOVE_RECURSE "${DIRECTORY}")
 endif ()
 file(MAKE_DIRECTORY "${DIRECTORY}")

@@ -3,7 +3,12 @@
 //
 // The field of a tetrahedron, without VTK.
 
-#include <DirectionField.h>
+#include <DirectionFields/DirectionField.h>
+
+// These names may be the consumer's own.
+#if __has_include(<Options.h>) || __has_include(<Types.h>) || __has_include(<DirectionField.h>)
+#error "Headers of Direction Fields lie bare on the include path."
+#endif
 
 #include <cstdlib>
 #include <iostream>

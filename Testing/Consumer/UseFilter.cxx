@@ -14,6 +14,11 @@
 #include <cstdlib>
 #include <iostream>
 
+// These names may be the consumer's own.
+#if __has_include(<Options.h>) || __has_include(<Types.h>) || __has_include(<DirectionField.h>)
+#error "Headers of Direction Fields lie bare on the include path."
+#endif
+
 int main()
 {
   vtkNew<vtkSphereSource> sphere;
