@@ -15,14 +15,6 @@ namespace
 {
 constexpr Index PieceSize = 1 << 12;
 
-/// Unit vector orthogonal to a unit vector.
-Vector3 AnyOrthogonal(const Vector3& n)
-{
-  Eigen::Index smallest;
-  n.cwiseAbs().minCoeff(&smallest);
-  return n.cross(Vector3::Unit(smallest)).normalized();
-}
-
 /// Zero where the vector is zero.
 Vector3 Normalized(const Vector3& vector)
 {

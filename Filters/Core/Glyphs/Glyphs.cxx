@@ -15,6 +15,7 @@ namespace
 /// The share of reading the surface and of sampling in the progress.
 constexpr double ProgressRead = 0.3;
 constexpr double ProgressSampled = 0.7;
+constexpr std::size_t GlyphsPerReport = 1024;
 /// Places of a bent arm.
 constexpr int ArmStations = 6;
 /// A flat glyph is raised above a hollow surface by at most this part of its arms: a wall across it
@@ -34,7 +35,7 @@ public:
   {
   }
 
-  /// triangle: of the place; None for a point of the surface.
+  /// @param triangle of the place; None for a point of the surface
   void Draw(const DirectionsAt& at, Index triangle, double spacing)
   {
     const auto glyph = static_cast<Index>(this->Result.Point.size());
@@ -106,57 +107,48 @@ private:
   std::vector<SurfacePath> Paths;
 };
 
-Glyphs AbortedGlyphs()
+SurfaceSamples Places(const SurfaceIncidence& surface, const std::vector<char>& excludedTriangles,
+  const std::vector<char>& excludedPoints, const GlyphOptions& options, const Progress& progress)
 {
-  Glyphs glyphs;
-  glyphs.Aborted = true;
-  return glyphs;
-}
+  if (options.Mode == GlyphMode::AllPoints)
+  {
+    return SamplePoints(surface, excludedPoints, options.MaximumNumber, progress);
+  }
+  SamplingOptions sampling;
+  sampling.Spacing = options.Spacing;
+  sampling.MaximumNumber = options.MaximumNumber;
+  return SampleSurface(surface, excludedTriangles, sampling, progress);
 }
 
-Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
-  const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
-  const GlyphOptions& options, const SamplingProgress& progress)
+/// The point of the surface that a place is.
+Index PointAt(const Surface& surface, const SurfacePoint& place)
 {
-  const SamplingProgress report = progress ? progress : [](double) { return true; };
+  const auto corner = std::max_element(place.Weights.begin(), place.Weights.end());
+  return surface.Triangles[place.Triangle][corner - place.Weights.begin()];
+}
+
+/// Throws Stopped.
+Glyphs Draw(const SurfaceIncidence& surface, const PointDirections& field,
+  const SurfaceSamples& samples, const GlyphOptions& options, const Progress& progress)
+{
   const bool allPoints = options.Mode == GlyphMode::AllPoints;
-  const SurfaceIncidence incidence(surface);
-  if (!report(ProgressRead))
-  {
-    return AbortedGlyphs();
-  }
-  const SamplingProgress sampling = [&](double done)
-  { return report(ProgressRead + done * (ProgressSampled - ProgressRead)); };
-  SamplingOptions samplingOptions;
-  samplingOptions.Spacing = options.Spacing;
-  samplingOptions.MaximumNumber = options.MaximumNumber;
-  const SurfaceSamples samples = allPoints
-    ? SamplePoints(incidence, excludedPoints, options.MaximumNumber, sampling)
-    : SampleSurface(incidence, excludedTriangles, samplingOptions, sampling);
-  if (samples.Aborted)
-  {
-    return AbortedGlyphs();
-  }
-
   Glyphs glyphs;
-  const FieldInterpolation interpolation(incidence, field);
-  Drawing drawing(incidence, field.Degree, options, glyphs);
+  const FieldInterpolation interpolation(surface, field);
+  Drawing drawing(surface, field.Degree, options, glyphs);
   for (std::size_t i = 0; i < samples.Points.size(); ++i)
   {
-    const SurfacePoint& place = samples.Points[i];
-    if (i % 1024 == 0 &&
-      !report(ProgressSampled + (1.0 - ProgressSampled) * i / samples.Points.size()))
+    if (i % GlyphsPerReport == 0)
     {
-      return AbortedGlyphs();
+      progress.Report(static_cast<double>(i) / samples.Points.size());
     }
+    const SurfacePoint& place = samples.Points[i];
     DirectionsAt at;
     double spacing = samples.Spacing;
     if (allPoints)
     {
-      const auto corner = std::max_element(place.Weights.begin(), place.Weights.end());
-      const Index point = surface.Triangles[place.Triangle][corner - place.Weights.begin()];
+      const Index point = PointAt(surface.GetSurface(), place);
       at = interpolation.AtPoint(point);
-      spacing = spacing > 0.0 ? spacing : incidence.ShortestEdge(point);
+      spacing = spacing > 0.0 ? spacing : surface.ShortestEdge(point);
     }
     else
     {
@@ -174,5 +166,27 @@ Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
       : glyphs.Spacing / static_cast<double>(glyphs.Point.size());
   }
   return glyphs;
+}
+}
+
+Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
+  const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
+  const GlyphOptions& options, const ProgressFunction& progress)
+{
+  const Progress steps(progress);
+  try
+  {
+    const SurfaceIncidence incidence(surface);
+    steps.Report(ProgressRead);
+    const SurfaceSamples samples = Places(incidence, excludedTriangles, excludedPoints, options,
+      steps.Part(ProgressRead, ProgressSampled));
+    return Draw(incidence, field, samples, options, steps.Part(ProgressSampled, 1.0));
+  }
+  catch (const Stopped&)
+  {
+    Glyphs nothing;
+    nothing.Aborted = true;
+    return nothing;
+  }
 }
 }

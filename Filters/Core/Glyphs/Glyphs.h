@@ -5,6 +5,7 @@
 #define DirectionFields_Glyphs_h
 
 #include "Glyphs/GlyphShapes.h"
+#include "Progress.h"
 #include "Surface.h"
 #include "Tracing/FieldInterpolation.h"
 #include "Tracing/SurfaceSampling.h"
@@ -54,10 +55,12 @@ struct Glyphs
 /// Draws all n directions of a field at many places, as one glyph each. Places without directions,
 /// in the middle of a singularity and at points that no triangle uses, have none.
 ///
-/// excludedTriangles, excludedPoints: without glyphs; empty for none.
+/// @param excludedTriangles not 0 for triangles without glyphs; empty for none
+/// @param excludedPoints    likewise for points
+/// @param progress          stops the drawing: no glyphs are returned then
 Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
   const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
-  const GlyphOptions& options, const SamplingProgress& progress = nullptr);
+  const GlyphOptions& options, const ProgressFunction& progress = {});
 }
 
 #endif

@@ -86,17 +86,4 @@ SectionIntegrals SectionIntegrals::ClosedForm(double omega)
       (-4.0 + 3.0 * i * omega + o2) * e) /
       o4 };
 }
-
-LocalMatrices::LocalMatrices(const std::array<double, 3>& squaredLength, double area, double omega,
-  const std::array<Complex, 3>& transport, double energyBias)
-{
-  const LocalIntegrals integrals(squaredLength, area, omega, energyBias);
-  this->MassDiagonal = integrals.MassDiagonal();
-  for (int c = 0; c < 3; ++c)
-  {
-    this->EnergyDiagonal[c] = integrals.EnergyDiagonal(c);
-    this->Energy[c] = std::conj(transport[c]) * integrals.Energy(c);
-    this->Mass[c] = std::conj(transport[c]) * integrals.Mass();
-  }
-}
 }

@@ -91,20 +91,6 @@ private:
   double Omega;
   double EnergyBias;
 };
-
-/// LocalIntegrals with the transport. Entry [c] of the off-diagonal arrays belongs to the row of
-/// corner c and the column of corner c + 1.
-struct LocalMatrices
-{
-  std::array<double, 3> EnergyDiagonal;
-  std::array<Complex, 3> Energy;
-  double MassDiagonal;
-  std::array<Complex, 3> Mass;
-
-  /// @param transport r of the edges from corner c to c + 1, of modulus 1
-  LocalMatrices(const std::array<double, 3>& squaredLength, double area, double omega,
-    const std::array<Complex, 3>& transport, double energyBias);
-};
 }
 
 #endif

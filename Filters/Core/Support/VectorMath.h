@@ -17,6 +17,14 @@ inline double Modulus(const Complex& z)
   return std::sqrt(std::norm(z));
 }
 
+/// A unit vector orthogonal to a unit vector.
+inline Vector3 AnyOrthogonal(const Vector3& unit)
+{
+  Eigen::Index smallest;
+  unit.cwiseAbs().minCoeff(&smallest);
+  return unit.cross(Vector3::Unit(smallest)).normalized();
+}
+
 /// Elementary functions of many finite numbers at once. Where the C library has them for vectors of
 /// numbers, they take a third of the time, and are accurate to a few units in the last place.
 

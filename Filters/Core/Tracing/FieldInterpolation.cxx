@@ -3,7 +3,9 @@
 
 #include "Tracing/FieldInterpolation.h"
 
-#include <algorithm>
+#include "Support/VectorMath.h"
+
+#include <array>
 #include <cmath>
 
 namespace DirectionFields
@@ -29,13 +31,69 @@ Vector3 Carry(const Vector3& v, const Vector3& from, const Vector3& to)
   return v - to.dot(v) / denominator * (from + to);
 }
 
-Vector3 AnyOrthogonal(const Vector3& normal)
+/// The corner of a triangle that is nearest to a place, the first of several.
+int NearestCorner(const SurfaceIncidence& surface, Index triangle, const Vector3& place)
 {
-  Eigen::Index smallest;
-  normal.cwiseAbs().minCoeff(&smallest);
-  return normal.cross(Vector3::Unit(smallest)).normalized();
+  double least = -1.0;
+  int nearest = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double distance = (surface.Corner(triangle, c) - place).squaredNorm();
+    if (least < 0.0 || distance < least)
+    {
+      least = distance;
+      nearest = c;
+    }
+  }
+  return nearest;
 }
 }
+
+/// What is given at the corners of a triangle.
+struct FieldInterpolation::Corners
+{
+  std::array<Vector3, 3> Direction, Normal;
+  std::array<double, 3> Magnitude;
+  /// Whether a corner has directions; what else there is of it is undefined if not.
+  std::array<bool, 3> Valid;
+
+  /// The interpolated normal, not normalized.
+  /// @param weights        of the corners
+  /// @param triangleNormal the unit normal of the triangle
+  Vector3 Blend(const std::array<double, 3>& weights, const Vector3& triangleNormal)
+  {
+    Vector3 blended = Vector3::Zero();
+    for (int c = 0; c < 3; ++c)
+    {
+      if (this->Valid[c])
+      {
+        blended += weights[c] * this->Normal[c];
+      }
+    }
+    // Around a surface that cannot be oriented there are triangles whose corners mean different
+    // sides; the directions are the same from both.
+    int clearest = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      if (this->Valid[c] &&
+        (!this->Valid[clearest] ||
+          std::abs(this->Normal[c].dot(triangleNormal)) >
+            std::abs(this->Normal[clearest].dot(triangleNormal))))
+      {
+        clearest = c;
+      }
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      if (this->Valid[c] && this->Normal[c].dot(this->Normal[clearest]) < LeastOpposite)
+      {
+        this->Normal[c] = -this->Normal[c];
+        blended += 2.0 * weights[c] * this->Normal[c];
+      }
+    }
+    return blended;
+  }
+};
 
 Vector3 DirectionsAt::Turned(int k, int degree) const
 {
@@ -91,47 +149,29 @@ Vector3 FieldInterpolation::Normal(
   return length > 1e-6 ? Vector3(normal / length) : AnyOrthogonal(direction);
 }
 
+FieldInterpolation::Corners FieldInterpolation::ReadCorners(Index triangle) const
+{
+  const Triangle& points = this->Surface.GetSurface().Triangles[triangle];
+  const Vector3 triangleNormal = this->Surface.Normal(triangle);
+  Corners corners;
+  for (int c = 0; c < 3; ++c)
+  {
+    corners.Valid[c] = this->Read(points[c], corners.Direction[c], corners.Magnitude[c]);
+    if (corners.Valid[c])
+    {
+      corners.Normal[c] = this->Normal(points[c], corners.Direction[c], triangleNormal);
+    }
+  }
+  return corners;
+}
+
 DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
 {
-  const Index t = place.Triangle;
-  const Triangle& corners = this->Surface.GetSurface().Triangles[t];
   DirectionsAt result;
   result.Position = place.Position(this->Surface);
-  result.Normal = this->Surface.Normal(t);
-
-  std::array<Vector3, 3> direction, normal;
-  std::array<double, 3> magnitude;
-  std::array<bool, 3> valid;
-  Vector3 blended = Vector3::Zero();
-  for (int c = 0; c < 3; ++c)
-  {
-    valid[c] = this->Read(corners[c], direction[c], magnitude[c]);
-    if (valid[c])
-    {
-      normal[c] = this->Normal(corners[c], direction[c], result.Normal);
-      blended += place.Weights[c] * normal[c];
-    }
-  }
-  // Around a surface that cannot be oriented there are triangles whose corners mean different sides;
-  // the directions are the same from both.
-  int clearest = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    if (valid[c] &&
-      (!valid[clearest] ||
-        std::abs(normal[c].dot(result.Normal)) > std::abs(normal[clearest].dot(result.Normal))))
-    {
-      clearest = c;
-    }
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    if (valid[c] && normal[c].dot(normal[clearest]) < LeastOpposite)
-    {
-      normal[c] = -normal[c];
-      blended += 2.0 * place.Weights[c] * normal[c];
-    }
-  }
+  result.Normal = this->Surface.Normal(place.Triangle);
+  Corners corners = this->ReadCorners(place.Triangle);
+  const Vector3 blended = corners.Blend(place.Weights, result.Normal);
   if (blended.dot(result.Normal) < 0.0)
   {
     result.Normal = -result.Normal;
@@ -140,17 +180,19 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
   const Vector3 between = length > 1e-6 ? Vector3(blended / length) : result.Normal;
   const Vector3 x = AnyOrthogonal(between);
   const Vector3 y = between.cross(x);
+  // u, of which each corner's is carried to the plane between.
   Complex sum = 0.0;
   double total = 0.0;
-  std::array<Vector3, 3> carried;
+  std::array<double, 3> angle;
   for (int c = 0; c < 3; ++c)
   {
-    if (valid[c])
+    if (corners.Valid[c])
     {
-      carried[c] = Carry(direction[c], normal[c], between);
-      const double angle = std::atan2(carried[c].dot(y), carried[c].dot(x));
-      sum += std::polar(place.Weights[c] * magnitude[c], this->Field.Degree * angle);
-      total += place.Weights[c] * magnitude[c];
+      const Vector3 carried = Carry(corners.Direction[c], corners.Normal[c], between);
+      angle[c] = std::atan2(carried.dot(y), carried.dot(x));
+      const double weight = place.Weights[c] * corners.Magnitude[c];
+      sum += std::polar(weight, this->Field.Degree * angle[c]);
+      total += weight;
     }
   }
   if (!(std::abs(sum) > LeastPart * total))
@@ -158,29 +200,17 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
     return result;
   }
 
-  double least = -1.0;
-  int nearest = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double distance =
-      (this->Surface.GetSurface().Points[corners[c]] - result.Position).squaredNorm();
-    if (least < 0.0 || distance < least)
-    {
-      least = distance;
-      nearest = c;
-    }
-  }
-  result.Point = corners[nearest];
+  const int nearest = NearestCorner(this->Surface, place.Triangle, result.Position);
+  result.Point = this->Surface.GetSurface().Triangles[place.Triangle][nearest];
   result.Magnitude = std::abs(sum);
-  double angle = std::arg(sum) / this->Field.Degree;
-  if (valid[nearest])
+  double root = std::arg(sum) / this->Field.Degree;
+  if (corners.Valid[nearest])
   {
     // The n-th root that is nearest to direction 0 there.
-    const double wanted = std::atan2(carried[nearest].dot(y), carried[nearest].dot(x));
     const double step = 2.0 * Pi / this->Field.Degree;
-    angle += step * std::round((wanted - angle) / step);
+    root += step * std::round((angle[nearest] - root) / step);
   }
-  const Vector3 there = std::cos(angle) * x + std::sin(angle) * y;
+  const Vector3 there = std::cos(root) * x + std::sin(root) * y;
   result.Direction = Carry(there, between, result.Normal).normalized();
   return result;
 }

@@ -5,7 +5,6 @@
 #define DirectionFields_FieldInterpolation_h
 
 #include "Tracing/SurfaceIncidence.h"
-#include "Tracing/SurfaceSampling.h"
 
 #include <functional>
 
@@ -60,9 +59,13 @@ public:
   DirectionsAt AtPoint(Index point) const;
 
 private:
+  struct Corners;
+
+  /// The unit direction 0 and |u| of a point; false where it has none.
   bool Read(Index point, Vector3& direction, double& magnitude) const;
   /// Unit normal of the plane of a point's directions.
   Vector3 Normal(Index point, const Vector3& direction, const Vector3& triangleNormal) const;
+  Corners ReadCorners(Index triangle) const;
 
   const SurfaceIncidence& Surface;
   const PointDirections& Field;

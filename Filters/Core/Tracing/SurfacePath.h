@@ -5,6 +5,7 @@
 #define DirectionFields_SurfacePath_h
 
 #include "Tracing/SurfaceIncidence.h"
+#include "Tracing/SurfaceWalk.h"
 
 #include <vector>
 
@@ -31,18 +32,6 @@ struct SurfacePath
   Vector3 Heading(double distance) const;
   /// Unit vector to the left of the path, orthogonal to heading and normal.
   Vector3 Left(double distance) const;
-};
-
-/// Where a path starts: inside a triangle, or on a point of the surface.
-struct PathStart
-{
-  Vector3 Position;
-  /// Unit normal there.
-  Vector3 Normal;
-  /// None on a point: the triangle is then the one that the path's direction points into.
-  Index Triangle = None;
-  /// None inside a triangle.
-  Index Point = None;
 };
 
 /// Follows a unit tangent vector for a length. On the boundary the path leaves the surface and goes

@@ -117,12 +117,10 @@ Candidate PointCandidate(const SurfaceIncidence& surface, Index point)
 class Rounds
 {
 public:
-  explicit Rounds(const SamplingProgress& progress)
-    : Progress(progress)
+  explicit Rounds(const Progress& progress)
+    : Listener(progress)
   {
   }
-
-  bool Aborted = false;
 
   /// The next round, or the first; each takes half of what is left.
   void Begin()
@@ -131,20 +129,20 @@ public:
     this->End += 0.5 * (1.0 - this->End);
   }
 
-  /// False to stop. phase of phases: where in the round the step is.
-  bool GoesOn(std::size_t step, std::size_t steps, int phase, int phases)
+  /// Tells where in the round the step is: in a phase, of several. Throws Stopped.
+  void Step(std::size_t step, std::size_t steps, int phase, int phases) const
   {
-    if (step % 32768 == 0 && this->Progress && !this->Aborted)
+    if (step % StepsPerReport == 0)
     {
       const double part = (phase + static_cast<double>(step) / std::max<std::size_t>(steps, 1));
-      this->Aborted =
-        !this->Progress(this->Done + (this->End - this->Done) * part / phases);
+      this->Listener.Report(this->Done + (this->End - this->Done) * part / phases);
     }
-    return !this->Aborted;
   }
 
 private:
-  const SamplingProgress& Progress;
+  static constexpr std::size_t StepsPerReport = 32768;
+
+  const Progress& Listener;
   double Done = 0.0;
   double End = 0.0;
 };
@@ -153,9 +151,10 @@ private:
 class Spreading
 {
 public:
-  /// excluded: triangles without samples.
+  /// @param excluded not 0 for triangles without samples; empty for none
   Spreading(const SurfaceIncidence& surface, const std::vector<char>& excluded,
-    std::vector<Candidate>& candidates, const Vector3& origin, double spacing, Rounds& rounds)
+    std::vector<Candidate>& candidates, const Vector3& origin, double spacing,
+    const Rounds& rounds)
     : Surface(surface)
     , Excluded(excluded)
     , Candidates(candidates)
@@ -176,9 +175,9 @@ public:
   /// Takes all that there is room for.
   void Throw(const std::vector<Index>& order, int phase, int phases)
   {
-    for (std::size_t i = 0; i < order.size() && this->Round.GoesOn(i, order.size(), phase, phases);
-         ++i)
+    for (std::size_t i = 0; i < order.size(); ++i)
     {
+      this->Round.Step(i, order.size(), phase, phases);
       const Candidate& candidate = this->Candidates[order[i]];
       if (this->Grid.IsFree(candidate.Position, candidate.Normal))
       {
@@ -208,8 +207,9 @@ public:
     std::vector<Vector3> sum(this->Samples.size(), Vector3::Zero());
     std::vector<Index> owned(this->Samples.size(), 0);
     std::vector<Index> around;
-    for (std::size_t i = 0; i < count && this->Round.GoesOn(i, count, phase, phases); ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
+      this->Round.Step(i, count, phase, phases);
       const Candidate& candidate = this->Candidates[i];
       if (i == 0 || candidate.Cell != this->Candidates[i - 1].Cell)
       {
@@ -222,7 +222,7 @@ public:
         ++owned[owner];
       }
     }
-    for (std::size_t s = 0; s < this->Samples.size() && !this->Round.Aborted; ++s)
+    for (std::size_t s = 0; s < this->Samples.size(); ++s)
     {
       const auto sample = static_cast<Index>(s);
       if (owned[s] > 0)
@@ -262,11 +262,11 @@ private:
   const std::vector<char>& Excluded;
   std::vector<Candidate>& Candidates;
   DiskGrid Grid;
-  Rounds& Round;
+  const Rounds& Round;
 };
 
-/// The largest set of at most so many samples that spread(spacing) gives for some spacing not less
-/// than the least, starting from one that should do.
+/// The largest set of at most maximumNumber samples that spread(spacing) gives for some spacing that
+/// is not less than the least. The search starts from a spacing that should do.
 template <typename Spread>
 SurfaceSamples FitSpacing(
   double spacing, double least, Index maximumNumber, Rounds& rounds, const Spread& spread)
@@ -276,12 +276,6 @@ SurfaceSamples FitSpacing(
   {
     rounds.Begin();
     SurfaceSamples samples = spread(spacing);
-    if (rounds.Aborted)
-    {
-      SurfaceSamples aborted;
-      aborted.Aborted = true;
-      return aborted;
-    }
     samples.Spacing = spacing;
     const std::size_t count = samples.Points.size();
     const auto most = static_cast<std::size_t>(maximumNumber);
@@ -323,7 +317,7 @@ Vector3 LowerCorner(const SurfaceIncidence& surface)
 }
 
 SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<char>& excluded,
-  const SamplingOptions& options, const SamplingProgress& progress)
+  const SamplingOptions& options, const Progress& progress)
 {
   double area = 0.0;
   for (Index t = 0; t < surface.GetNumberOfTriangles(); ++t)
@@ -367,7 +361,7 @@ SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<
 }
 
 SurfaceSamples SamplePoints(const SurfaceIncidence& surface, const std::vector<char>& excluded,
-  Index maximumNumber, const SamplingProgress& progress)
+  Index maximumNumber, const Progress& progress)
 {
   std::vector<Index> points;
   for (Index i = 0; i < surface.GetNumberOfPoints(); ++i)

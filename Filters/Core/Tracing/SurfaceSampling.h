@@ -4,10 +4,10 @@
 #ifndef DirectionFields_SurfaceSampling_h
 #define DirectionFields_SurfaceSampling_h
 
+#include "Progress.h"
 #include "Tracing/SurfaceIncidence.h"
 #include "Types.h"
 
-#include <functional>
 #include <vector>
 
 namespace DirectionFields
@@ -27,12 +27,7 @@ struct SurfaceSamples
   std::vector<SurfacePoint> Points;
   /// The distance that was kept; 0 without samples.
   double Spacing = 0.0;
-  /// Stopped by the progress callback; there are no points.
-  bool Aborted = false;
 };
-
-/// Where sampling is: from 0 to 1; false stops it.
-using SamplingProgress = std::function<bool(double)>;
 
 /// Samples with a Poisson-disk distribution: no two on the same side of the surface (DiskGrid.h)
 /// are nearer to each other than the spacing, and no room is left for another.
@@ -44,16 +39,18 @@ using SamplingProgress = std::function<bool(double)>;
 /// what is near, so that the time is linear in triangles and samples. There is no randomness: the
 /// same surface gives the same samples.
 ///
-/// excluded: triangles without samples; empty for none.
+/// Throws Stopped.
+/// @param excluded not 0 for triangles without samples; empty for none
 SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<char>& excluded,
-  const SamplingOptions& options, const SamplingProgress& progress = nullptr);
+  const SamplingOptions& options, const Progress& progress = {});
 
 /// All points that a sound triangle uses, in their order; where these are more than the maximum
-/// number, an evenly spread part of them. Spacing: the distance kept between the latter, else 0.
+/// number, an evenly spread part of them. Spacing is the distance kept between the latter, else 0.
 ///
-/// excluded: points not to be taken; empty for none.
+/// Throws Stopped.
+/// @param excluded not 0 for points not to be taken; empty for none
 SurfaceSamples SamplePoints(const SurfaceIncidence& surface, const std::vector<char>& excluded,
-  Index maximumNumber, const SamplingProgress& progress = nullptr);
+  Index maximumNumber, const Progress& progress = {});
 }
 
 #endif

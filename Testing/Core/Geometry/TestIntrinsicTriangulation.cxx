@@ -4,9 +4,9 @@
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Meshes/Angles.h"
+#include "Meshes/LocalMatrices.h"
 #include "Meshes/Surfaces.h"
 #include "Sections/Assembly.h"
-#include "Sections/SectionIntegrals.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Meshes/LocalMatrices.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Sections/SectionIntegrals.h"

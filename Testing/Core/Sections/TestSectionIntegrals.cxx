@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Meshes/LocalMatrices.h"
 #include "Sections/SectionIntegrals.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <functional>
 
 using namespace DirectionFields;
+using namespace Meshes;
 
 namespace
 {

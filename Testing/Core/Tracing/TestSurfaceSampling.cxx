@@ -291,22 +291,21 @@ TEST(SurfaceSampling, CanBeStopped)
   const SurfaceIncidence incidence(surface);
   for (const double when : { 0.0, 0.2, 0.4 })
   {
-    const auto stop = [when](double done) { return done < when; };
-    const SurfaceSamples samples = SampleSurface(incidence, {}, WithNumber(5000), stop);
-    EXPECT_TRUE(samples.Aborted);
-    EXPECT_TRUE(samples.Points.empty());
+    const ProgressFunction stop = [when](double done) { return done < when; };
+    EXPECT_THROW(SampleSurface(incidence, {}, WithNumber(5000), Progress(stop)), Stopped);
   }
-  EXPECT_TRUE(SamplePoints(incidence, {}, 10, [](double) { return false; }).Aborted);
+  const ProgressFunction never = [](double) { return false; };
+  EXPECT_THROW(SamplePoints(incidence, {}, 10, Progress(never)), Stopped);
 
   double last = 0.0;
-  const auto watch = [&last](double done)
+  const ProgressFunction watch = [&last](double done)
   {
     EXPECT_GE(done, last);
     EXPECT_LE(done, 1.0);
     last = done;
     return true;
   };
-  EXPECT_FALSE(SampleSurface(incidence, {}, WithNumber(5000), watch).Aborted);
+  EXPECT_FALSE(SampleSurface(incidence, {}, WithNumber(5000), Progress(watch)).Points.empty());
   EXPECT_GT(last, 0.3);
 }
 
