@@ -7,11 +7,6 @@
 
 namespace DirectionFields
 {
-namespace
-{
-constexpr Index PieceSize = 1 << 12;
-}
-
 Connection::Connection(
   const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& positions)
   : EdgeAngle(mesh.GetNumberOfHalfEdges())
@@ -22,7 +17,7 @@ Connection::Connection(
 {
   // The corner angles first stand where the sums of those before them come.
   LargeArray<double>& cornerAngle = this->EdgeAngle;
-  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+  ParallelFor(mesh.GetNumberOfTriangles(), MediumPiece,
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
@@ -31,7 +26,7 @@ Connection::Connection(
         std::copy(angles.begin(), angles.end(), cornerAngle.begin() + 3 * t);
       }
     });
-  ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
+  ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
     [&](Index begin, Index end)
     {
       std::vector<Index> fan;
@@ -70,7 +65,7 @@ Connection::Connection(
 
 void Connection::Connect(const TriangleMesh& mesh)
 {
-  ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
+  ParallelFor(mesh.GetNumberOfEdges(), MediumPiece,
     [&](Index begin, Index end)
     {
       for (Index e = begin; e < end; ++e)
@@ -81,7 +76,7 @@ void Connection::Connect(const TriangleMesh& mesh)
         this->Rotation[e] = back + Pi - this->EdgeAngle[h];
       }
     });
-  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+  ParallelFor(mesh.GetNumberOfTriangles(), MediumPiece,
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)

@@ -13,7 +13,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 12;
 constexpr Index FewEdges = 64;
 }
 
@@ -22,7 +21,7 @@ std::vector<double> DihedralAngles(const SurfaceGeometry& geometry)
   const TriangleMesh& mesh = geometry.Mesh;
   const auto point = [&](Index h) -> const Vector3& { return geometry.Positions[mesh.Tail(h)]; };
   std::vector<Vector3> normals(mesh.GetNumberOfTriangles());
-  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+  ParallelFor(mesh.GetNumberOfTriangles(), MediumPiece,
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
@@ -35,7 +34,7 @@ std::vector<double> DihedralAngles(const SurfaceGeometry& geometry)
       }
     });
   std::vector<double> angles(mesh.GetNumberOfEdges());
-  ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
+  ParallelFor(mesh.GetNumberOfEdges(), MediumPiece,
     [&](Index begin, Index end)
     {
       std::array<Complex, FewEdges> turns;

@@ -21,8 +21,6 @@ namespace
 constexpr std::int64_t MaximumFlips = 50;
 /// By how much the triangle inequality must hold in a new triangle, relative to the longest edge.
 constexpr double Slack = 1e-12;
-constexpr Index PieceSize = 4096;
-
 class Flipper
 {
 public:
@@ -36,7 +34,7 @@ public:
     , Queued(this->Length.size(), 0)
     , Touched(this->Mesh.GetNumberOfVertices(), 0)
   {
-    ParallelFor(this->Mesh.GetNumberOfEdges(), PieceSize,
+    ParallelFor(this->Mesh.GetNumberOfEdges(), MediumPiece,
       [this](Index begin, Index end)
       {
         for (Index e = begin; e < end; ++e)
@@ -44,7 +42,7 @@ public:
           this->Length[e] = std::sqrt(this->Lengths.SquaredLength[e]);
         }
       });
-    ParallelFor(this->Mesh.GetNumberOfHalfEdges(), PieceSize,
+    ParallelFor(this->Mesh.GetNumberOfHalfEdges(), MediumPiece,
       [this](Index begin, Index end)
       {
         for (Index h = begin; h < end; ++h)
@@ -53,7 +51,7 @@ public:
             this->Transport.CornerAngle(this->Mesh, h) / this->Transport.Scale[this->Mesh.Tail(h)];
         }
       });
-    ParallelFor(this->Mesh.GetNumberOfEdges(), PieceSize,
+    ParallelFor(this->Mesh.GetNumberOfEdges(), MediumPiece,
       [this](Index begin, Index end)
       {
         for (Index e = begin; e < end; ++e)
@@ -110,7 +108,7 @@ public:
   /// Angles in the tangent cones of the vertices whose triangles have changed.
   void UpdateConnection()
   {
-    ParallelFor(this->Mesh.GetNumberOfVertices(), PieceSize,
+    ParallelFor(this->Mesh.GetNumberOfVertices(), MediumPiece,
       [this](Index begin, Index end)
       {
         std::vector<Index> fan;

@@ -15,7 +15,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 13;
 /// Squares of lengths in this range neither overflow nor vanish.
 constexpr double Small = 1e-100;
 constexpr double Large = 1e100;
@@ -168,7 +167,7 @@ struct TriangleSums
 template <typename Sum, typename Body>
 Sum SumOver(Index first, Index end, const Body& body)
 {
-  return ParallelSum(end - first, PieceSize, Sum{},
+  return ParallelSum(end - first, LightPiece, Sum{},
     [&](Index pieceBegin, Index pieceEnd)
     {
       Sum sum;
@@ -281,7 +280,7 @@ Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& posi
   }
   const double mean = sums.Length > 0.0 ? sums.Length / component.Edges() : 1.0;
   this->Unit[c] = scale * mean;
-  ParallelFor(component.Edges(), PieceSize,
+  ParallelFor(component.Edges(), LightPiece,
     [&](Index begin, Index end)
     {
       for (Index e = component.FirstEdge + begin; e < component.FirstEdge + end; ++e)
@@ -311,7 +310,7 @@ Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& posi
   }
   const int sides = component.IsCover ? 2 : 1;
   this->ComponentArea[c] = triangles.Area / sides;
-  ParallelFor(component.Edges(), PieceSize,
+  ParallelFor(component.Edges(), LightPiece,
     [&](Index begin, Index end)
     {
       for (Index e = component.FirstEdge + begin; e < component.FirstEdge + end; ++e)

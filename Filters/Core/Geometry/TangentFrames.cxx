@@ -13,8 +13,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 12;
-
 /// Zero where the vector is zero.
 Vector3 Normalized(const Vector3& vector)
 {
@@ -43,7 +41,7 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Connection& connect
   {
     PreferLargePages(axes->data(), axes->size() * sizeof(Vector3));
   }
-  ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
+  ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
     [&](Index begin, Index end)
     {
       std::vector<Index> fan;

@@ -12,8 +12,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 13;
-
 /// Sets of numbers that are joined, each named by its least member.
 class JoinedSets
 {
@@ -52,8 +50,8 @@ ConnectedTriangles::ConnectedTriangles(const LargeArray<Index>& twins)
   const auto triangles = static_cast<Index>(this->Component.size());
   JoinedSets sets(triangles);
   // Within pieces at once, then over their borders.
-  std::vector<std::vector<Index>> across(NumberOfPieces(triangles, PieceSize));
-  ParallelFor(triangles, PieceSize,
+  std::vector<std::vector<Index>> across(NumberOfPieces(triangles, LightPiece));
+  ParallelFor(triangles, LightPiece,
     [&](Index begin, Index end)
     {
       for (Index h = 3 * begin; h < 3 * end; ++h)
@@ -65,7 +63,7 @@ ConnectedTriangles::ConnectedTriangles(const LargeArray<Index>& twins)
         }
         else if (twin < 3 * begin && twin != None)
         {
-          across[begin / PieceSize].push_back(h);
+          across[begin / LightPiece].push_back(h);
         }
       }
     });

@@ -11,14 +11,14 @@ CoveredTriangles::CoveredTriangles(
   const std::vector<char>& isCovered, LargeArray<Index>& corners, LargeArray<Index>& twins)
 {
   const auto triangles = static_cast<Index>(isCovered.size());
-  this->Images.assign(triangles, None);
+  this->Mirrors.assign(triangles, None);
   for (Index t = 0; t < triangles; ++t)
   {
     if (isCovered[t])
     {
-      this->Images[t] = static_cast<Index>(this->Images.size());
-      this->Images.push_back(t);
-      if (this->Images.size() > std::numeric_limits<Index>::max() / 3)
+      this->Mirrors[t] = static_cast<Index>(this->Mirrors.size());
+      this->Mirrors.push_back(t);
+      if (this->Mirrors.size() > std::numeric_limits<Index>::max() / 3)
       {
         throw std::length_error("The two sides of a surface that cannot be oriented have more "
                                 "triangles than can be numbered. Decimate it or process it in parts.");
@@ -27,11 +27,11 @@ CoveredTriangles::CoveredTriangles(
       corners.insert(corners.end(), other.begin(), other.end());
     }
   }
-  this->IsBack.assign(this->Images.size(), 0);
+  this->IsBack.assign(this->Mirrors.size(), 0);
   std::fill(this->IsBack.begin() + triangles, this->IsBack.end(), 1);
 
   twins.resize(corners.size(), None);
-  const auto mirror = [this](Index h) { return 3 * this->Images[h / 3] + 2 - h % 3; };
+  const auto mirror = [this](Index h) { return 3 * this->Mirrors[h / 3] + 2 - h % 3; };
   const auto join = [&twins](Index g, Index h)
   {
     twins[g] = h;
@@ -41,7 +41,7 @@ CoveredTriangles::CoveredTriangles(
   {
     const Index twin = twins[h];
     // Pairs that lead to the other side are done, too.
-    if (this->Images[h / 3] == None || twin < h || twin >= 3 * triangles)
+    if (this->Mirrors[h / 3] == None || twin < h || twin >= 3 * triangles)
     {
       continue;
     }

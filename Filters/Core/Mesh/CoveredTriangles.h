@@ -23,8 +23,8 @@ struct CoveredTriangles
   CoveredTriangles(
     const std::vector<char>& isCovered, LargeArray<Index>& corners, LargeArray<Index>& twins);
 
-  /// Of each triangle its other side, or None; and whether it is one that was appended.
-  LargeArray<Index> Images;
+  /// The other side of each triangle, or None; and whether the triangle is one that was appended.
+  LargeArray<Index> Mirrors;
   std::vector<char> IsBack;
 };
 }

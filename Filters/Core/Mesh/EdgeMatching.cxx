@@ -13,8 +13,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 13;
-
 Index Next(Index h)
 {
   return h % 3 == 2 ? h - 2 : h + 1;
@@ -89,15 +87,15 @@ LargeArray<Index> TrianglesOfLeastCorners(const LargeArray<Index>& corners, Inde
 EdgeMatching::EdgeMatching(const LargeArray<Index>& corners, Index vertices)
   : Twins(corners.size())
 {
-  ParallelFor(static_cast<Index>(corners.size()), PieceSize,
+  ParallelFor(static_cast<Index>(corners.size()), LightPiece,
     [&](Index begin, Index end)
     { std::fill(this->Twins.begin() + begin, this->Twins.begin() + end, None); });
   // Edges are matched at their lower vertices. Two sides of a triangle are found at its least
   // corner, by which the triangles are sorted; the third one is listed where it belongs.
   const LargeArray<Index> first = TrianglesOfLeastCorners(corners, vertices);
   const Groups third = GroupThirdSides(corners, vertices);
-  std::vector<std::vector<Index>> crowded(NumberOfPieces(vertices, PieceSize));
-  const auto counts = ParallelSum(vertices, PieceSize, Counts{},
+  std::vector<std::vector<Index>> nonManifold(NumberOfPieces(vertices, LightPiece));
+  const auto counts = ParallelSum(vertices, LightPiece, Counts{},
     [&](Index begin, Index end)
     {
       Counts found;
@@ -135,10 +133,10 @@ EdgeMatching::EdgeMatching(const LargeArray<Index>& corners, Index vertices)
           }
           else if (next - k > 2)
           {
-            ++found.Crowded;
+            ++found.NonManifold;
             for (; k < next; ++k)
             {
-              crowded[begin / PieceSize].push_back(sides[k].HalfEdge);
+              nonManifold[begin / LightPiece].push_back(sides[k].HalfEdge);
             }
           }
           k = next;
@@ -147,14 +145,14 @@ EdgeMatching::EdgeMatching(const LargeArray<Index>& corners, Index vertices)
       return found;
     });
   this->Edges = counts;
-  if (counts.Crowded > 0)
+  if (counts.NonManifold > 0)
   {
-    this->IsCrowded.assign(corners.size(), 0);
-    for (const std::vector<Index>& halfEdges : crowded)
+    this->IsNonManifold.assign(corners.size(), 0);
+    for (const std::vector<Index>& halfEdges : nonManifold)
     {
       for (const Index h : halfEdges)
       {
-        this->IsCrowded[h] = 1;
+        this->IsNonManifold[h] = 1;
       }
     }
   }

@@ -18,7 +18,7 @@ struct EdgeMatching
   struct Counts
   {
     /// Edges of more than two triangles.
-    Index Crowded = 0;
+    Index NonManifold = 0;
     /// Edges whose two triangles have the third corner in common, too.
     Index Duplicate = 0;
     /// Edges whose two triangles are wound against each other.
@@ -26,7 +26,7 @@ struct EdgeMatching
 
     void operator+=(const Counts& other)
     {
-      this->Crowded += other.Crowded;
+      this->NonManifold += other.NonManifold;
       this->Duplicate += other.Duplicate;
       this->Reversed += other.Reversed;
     }
@@ -36,10 +36,11 @@ struct EdgeMatching
   /// @param vertices number of vertices
   EdgeMatching(const LargeArray<Index>& corners, Index vertices);
 
-  /// The other side of each half-edge; None on the boundary and where the edge is crowded.
+  /// The other side of each half-edge; None on the boundary and where the edge has more than two
+  /// triangles.
   LargeArray<Index> Twins;
   /// Whether the edge of a half-edge has more than two triangles; empty where none has.
-  std::vector<char> IsCrowded;
+  std::vector<char> IsNonManifold;
   Counts Edges;
 };
 }

@@ -17,8 +17,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 13;
-
 std::string Id(Index id)
 {
   return std::to_string(id);
@@ -56,15 +54,13 @@ bool IsCollapsed(const Triangle& t)
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-}
-
-SortedTriangles::SortedTriangles(const Surface& surface)
+/// Which points the triangles use that are not collapsed. Throws MeshError for invalid ids.
+std::vector<std::atomic<char>> UsedPoints(const Surface& surface)
 {
   const auto points = static_cast<Index>(surface.Points.size());
-  const auto triangles = static_cast<Index>(surface.Triangles.size());
   // Several threads may mark a point at once.
   std::vector<std::atomic<char>> used(points);
-  const Found invalid = ParallelSum(triangles, PieceSize, Found{},
+  const Found invalid = ParallelSum(static_cast<Index>(surface.Triangles.size()), LightPiece, Found{},
     [&](Index begin, Index end)
     {
       Found found;
@@ -94,11 +90,17 @@ SortedTriangles::SortedTriangles(const Surface& surface)
       "A triangle uses point " + Id(point) + ", but the points are 0 to " + Id(points - 1) +
         ". Correct the connectivity of the mesh.");
   }
+  return used;
+}
 
+/// The ids of the points that are used. Throws MeshError for non-finite coordinates.
+LargeArray<Index> FinitePoints(
+  const Surface& surface, const std::vector<std::atomic<char>>& used)
+{
   LargeArray<Index> members;
-  members.reserve(points);
+  members.reserve(used.size());
   Found nonFinite;
-  for (Index point = 0; point < points; ++point)
+  for (Index point = 0; point < static_cast<Index>(used.size()); ++point)
   {
     if (used[point].load(std::memory_order_relaxed))
     {
@@ -117,10 +119,15 @@ SortedTriangles::SortedTriangles(const Surface& surface)
         " NaN or infinite coordinates, the first is point " + Id(nonFinite.First) +
         ". Remove the cells at these points or correct their coordinates.");
   }
-  this->Points = MortonCurve::Sorted(surface.Points, members);
-  const auto vertices = static_cast<Index>(this->Points.size());
-  LargeArray<Index> vertexOfPoint(points);
-  ParallelFor(vertices, PieceSize,
+  return members;
+}
+}
+
+SortedTriangles::SortedTriangles(const Surface& surface)
+{
+  this->Points = MortonCurve::Sorted(surface.Points, FinitePoints(surface, UsedPoints(surface)));
+  LargeArray<Index> vertexOfPoint(surface.Points.size());
+  ParallelFor(static_cast<Index>(this->Points.size()), LightPiece,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
@@ -128,9 +135,15 @@ SortedTriangles::SortedTriangles(const Surface& surface)
         vertexOfPoint[this->Points[v]] = v;
       }
     });
+  this->Sort(surface, vertexOfPoint);
+}
 
+void SortedTriangles::Sort(const Surface& surface, const LargeArray<Index>& vertexOfPoint)
+{
+  const auto vertices = static_cast<Index>(this->Points.size());
+  const auto triangles = static_cast<Index>(surface.Triangles.size());
   LargeArray<Keyed<std::uint32_t>> order(triangles);
-  this->Collapsed = ParallelSum<Index>(triangles, PieceSize, 0,
+  this->Collapsed = ParallelSum<Index>(triangles, LightPiece, 0,
     [&](Index begin, Index end)
     {
       Index collapsed = 0;
@@ -139,7 +152,7 @@ SortedTriangles::SortedTriangles(const Surface& surface)
         const Triangle& triangle = surface.Triangles[t];
         const bool ignored = IsCollapsed(triangle);
         collapsed += ignored;
-        // Behind all others.
+        // What is ignored comes behind all others.
         order[t] = { static_cast<std::uint32_t>(ignored
                          ? vertices
                          : std::min({ vertexOfPoint[triangle[0]], vertexOfPoint[triangle[1]],
@@ -152,7 +165,7 @@ SortedTriangles::SortedTriangles(const Surface& surface)
   const Index kept = triangles - this->Collapsed;
   this->Corners.resize(3 * static_cast<std::size_t>(kept));
   this->Input.resize(kept);
-  ParallelFor(kept, PieceSize,
+  ParallelFor(kept, LightPiece,
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)

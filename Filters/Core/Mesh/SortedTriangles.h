@@ -29,6 +29,11 @@ struct SortedTriangles
   LargeArray<Index> Input;
   /// Triangles left out because they use a point twice.
   Index Collapsed = 0;
+
+private:
+  /// Sets Corners, Input and Collapsed.
+  /// @param vertexOfPoint the position in Points of each point that is used
+  void Sort(const Surface& surface, const LargeArray<Index>& vertexOfPoint);
 };
 }
 

@@ -13,6 +13,9 @@
 
 namespace DirectionFields
 {
+class MeshBuilder;
+class MeshOrder;
+
 /// Half-edge structure of an oriented manifold triangle mesh, with or without boundary.
 ///
 /// Half-edge 3 t + c runs from corner c of triangle t to corner (c + 1) % 3. Triangles, edges and
@@ -66,9 +69,9 @@ public:
   Index Twin(Index h) const { return this->Twins[h]; }
   Index Edge(Index h) const { return this->Edges[h]; }
   /// The edge was split because more than two triangles share it.
-  bool IsNonManifold(Index h) const { return !this->Crowded.empty() && this->Crowded[h] != 0; }
+  bool IsNonManifold(Index h) const { return !this->NonManifold.empty() && this->NonManifold[h] != 0; }
   /// Several edges may join the same vertices: along slits, and after flips.
-  bool MayRepeatNeighbours() const { return !this->Crowded.empty() || this->Flipped; }
+  bool MayRepeatNeighbours() const { return !this->NonManifold.empty() || this->Flipped; }
   /// The half-edge that gives an edge its direction.
   Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
   bool GivesDirection(Index h) const { return this->EdgeHalfEdge[this->Edges[h]] == h; }
@@ -94,8 +97,8 @@ public:
   /// The same edge seen from the other side of a cover, where it runs the other way; None elsewhere.
   Index Mirror(Index h) const
   {
-    const Index image = this->Images.empty() ? None : this->Images[h / 3];
-    return image == None ? None : 3 * image + 2 - h % 3;
+    const Index mirror = this->Mirrors.empty() ? None : this->Mirrors[h / 3];
+    return mirror == None ? None : 3 * mirror + 2 - h % 3;
   }
   /// The same point on the other side of a cover; None elsewhere.
   Index MirrorVertex(Index vertex) const
@@ -138,44 +141,26 @@ public:
   const Repairs& GetRepairs() const { return this->Repaired; }
 
 private:
-  struct Fan
-  {
-    Index First;
-    Index Corners;
-  };
-
-  void Collect(const Surface& surface);
-  void Orient();
-  Index FirstOfInput(const std::vector<Index>& triangles) const;
-  void Turn(const std::vector<char>& turned);
-  void OrderComponents();
-  void LinkVertices();
-  Fan FindFan(Index start) const;
-  void SplitPoints();
-  void SortVertices(const std::vector<Vector3>& points);
-  void SortTriangles();
-  void NumberEdges();
-  void ChooseFrontVertices();
+  friend class MeshBuilder;
+  friend class MeshOrder;
 
   LargeArray<Index> Corners;
   LargeArray<Index> Twins;
   LargeArray<Index> Edges;
   LargeArray<Index> EdgeHalfEdge;
-  std::vector<char> Crowded;
+  /// Whether the edge of each half-edge was split; empty where none was.
+  std::vector<char> NonManifold;
   bool Flipped = false;
   LargeArray<Index> VertexHalfEdge;
   LargeArray<Index> VertexPoint;
   LargeArray<Index> TriangleInput;
-  /// Of each triangle its copy on the other side of a cover, or None, and whether it is on the back;
-  /// all are empty without covers.
-  LargeArray<Index> Images;
+  /// The copy of each triangle on the other side of a cover, or None, and whether a triangle and a
+  /// vertex are on the back. All are empty without covers.
+  LargeArray<Index> Mirrors;
   std::vector<char> IsBack;
   std::vector<char> IsBackVertex;
   std::vector<Component> Components;
   Repairs Repaired;
-
-  /// While building: the component of each triangle.
-  LargeArray<Index> TriangleComponent;
 };
 }
 

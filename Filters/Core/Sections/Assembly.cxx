@@ -15,8 +15,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 11;
-
 struct Problem
 {
   const IntrinsicGeometry& Geometry;
@@ -168,7 +166,7 @@ std::vector<Complex> EdgeTransport(
   const Connection& connection, const TriangleMesh::Component& component, int degree)
 {
   std::vector<Complex> transport(component.Edges());
-  ParallelFor(component.Edges(), PieceSize,
+  ParallelFor(component.Edges(), HeavyPiece,
     [&](Index begin, Index end)
     {
       constexpr Index most = 64;
@@ -200,7 +198,7 @@ Operators AssembleOperators(const IntrinsicGeometry& geometry,
     EdgeTransport(geometry.Transport, component, degree) };
   const Index n = component.Vertices();
   std::vector<Index> begin(n + 1, 0);
-  ParallelFor(n, PieceSize,
+  ParallelFor(n, HeavyPiece,
     [&](Index first, Index end)
     {
       ColumnAssembler columns(problem);
@@ -216,7 +214,7 @@ Operators AssembleOperators(const IntrinsicGeometry& geometry,
   Operators operators;
   SparseMatrix* const matrices[2] = { &operators.Energy, &operators.Mass };
   // What is allocated is also filled with zeros, which takes its time where it is much.
-  ParallelFor(2, n > PieceSize ? 1 : 2,
+  ParallelFor(2, n > HeavyPiece ? 1 : 2,
     [&](Index first, Index end)
     {
       for (Index k = first; k < end; ++k)
@@ -226,7 +224,7 @@ Operators AssembleOperators(const IntrinsicGeometry& geometry,
         std::copy(begin.begin(), begin.end(), matrices[k]->outerIndexPtr());
       }
     });
-  ParallelFor(n, PieceSize,
+  ParallelFor(n, HeavyPiece,
     [&](Index first, Index end)
     {
       ColumnAssembler columns(problem);

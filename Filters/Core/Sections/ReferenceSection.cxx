@@ -15,8 +15,6 @@ namespace
 {
 /// A sum below this part of the sum of absolute values cancels by symmetry.
 constexpr double Cancelled = 1e-3;
-constexpr Index PieceSize = 1 << 12;
-
 Complex IntegerPower(Complex z, int exponent)
 {
   Complex power = 1.0;
@@ -61,7 +59,7 @@ ReferenceSection::ReferenceSection(
   , Component(component)
   , Degree(degree)
 {
-  const auto box = ParallelSum(component.Vertices(), PieceSize, BoundingBox{},
+  const auto box = ParallelSum(component.Vertices(), MediumPiece, BoundingBox{},
     [&](Index begin, Index end)
     {
       BoundingBox part;
@@ -91,7 +89,7 @@ Vector3 ReferenceSection::Position(Index vertex) const
 ComplexVector ReferenceSection::Start() const
 {
   ComplexVector start(this->Component.Vertices());
-  ParallelFor(this->Component.Vertices(), PieceSize,
+  ParallelFor(this->Component.Vertices(), MediumPiece,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)
@@ -118,12 +116,12 @@ void ReferenceSection::FixPhase(ComplexVector& u) const
   const auto count = static_cast<Index>(u.size());
   const auto turn = [&](const Complex& phase)
   {
-    ParallelFor(count, PieceSize,
+    ParallelFor(count, MediumPiece,
       [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
   };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto overlap = ParallelSum(count, PieceSize, Overlap{},
+    const auto overlap = ParallelSum(count, MediumPiece, Overlap{},
       [&](Index begin, Index end)
       {
         Overlap part;
@@ -144,7 +142,7 @@ void ReferenceSection::FixPhase(ComplexVector& u) const
   }
   // One vertex that no symmetry maps to another decides.
   const Vector3 oblique(0.37, 0.23, 0.11);
-  const Index chosen = ParallelSum(count, PieceSize, Largest{},
+  const Index chosen = ParallelSum(count, MediumPiece, Largest{},
     [&](Index begin, Index end)
     {
       Largest part;

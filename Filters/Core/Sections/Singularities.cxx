@@ -11,8 +11,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 13;
-
 /// The nearest integer of a number of modulus below 2^51, which the compiler finds for several at once.
 double Nearest(double x)
 {
@@ -27,13 +25,13 @@ std::vector<int> SingularityIndices(
   const TriangleMesh& mesh = geometry.Mesh;
   const Connection& connection = geometry.Transport;
   LargeArray<double> phase(mesh.GetNumberOfVertices());
-  ParallelFor(mesh.GetNumberOfVertices(), PieceSize,
+  ParallelFor(mesh.GetNumberOfVertices(), LightPiece,
     [&](Index begin, Index end)
     { Arguments(field.data() + begin, end - begin, phase.data() + begin); });
   // In the direction of the edge for both its triangles, and where the edge is seen from two sides, on
   // one of them: rounding must not break a tie between pi and -pi in two ways.
   LargeArray<double> omega(mesh.GetNumberOfEdges());
-  ParallelFor(mesh.GetNumberOfEdges(), PieceSize,
+  ParallelFor(mesh.GetNumberOfEdges(), LightPiece,
     [&](Index begin, Index end)
     {
       for (Index e = begin; e < end; ++e)
@@ -51,7 +49,7 @@ std::vector<int> SingularityIndices(
     return mesh.GivesDirection(h) ? omega[mesh.Edge(h)] : -omega[mesh.Edge(h)];
   };
   std::vector<int> index(mesh.GetNumberOfTriangles());
-  ParallelFor(mesh.GetNumberOfTriangles(), PieceSize,
+  ParallelFor(mesh.GetNumberOfTriangles(), LightPiece,
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)

@@ -10,8 +10,6 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 13;
-
 /// The bits of a number below 2^21 with two zeros before each.
 std::uint64_t Spread(std::uint64_t bits)
 {
@@ -25,7 +23,7 @@ std::uint64_t Spread(std::uint64_t bits)
 LargeArray<Index> Items(const LargeArray<Keyed<std::uint64_t>>& order)
 {
   LargeArray<Index> items(order.size());
-  ParallelFor(static_cast<Index>(order.size()), PieceSize,
+  ParallelFor(static_cast<Index>(order.size()), LightPiece,
     [&](Index begin, Index end)
     {
       std::transform(order.begin() + begin, order.begin() + end, items.begin() + begin,
@@ -62,7 +60,7 @@ LargeArray<Index> MortonCurve::Sorted(
   const std::vector<Vector3>& points, const LargeArray<Index>& members)
 {
   const auto count = static_cast<Index>(members.size());
-  const MortonCurve curve(ParallelSum(count, PieceSize, BoundingBox{},
+  const MortonCurve curve(ParallelSum(count, LightPiece, BoundingBox{},
     [&](Index begin, Index end)
     {
       BoundingBox box;
@@ -73,7 +71,7 @@ LargeArray<Index> MortonCurve::Sorted(
       return box;
     }));
   LargeArray<Keyed<std::uint64_t>> order(members.size());
-  ParallelFor(count, PieceSize,
+  ParallelFor(count, LightPiece,
     [&](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
@@ -98,7 +96,7 @@ LargeArray<Index> MortonCurve::SortedInGroups(const std::vector<Vector3>& points
   }
   RadixSort(order, BitsBelow(static_cast<Index>(points.size())));
   const std::vector<MortonCurve> curves(boxes.begin(), boxes.end());
-  ParallelFor(count, PieceSize,
+  ParallelFor(count, LightPiece,
     [&](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)

@@ -9,7 +9,7 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 15;
+constexpr Index SortPiece = 1 << 15;
 /// Fewer items take digits of fewer bits: the counters should be no more than the items.
 constexpr Index FewItems = 1 << 13;
 
@@ -25,7 +25,7 @@ void Sort(LargeArray<Keyed<Key>>& items, int bits)
   }
   const int width = (bits + passes - 1) / passes;
   const Index buckets = 1 << width;
-  const Index pieces = NumberOfPieces(count, PieceSize);
+  const Index pieces = NumberOfPieces(count, SortPiece);
   LargeArray<Index> next(static_cast<std::size_t>(pieces) * buckets);
   LargeArray<Keyed<Key>> sorted(items.size());
   for (int shift = 0; shift < bits; shift += width)
@@ -33,8 +33,8 @@ void Sort(LargeArray<Keyed<Key>>& items, int bits)
     const auto digit = [shift, buckets](const Keyed<Key>& item)
     { return static_cast<Index>((item.Value >> shift) & static_cast<Key>(buckets - 1)); };
     const auto counters = [&](Index begin)
-    { return next.data() + static_cast<std::size_t>(begin / PieceSize) * buckets; };
-    ParallelFor(count, PieceSize,
+    { return next.data() + static_cast<std::size_t>(begin / SortPiece) * buckets; };
+    ParallelFor(count, SortPiece,
       [&](Index begin, Index end)
       {
         Index* const counter = counters(begin);
@@ -56,7 +56,7 @@ void Sort(LargeArray<Keyed<Key>>& items, int bits)
         at += here;
       }
     }
-    ParallelFor(count, PieceSize,
+    ParallelFor(count, SortPiece,
       [&](Index begin, Index end)
       {
         Index* const counter = counters(begin);

@@ -54,6 +54,14 @@ private:
   std::unique_ptr<Pool> Workers;
 };
 
+/// How many items of a loop a thread takes at a time: the more there is to do for each, the fewer.
+/// These are for a few operations each, as in a copy;
+constexpr Index LightPiece = 1 << 13;
+/// for some dozens, as for the angles around a vertex;
+constexpr Index MediumPiece = 1 << 12;
+/// and for hundreds, as for a column of a matrix.
+constexpr Index HeavyPiece = 1 << 11;
+
 /// How many pieces of at most the given size a loop has.
 inline Index NumberOfPieces(Index count, Index size)
 {
