@@ -27,7 +27,7 @@ struct Connection
 
   /// theta_i(ij) of each half-edge i -> j.
   LargeArray<double> EdgeAngle;
-  /// What scales the corner angles of each vertex: 2 pi over their sum, on the boundary 1.
+  /// The factor of the corner angles of each vertex: 2 pi over their sum, on the boundary 1.
   LargeArray<double> Scale;
   /// Sum of the scaled corner angles of each vertex: 2 pi in the interior; on the boundary the
   /// angle of the last edge of the fan, which has no outgoing half-edge.

@@ -19,7 +19,7 @@ namespace
 {
 /// Most flips, in multiples of the edges; a mesh takes one or two at the most.
 constexpr std::int64_t MaximumFlips = 50;
-/// By how much the triangle inequality must hold in a new triangle, relative to the longest edge.
+/// The triangle inequality must hold in a new triangle by this part of its longest edge.
 constexpr double Slack = 1e-12;
 class Flipper
 {
@@ -203,7 +203,8 @@ private:
     return length[0] + length[1] + length[2] - 2.0 * longest > Slack * longest;
   }
 
-  /// Of the edge that leaves the tail of a half-edge at an angle to the left of it.
+  /// The angle in the tangent cone of the edge that leaves the tail of a half-edge at an angle to the
+  /// left of it.
   double Direction(Index halfEdge, double angle) const
   {
     const Index v = this->Mesh.Tail(halfEdge);
@@ -234,9 +235,9 @@ private:
   TriangleMesh& Mesh;
   Metric& Lengths;
   Connection& Transport;
-  /// Of each edge.
+  /// The length of each edge.
   LargeArray<double> Length;
-  /// Of the corner at the tail of each half-edge, not scaled.
+  /// The angle of the corner at the tail of each half-edge, not scaled.
   LargeArray<double> Angle;
   /// Edges that may not be Delaunay.
   LargeArray<char> Open;

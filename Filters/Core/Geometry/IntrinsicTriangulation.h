@@ -31,7 +31,7 @@ struct IntrinsicTriangulation : IntrinsicGeometry
   /// How often an edge was flipped.
   Index NumberOfFlips = 0;
 
-  /// By how much the sum of the angles opposite of an edge, in radians, may exceed pi: edges of
+  /// The sum of the angles opposite of an edge may exceed pi by this, in radians: edges of
   /// four points on a circle stay.
   static constexpr double Tolerance = 1e-10;
 };

@@ -18,14 +18,14 @@ namespace
 /// Squares of lengths in this range neither overflow nor vanish.
 constexpr double Small = 1e-100;
 constexpr double Large = 1e100;
-/// By how much the triangle inequality must hold, relative to the longest edge.
+/// The triangle inequality must hold by this part of the longest edge.
 constexpr double Slack = 1e-6;
 /// Shortest edge, relative to the mean.
 constexpr double ShortestEdge = 1e-9;
-/// Lengthening an edge can spoil the triangle on its other side; so many times this is followed.
+/// Lengthening an edge can spoil the triangle on its other side. This is followed at most so often.
 constexpr int MaximumSweeps = 50;
 
-/// What the triangle inequality with its slack misses.
+/// The length that is missing for the triangle inequality to hold with its slack.
 double Deficit(double a, double b, double c)
 {
   const double longest = std::max({ a, b, c });

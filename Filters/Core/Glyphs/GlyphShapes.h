@@ -37,7 +37,7 @@ struct GlyphMesh
   std::vector<std::int64_t> Offsets = { 0 };
   std::vector<std::int64_t> Connectivity;
   bool AreLines = false;
-  /// Of each cell: number of its glyph, and which of the n directions it shows.
+  /// The number of each cell's glyph, and which of the n directions the cell shows.
   std::vector<Index> Glyph;
   std::vector<int> Branch;
 };

@@ -19,7 +19,7 @@ enum class GlyphMode
 {
   /// Spread evenly over the surface.
   SpreadEvenly = 0,
-  /// On the points of the surface.
+  /// One on each point of the surface, or on an evenly spread part of them.
   AllPoints = 1
 };
 
@@ -56,7 +56,7 @@ struct Glyphs
 /// in the middle of a singularity and at points that no triangle uses, have none.
 ///
 /// @param excludedTriangles not 0 for triangles without glyphs; empty for none
-/// @param excludedPoints    likewise for points
+/// @param excludedPoints    not 0 for points without glyphs; empty for none
 /// @param progress          stops the drawing: no glyphs are returned then
 Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
   const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,

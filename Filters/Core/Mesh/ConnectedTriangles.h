@@ -15,7 +15,7 @@ struct ConnectedTriangles
   /// @param twins the other side of each half-edge, three of each triangle, or None
   explicit ConnectedTriangles(const LargeArray<Index>& twins);
 
-  /// Of each triangle.
+  /// The component of each triangle.
   LargeArray<Index> Component;
   Index Count = 0;
 };

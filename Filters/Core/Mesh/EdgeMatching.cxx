@@ -71,7 +71,7 @@ Groups GroupThirdSides(const LargeArray<Index>& corners, Index vertices)
   return groups;
 }
 
-/// Where the triangles of each least corner begin.
+/// The number of the first triangle of each least corner.
 LargeArray<Index> TrianglesOfLeastCorners(const LargeArray<Index>& corners, Index vertices)
 {
   LargeArray<Index> begin(vertices + 1, 0);

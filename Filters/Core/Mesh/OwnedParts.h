@@ -10,7 +10,7 @@
 
 namespace DirectionFields
 {
-/// What of a mesh counts in sums. Of a cover that is one side. Where triangles are there as ghosts of
+/// What counts in sums over a mesh. Of a cover one side counts. Where triangles are there as ghosts of
 /// other pieces (Surface::Ghost), such a triangle counts in the piece that it belongs to, and a vertex
 /// or an edge in the piece of that one of its triangles whose corners are lexicographically first. So
 /// all that is known of a surface in pieces is counted once, wherever each piece has for ghosts all
@@ -20,7 +20,7 @@ struct OwnedParts
   /// @param surface of the mesh
   OwnedParts(const TriangleMesh& mesh, const Surface& surface);
 
-  /// Of each component.
+  /// What counts of a component.
   struct Counts
   {
     Index Vertices = 0;
@@ -29,7 +29,7 @@ struct OwnedParts
     Index Ghosts = 0;
   };
   std::vector<Counts> Components;
-  /// Over the vertices; empty where everything counts.
+  /// 1 for vertices that count; empty where everything does.
   std::vector<char> Vertex;
 
 private:

@@ -128,8 +128,8 @@ public:
   Index InputTriangle(Index triangle) const { return this->TriangleInput[triangle]; }
 
   /// Puts the other diagonal of its two triangles, which must be two, in the place of an interior
-  /// edge. Triangles and edges need no longer be told apart by their vertices then: an edge may join
-  /// a vertex to itself, two edges the same vertices. InputTriangle loses its meaning for both
+  /// edge. After that the vertices may not tell triangles and edges apart: an edge may join a vertex to
+  /// itself, two edges the same vertices. InputTriangle loses its meaning for both
   /// triangles.
   ///
   /// The edge keeps its number, and its half-edges h and g theirs: h then runs from the corner

@@ -78,7 +78,7 @@ public:
       }
       if (place.Row == vertex - this->Given.Component.FirstVertex)
       {
-        // What both ends of an edge to itself add up to is real but for rounding.
+        // The two ends of an edge that joins a vertex to itself add up to a real number, up to rounding.
         energy[at] = energy[at].real();
         mass[at] = mass[at].real();
       }
@@ -213,7 +213,8 @@ Operators AssembleOperators(const IntrinsicGeometry& geometry,
   }
   Operators operators;
   SparseMatrix* const matrices[2] = { &operators.Energy, &operators.Mass };
-  // What is allocated is also filled with zeros, which takes its time where it is much.
+  // Eigen fills what it allocates with zeros. That takes long in a large matrix, so both matrices are
+  // allocated at once.
   ParallelFor(2, n > HeavyPiece ? 1 : 2,
     [&](Index first, Index end)
     {

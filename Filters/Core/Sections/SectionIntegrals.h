@@ -26,7 +26,7 @@ struct SectionIntegrals
 
   /// Accurate to 1e-13 for any Omega. Sums as many terms as matter.
   static SectionIntegrals At(double omega);
-  /// As many terms as the switch needs.
+  /// Sums as many terms as are needed up to SwitchHolonomy.
   static SectionIntegrals Series(double omega);
   static SectionIntegrals ClosedForm(double omega);
 };

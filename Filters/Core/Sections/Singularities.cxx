@@ -11,7 +11,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// The nearest integer of a number of modulus below 2^51, which the compiler finds for several at once.
+/// The nearest integer of a number of modulus below 2^51. The compiler can do this for several at once.
 double Nearest(double x)
 {
   constexpr double unitIsLastBit = 6755399441055744.0;
@@ -28,8 +28,8 @@ std::vector<int> SingularityIndices(
   ParallelFor(mesh.GetNumberOfVertices(), LightPiece,
     [&](Index begin, Index end)
     { Arguments(field.data() + begin, end - begin, phase.data() + begin); });
-  // In the direction of the edge for both its triangles, and where the edge is seen from two sides, on
-  // one of them: rounding must not break a tie between pi and -pi in two ways.
+  // omega is computed once, in the direction of the edge, for both its triangles, and on one side where
+  // the edge is seen from two: rounding must not break a tie between pi and -pi in two ways.
   LargeArray<double> omega(mesh.GetNumberOfEdges());
   ParallelFor(mesh.GetNumberOfEdges(), LightPiece,
     [&](Index begin, Index end)

@@ -20,7 +20,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// Of large pages; storage for fewer of them keeps small ones.
+/// The size of a large page. Storage for few of them keeps small ones.
 [[maybe_unused]] constexpr std::size_t PageBytes = std::size_t(1) << 21;
 [[maybe_unused]] constexpr std::size_t FewestPages = 2;
 }

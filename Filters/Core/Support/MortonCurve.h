@@ -36,7 +36,7 @@ struct BoundingBox
 class MortonCurve
 {
 public:
-  /// Of the places along the curve. Points within a millionth of the cube may have the same.
+  /// The bits of a place along the curve. Points within a millionth of the cube may have the same.
   static constexpr int Bits = 60;
 
   explicit MortonCurve(const BoundingBox& box);

@@ -44,7 +44,7 @@ void Sort(LargeArray<Keyed<Key>>& items, int bits)
           ++counter[digit(items[k])];
         }
       });
-    // Where each piece puts its items of each digit.
+    // The place where each piece puts its items of each digit.
     Index at = 0;
     for (Index bucket = 0; bucket < buckets; ++bucket)
     {

@@ -197,7 +197,7 @@ int Threads::GetNumber() const
 
 int Threads::GetDefaultNumber()
 {
-  // Of the processors that the process may run on.
+  // The system says on how many processors the process may run.
   int number = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (const char* openMP = std::getenv("OMP_NUM_THREADS"))
   {

@@ -29,7 +29,7 @@ public:
   Threads& operator=(const Threads&) = delete;
 
   int GetNumber() const;
-  /// What 0 stands for; at least 1.
+  /// The number that 0 stands for; at least 1.
   static int GetDefaultNumber();
 
   /// Makes the threads those of the calling thread's loops, until it is destroyed.

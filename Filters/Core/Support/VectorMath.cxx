@@ -13,7 +13,7 @@ namespace DirectionFields
 void CosinesAndSines(const double* __restrict angles, Index count, double* __restrict cosines,
   double* __restrict sines)
 {
-  // In one loop the two would be joined to a function that there is for single numbers only.
+  // In one loop the compiler would join the two to a function that exists for single numbers only.
   for (Index k = 0; k < count; ++k)
   {
     cosines[k] = std::cos(angles[k]);

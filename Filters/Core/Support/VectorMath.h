@@ -31,7 +31,7 @@ inline Vector3 AnyOrthogonal(const Vector3& unit)
 /// @param angles in radians
 void CosinesAndSines(const double* angles, Index count, double* cosines, double* sines);
 void Arctangents(const double* values, Index count, double* angles);
-/// Of complex numbers, -pi to pi; 0 for 0.
+/// The arguments of complex numbers, -pi to pi; 0 for 0.
 void Arguments(const Complex* values, Index count, double* angles);
 }
 

@@ -25,7 +25,8 @@ inline bool IsSameSide(const Eigen::Vector3f& normal, const Eigen::Vector3f& oth
 class DiskGrid
 {
 public:
-  /// origin: any point, best near the others. expected: about how many points there will be.
+  /// @param origin   any point, best near the others
+  /// @param expected about how many points there will be
   DiskGrid(const Vector3& origin, double spacing, std::size_t expected);
 
   Index GetNumberOfPoints() const { return static_cast<Index>(this->Places.size()); }
@@ -49,7 +50,7 @@ public:
     const Eigen::Vector3f& normal) const;
 
 private:
-  /// In units of the spacing.
+  /// A point, its position in units of the spacing.
   struct Place
   {
     Vector3 Position;

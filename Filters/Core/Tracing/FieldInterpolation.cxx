@@ -12,7 +12,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// Where the n-th powers cancel to this part of what they are, only rounding is left.
+/// Where the sum of the n-th powers is less than this part of their sizes, only rounding is left.
 constexpr double LeastPart = 1e-9;
 /// Normals at two corners of a triangle with a cosine below this mean different sides of the surface;
 /// above it they may stand at a sharp feature.

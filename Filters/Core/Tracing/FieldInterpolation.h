@@ -43,7 +43,7 @@ struct DirectionsAt
 /// What is interpolated are not the directions, which are defined up to a turn by 2 pi / n, but
 /// their n-th powers u = |u| exp(i n phi), which are not: u(x) = sum over the triangle's corners of
 /// hat_j(x) u_j. Each u_j is first carried to the tangent plane at x by the least rotation that
-/// takes the normal at j to the normal at x, which is interpolated likewise. So the field is
+/// takes the normal at j to the normal at x, which is interpolated as well. So the field is
 /// continuous across edges, equals the given one at the points, turns with the surface, and does
 /// not depend on which of the directions comes first. A last least rotation lays it into the
 /// triangle, for what is seen is flat.
@@ -52,10 +52,10 @@ class FieldInterpolation
 public:
   FieldInterpolation(const SurfaceIncidence& surface, const PointDirections& field);
 
-  /// In the triangle's plane; Point is the nearest corner of the triangle, and direction k is the
-  /// one nearest to direction k of that.
+  /// The directions at a place, in the triangle's plane. Point is the nearest corner of the triangle, and
+  /// direction k is the one nearest to direction k of that.
   DirectionsAt At(const SurfacePoint& place) const;
-  /// As given, in the tangent plane of the point.
+  /// The directions that are given at a point, in its tangent plane.
   DirectionsAt AtPoint(Index point) const;
 
 private:

@@ -109,7 +109,7 @@ SurfacePoint Moved(
       (a - end).cross(b - end).dot(surface.Normal(walk.Triangle())) / area;
     if (!(weight > -1e-6))
     {
-      // From a corner of the triangle the way led out of it at once.
+      // The way led out of the triangle at once, from one of its corners.
       return point;
     }
     moved.Weights[c] = std::max(weight, 0.0);

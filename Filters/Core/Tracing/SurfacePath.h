@@ -26,7 +26,7 @@ struct SurfacePath
   /// At least two.
   std::vector<Station> Stations;
 
-  /// In between.
+  /// The place at a distance, interpolated between stations.
   Station At(double distance) const;
   /// Unit vector along the path, at a bend the mean of before and after.
   Vector3 Heading(double distance) const;
@@ -47,7 +47,8 @@ SurfacePoint Moved(
 /// Two paths from the same place as one, which runs the first one backwards.
 SurfacePath Joined(const SurfacePath& backward, const SurfacePath& forward);
 
-/// The same path with few stations: two where it is straight in space, at most so many else.
+/// The same path with few stations: two where it is straight in space.
+/// @param stations the most stations that a bent path has
 SurfacePath SimplifiedPath(const SurfacePath& path, int stations);
 
 /// How high the path rises above a plane through its start, at most.

@@ -161,7 +161,7 @@ public:
     , Grid(origin, spacing, candidates.size() / 8)
     , Round(rounds)
   {
-    // What is in one cell is searched for the same neighbours.
+    // Candidates of one cell have the same neighbours, which are searched for once.
     for (Candidate& candidate : candidates)
     {
       candidate.Cell = this->Grid.CellAt(candidate.Position);
@@ -332,7 +332,7 @@ SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<
   const Vector3 origin = LowerCorner(surface);
   const double automatic = std::sqrt(SampleDensity * area / (WantedPart * options.MaximumNumber));
   const double least = std::max(options.Spacing, 0.0);
-  // What is much less gives too many samples, and takes long.
+  // A spacing that is much less gives too many samples, and takes long.
   const double start = least > 0.6 * automatic ? least : automatic;
   Rounds rounds(progress);
   return FitSpacing(start, least, options.MaximumNumber, rounds,

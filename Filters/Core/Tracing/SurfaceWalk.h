@@ -34,7 +34,7 @@ public:
 
   /// None where the direction leads away from the surface at once.
   Index Triangle() const { return this->Triangle_; }
-  /// On the edge that was crossed last, or the start.
+  /// A place on the edge that was crossed last, or the start.
   const Vector3& Position() const { return this->Position_; }
   /// Unit normal of the triangle, on the side that the start says.
   const Vector3& Normal() const { return this->Normal_; }
