@@ -99,17 +99,11 @@ SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const Gi
   const ComplexVector& rightHandSide, const Options& options, const Progress& progress)
 {
   const ShiftedSystem system{ this->Matrices, factors.Energy, factors.Mass,
-    SystemTolerance(options),
-    [&]
-    {
-      progress.RequireToGoOn();
-      return true;
-    },
-    options.OthersFollow };
+    SystemTolerance(options), progress, options.OthersFollow };
   if (given.Vertices.empty())
   {
-    return ConjugateGradients(system, *this->Smoothest.Hierarchy, this->Smoothest.Lowest,
-      rightHandSide, this->Solved);
+    return ConjugateGradients(
+      system, *this->Smoothest.Hierarchy, this->Smoothest.Lowest, rightHandSide, this->Solved);
   }
   if (!this->Free || this->Free->Given != given.Vertices)
   {
@@ -125,18 +119,13 @@ SystemSolution ComponentStage::SolveByFactor(const Factors& factors, const Given
 {
   const SparseMatrix matrix =
     factors.Energy * this->Matrices.Energy + factors.Mass * this->Matrices.Mass;
-  const auto goOn = [&]
-  {
-    progress.RequireToGoOn();
-    return true;
-  };
   if (given.Vertices.empty())
   {
-    return SolveDirectly(matrix, rightHandSide, goOn);
+    return SolveDirectly(matrix, rightHandSide, progress);
   }
   return options.ConstraintSolver == ConstraintSolver::Energy
-    ? MinimizeEnergyDirectly(matrix, rightHandSide, given, goOn)
-    : MinimizeResidualDirectly(matrix, rightHandSide, given, goOn);
+    ? MinimizeEnergyDirectly(matrix, rightHandSide, given, progress)
+    : MinimizeResidualDirectly(matrix, rightHandSide, given, progress);
 }
 
 SystemSolution ComponentStage::SolveSystem(const Factors& factors, const ComponentGuide& guide,
@@ -214,13 +203,13 @@ ComplexVector ComponentStage::Finish(
   report.Eigenvalue = PerSquare(smoothest.Value, this->Unit);
   report.Residual = smoothest.Residual;
   report.Iterations = smoothest.Iterations;
-  report.Converged = smoothest.Residual <= options.Tolerance &&
-    report.SystemResidual <= SystemTolerance(options);
+  report.Converged =
+    smoothest.Residual <= options.Tolerance && report.SystemResidual <= SystemTolerance(options);
   if (size > 0.0)
   {
     const double factor = std::sqrt(area / size);
-    ForRows(u.Vector,
-      [&](Index begin, Index end) { u.Vector.segment(begin, end - begin) *= factor; });
+    ForRows(
+      u.Vector, [&](Index begin, Index end) { u.Vector.segment(begin, end - begin) *= factor; });
   }
   return std::move(u.Vector);
 }

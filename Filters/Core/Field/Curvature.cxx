@@ -4,8 +4,8 @@
 #include "Field/Curvature.h"
 
 #include "Sections/Assembly.h"
-#include "Solvers/Matrices/CombinedMatrix.h"
-#include "Solvers/Matrices/VectorOperations.h"
+#include "Solvers/Systems/MassSystem.h"
+#include "Support/Threads.h"
 
 #include <cmath>
 
@@ -14,80 +14,6 @@ namespace DirectionFields
 namespace
 {
 constexpr Index PieceSize = 1 << 12;
-/// Relative residual of systems with the mass matrix: all digits that there are.
-constexpr double Tolerance = 1e-14;
-/// Some 30 are usual.
-constexpr int MostSteps = 1000;
-
-/// M x = b by conjugate gradients: scaled by its diagonal the mass matrix is well conditioned on any
-/// mesh.
-ComplexVector SolveMass(const Operators& operators, const ComplexVector& b)
-{
-  const CombinedMatrix mass(operators, 0.0, 1.0);
-  Eigen::ArrayXd perDiagonal(b.size());
-  ForRows(b,
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        perDiagonal[v] = 1.0 / operators.Mass.coeff(v, v).real();
-      }
-    });
-  ComplexVector x = ComplexVector::Zero(b.size());
-  ComplexVector r = Copied(b);
-  ComplexVector p = ComplexVector::Zero(b.size());
-  ComplexVector q;
-  struct Sums
-  {
-    double Squares = 0.0;
-    /// r^* D^-1 r
-    double Scaled = 0.0;
-    Sums& operator+=(const Sums& other)
-    {
-      this->Squares += other.Squares;
-      this->Scaled += other.Scaled;
-      return *this;
-    }
-  };
-  // x += step p, r -= step q
-  const auto advance = [&](double step)
-  {
-    return ParallelSum<Sums>(static_cast<Index>(b.size()), VectorPiece, {},
-      [&](Index begin, Index end)
-      {
-        Sums sums;
-        for (Index v = begin; v < end; ++v)
-        {
-          if (step != 0.0)
-          {
-            x[v] += step * p[v];
-            r[v] -= step * q[v];
-          }
-          const double square = std::norm(r[v]);
-          sums.Squares += square;
-          sums.Scaled += perDiagonal[v] * square;
-        }
-        return sums;
-      });
-  };
-  Sums sums = advance(0.0);
-  const double small = Tolerance * Tolerance * sums.Squares;
-  double keep = 0.0;
-  for (int step = 0; sums.Squares > small && step < MostSteps; ++step)
-  {
-    ForRows(b,
-      [&](Index begin, Index end)
-      {
-        const Index length = end - begin;
-        p.segment(begin, length) = keep * p.segment(begin, length) +
-          (perDiagonal.segment(begin, length) * r.segment(begin, length).array()).matrix();
-      });
-    const double before = sums.Scaled;
-    sums = advance(before / mass.Multiply(p, q));
-    keep = sums.Scaled / before;
-  }
-  return x;
-}
 }
 
 Curvature::Curvature(

@@ -40,8 +40,7 @@ SparseMatrix SideBySide(Index rows, Index columns, const std::vector<SparseMatri
 
 /// a times the columns of b from begin to end - 1. Eigen's product would pass over all rows of a for each
 /// few columns of b.
-SparseMatrix ProductOfColumns(
-  const SparseMatrix& a, const SparseMatrix& b, Index begin, Index end)
+SparseMatrix ProductOfColumns(const SparseMatrix& a, const SparseMatrix& b, Index begin, Index end)
 {
   RowSum<Complex> sum;
   SparseMatrix product(a.rows(), end - begin);

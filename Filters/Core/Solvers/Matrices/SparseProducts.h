@@ -16,8 +16,8 @@ namespace DirectionFields
 /// @param rows      of what is returned
 /// @param newNumber the number of a row among these; None leaves the row out
 template <typename NewNumber>
-SparseMatrix SelectedColumns(const SparseMatrix& matrix, const std::vector<Index>& chosen, Index rows,
-  const NewNumber& newNumber)
+SparseMatrix SelectedColumns(const SparseMatrix& matrix, const std::vector<Index>& chosen,
+  Index rows, const NewNumber& newNumber)
 {
   constexpr Index pieceColumns = 4096;
   const auto count = static_cast<Index>(chosen.size());

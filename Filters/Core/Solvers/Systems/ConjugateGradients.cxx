@@ -7,6 +7,7 @@
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Matrices/VectorOperations.h"
 #include "Solvers/Multigrid/Cycle.h"
+#include "Solvers/Systems/ConjugateGradientLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,35 +19,35 @@ namespace DirectionFields
 namespace
 {
 constexpr int Width = SectionBlock::Width;
-/// What a residual is measured by is looked at, too, where so many steps have not been enough.
+/// After so many steps the iteration also looks at how far rounding lets the residual fall.
 constexpr int ManySteps = 16;
-/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, that takes its place.
+/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by that part.
 constexpr double RoundingScale = 1e-6;
-/// Part of the inverse on the lowest sections that V-cycles may lack.
+/// V-cycles may lack this part of the inverse on the lowest sections before it is added.
 constexpr double NegligibleLack = 0.1;
 
-/// How much rounding in single precision takes from, or adds to, a residual each time it is updated.
+/// Each update of a residual in single precision leaves this part of it as an error.
 constexpr double UpdateError = 1e-7;
-/// Part of a residual that what has been added to it may be, before it is computed anew (H. van der
-/// Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
+/// The residual is computed anew where the errors of its updates have added up to this part of it (H. van
+/// der Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
 constexpr double MostError = 0.25;
-/// Derivatives of the first solution that the next ones begin with, and their relative residual: more
-/// of either saves no more steps than it costs.
+/// How many derivatives of the first solution the next ones begin with, and their relative residual. More
+/// derivatives, or better ones, save no more steps than they cost.
 constexpr int Derivatives = 2;
 constexpr double DerivativeTolerance = 0.1;
-/// Rows whose squares are added up in single precision.
+/// The squares of this many rows are added up in single precision.
 constexpr Index FewRows = 256;
 
 /// Residuals, directions and their products.
 using CompactVector = LargeArray<CompactComplex>;
 
-/// As real numbers, a piece of it.
+/// A piece of a vector as real numbers.
 Eigen::Map<Eigen::ArrayXf> Part(CompactVector& vector, Index begin, Index end)
 {
   return { reinterpret_cast<float*>(vector.data() + begin), 2 * (end - begin) };
 }
 
-/// z = B r: V-cycles in single precision, and what they lack of the inverse on the lowest sections.
+/// z = B r, where B is a V-cycle in single precision and what it lacks of the inverse on the lowest sections.
 class Preconditioner
 {
 public:
@@ -69,7 +70,7 @@ public:
   }
   bool IsUsable() const { return this->Cycles.IsUsable(); }
 
-  /// The rows of z.
+  /// z, which is put together row by row where it is needed.
   class Result
   {
   public:
@@ -130,7 +131,7 @@ public:
 
 private:
   Cycle Cycles;
-  /// Null if V-cycles lack little.
+  /// The vectors of the lowest sections; null where V-cycles lack little.
   const float* Lowest = nullptr;
   /// What is added for each of the lowest sections.
   Eigen::ArrayXd PerValue;
@@ -158,12 +159,12 @@ double Update(double step, CompactVector& q, CompactVector& r)
 
 /// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms
 /// of K u add up to where rounding allows no better.
-double Size(const ShiftedSystem& system, const ComplexVector& u, double rest, double norm)
+double SizeOf(const ShiftedSystem& system, const ComplexVector& u, double rest, double norm)
 {
   return rest <= system.Tolerance * norm
     ? norm
-    : std::max(norm,
-        RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
+    : std::max(
+        norm, RoundingScale * system.EnergyFactor * SumOfMagnitudes(system.Matrices.Energy, u));
 }
 
 /// |b - K u|
@@ -206,51 +207,17 @@ double RestOf(const ComplexVector& b, const ComplexVector& product)
   return std::sqrt(squares);
 }
 
-/// u += step p, then p = z + keep p; the first time p = z.
-void Advance(const Preconditioner::Result& z, double step, double keep, ComplexVector& u,
-  CompactVector& p)
+/// compact = (b - product) / unit; returns its norm.
+double SetRest(
+  const ComplexVector& b, const ComplexVector& product, double unit, CompactVector& compact)
 {
-  ForRows(u,
-    [z, step, keep, solution = u.data(), direction = p.data()](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        const Complex next = z(v);
-        if (keep == 0.0)
-        {
-          direction[v] = CompactComplex(next);
-          continue;
-        }
-        const Complex before(direction[v]);
-        solution[v] += step * before;
-        direction[v] = CompactComplex(next + keep * before);
-      }
-    });
-}
-
-/// u += step p
-void Advance(double step, const CompactVector& p, ComplexVector& u)
-{
-  ForRows(u,
-    [step, solution = u.data(), direction = p.data()](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        solution[v] += step * Complex(direction[v]);
-      }
-    });
-}
-
-/// compact = (b - r) / unit; returns its norm.
-double SetRest(const ComplexVector& b, const ComplexVector& r, double unit, CompactVector& compact)
-{
-  const auto squares = ParallelSum<double>(static_cast<Index>(r.size()), VectorPiece, 0.0,
+  const auto squares = ParallelSum<double>(static_cast<Index>(product.size()), VectorPiece, 0.0,
     [&](Index begin, Index end)
     {
       double sum = 0.0;
       for (Index v = begin; v < end; ++v)
       {
-        const Complex rest = (b[v] - r[v]) / unit;
+        const Complex rest = (b[v] - product[v]) / unit;
         compact[v] = CompactComplex(rest);
         sum += std::norm(rest);
       }
@@ -259,82 +226,255 @@ double SetRest(const ComplexVector& b, const ComplexVector& r, double unit, Comp
   return std::sqrt(squares);
 }
 
-/// Steps from u on until the residual is small enough.
-/// @param product K u; overwritten
-/// @param rest    the norm of b - K u
-/// @param steps   of all restarts, up to mostSteps
-void Iterate(const ShiftedSystem& system, const CombinedMatrix& matrix,
-  Preconditioner& preconditioner, const ComplexVector& b, double norm, ComplexVector product,
-  double rest, int mostSteps, ComplexVector& u, int& steps)
+/// K and the approximation of its inverse.
+struct PreconditionedSystem
 {
-  // Of residuals and directions, so that nothing leaves the range of single precision.
-  const double unit = rest;
-  CompactVector r(b.size());
-  CompactVector p(b.size());
-  CompactVector q;
-  double left = SetRest(b, product, unit, r);
-  double error = UpdateError * left;
-  double size = norm;
-  // By which u has not been advanced yet.
-  double step = 0.0;
-  double previous = 0.0;
-  while (unit * left > ResidualMargin * system.Tolerance * size && steps < mostSteps &&
-    system.GoOn())
+  const ShiftedSystem& System;
+  const CombinedMatrix& Matrix;
+  Preconditioner& Inverse;
+};
+
+struct RightHandSide
+{
+  const ComplexVector& Vector;
+  double Norm;
+};
+
+/// Where steps begin.
+struct Start
+{
+  /// u
+  ComplexVector Solution;
+  /// K u
+  ComplexVector Product;
+  /// |b - K u|
+  double Rest;
+};
+
+/// Conjugate gradients from a start until the residual is small enough. Residuals, directions and their
+/// products are kept in single precision, over a unit that keeps them within its range.
+class CompactIteration
+{
+public:
+  /// @param steps counts the steps of all starts, up to mostSteps
+  CompactIteration(const PreconditionedSystem& preconditioned, const RightHandSide& right,
+    Start start, int mostSteps, int& steps)
+    : System(preconditioned.System)
+    , Matrix(preconditioned.Matrix)
+    , Inverse(preconditioned.Inverse)
+    , Right(right)
+    , MostSteps(mostSteps)
+    , Steps(steps)
+    , Solution(std::move(start.Solution))
+    , Product(std::move(start.Product))
+    , Unit(start.Rest)
+    , Size(right.Norm)
+    , Residual(right.Vector.size())
+    , Direction(right.Vector.size())
   {
-    if (error > MostError * left)
-    {
-      Advance(step * unit, p, u);
-      step = 0.0;
-      matrix.Multiply(u, product);
-      left = SetRest(b, product, unit, r);
-      error = UpdateError * left;
-      continue;
-    }
-    const Preconditioner::Result z = preconditioner.Apply(r);
-    Advance(z, step * unit, previous == 0.0 ? 0.0 : z.Product / previous, u, p);
-    previous = z.Product;
-    step = z.Product / matrix.Multiply(p, q);
-    if (!(step > 0.0) || !std::isfinite(step))
-    {
-      return;
-    }
-    left = Update(step, q, r);
-    error += UpdateError * left;
-    if (steps == ManySteps)
-    {
-      size = Size(system, u, unit * left, norm);
-    }
-    ++steps;
+    this->SetResidual();
   }
-  if (step > 0.0)
+
+  bool GoesOn()
   {
-    Advance(step * unit, p, u);
+    if (!this->IsStepWanted())
+    {
+      return false;
+    }
+    this->System.Progress.RequireToGoOn();
+    if (this->Error > MostError * this->Left)
+    {
+      this->TakePending();
+      this->Matrix.Multiply(this->Solution, this->Product);
+      this->SetResidual();
+    }
+    return this->IsStepWanted();
   }
+
+  double Precondition()
+  {
+    this->Corrected = this->Inverse.Apply(this->Residual);
+    return this->Corrected.Product;
+  }
+
+  /// Lets the solution take the step before in the same pass over the vectors.
+  void SetDirection(double keep)
+  {
+    ForRows(this->Solution,
+      [z = this->Corrected, step = this->Pending * this->Unit, keep,
+        solution = this->Solution.data(),
+        direction = this->Direction.data()](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          const Complex next = z(v);
+          if (keep == 0.0)
+          {
+            direction[v] = CompactComplex(next);
+            continue;
+          }
+          const Complex before(direction[v]);
+          solution[v] += step * before;
+          direction[v] = CompactComplex(next + keep * before);
+        }
+      });
+    this->Pending = 0.0;
+  }
+
+  double FindCurvature() { return this->Matrix.Multiply(this->Direction, this->Image); }
+
+  void Advance(double step)
+  {
+    this->Pending = step;
+    this->Left = Update(step, this->Image, this->Residual);
+    this->Error += UpdateError * this->Left;
+    if (this->Steps == ManySteps)
+    {
+      this->Size = SizeOf(this->System, this->Solution, this->Unit * this->Left, this->Right.Norm);
+    }
+    ++this->Steps;
+  }
+
+  /// Returns the solution, which the iteration no longer has.
+  ComplexVector Finish()
+  {
+    this->TakePending();
+    return std::move(this->Solution);
+  }
+
+private:
+  bool IsStepWanted() const
+  {
+    return this->Unit * this->Left > ResidualMargin * this->System.Tolerance * this->Size &&
+      this->Steps < this->MostSteps;
+  }
+
+  /// From the product.
+  void SetResidual()
+  {
+    this->Left = SetRest(this->Right.Vector, this->Product, this->Unit, this->Residual);
+    this->Error = UpdateError * this->Left;
+  }
+
+  void TakePending()
+  {
+    if (this->Pending > 0.0)
+    {
+      ForRows(this->Solution,
+        [step = this->Pending * this->Unit, solution = this->Solution.data(),
+          direction = this->Direction.data()](Index begin, Index end)
+        {
+          for (Index v = begin; v < end; ++v)
+          {
+            solution[v] += step * Complex(direction[v]);
+          }
+        });
+      this->Pending = 0.0;
+    }
+  }
+
+  const ShiftedSystem& System;
+  const CombinedMatrix& Matrix;
+  Preconditioner& Inverse;
+  const RightHandSide Right;
+  const int MostSteps;
+  int& Steps;
+  /// u, without what Pending still adds to it, and K u of the last time that the residual was computed
+  ComplexVector Solution;
+  ComplexVector Product;
+  /// Residual and direction are kept over this.
+  const double Unit;
+  /// What the residual is measured by.
+  double Size;
+  CompactVector Residual;
+  /// z
+  Preconditioner::Result Corrected;
+  CompactVector Direction;
+  /// K times the direction
+  CompactVector Image;
+  /// The norm of the residual, and how large the errors of its updates may be.
+  double Left;
+  double Error;
+  /// The last step, which the solution has not taken yet; 0 for none.
+  double Pending = 0.0;
+};
+
+ComplexVector Iterate(const PreconditionedSystem& preconditioned, const RightHandSide& right,
+  Start start, int mostSteps, int& steps)
+{
+  CompactIteration iteration(preconditioned, right, std::move(start), mostSteps, steps);
+  TakeConjugateGradientSteps(iteration);
+  return iteration.Finish();
 }
 
 /// Adds K^-1 M u, K^-1 M K^-1 M u ..., approximately: derivatives of a solution u by the factor of M,
-/// but for their scale.
+/// up to their scale.
 /// @param mostSteps for each
-void AddDerivatives(const ShiftedSystem& system, const CombinedMatrix& matrix,
-  Preconditioner& preconditioner, const SectionProducts& u, int mostSteps, ReducedBasis& solved)
+void AddDerivatives(const PreconditionedSystem& preconditioned, const SectionProducts& u,
+  int mostSteps, ReducedBasis& solved)
 {
-  const ShiftedSystem rough{ system.Matrices, system.EnergyFactor, system.MassFactor,
-    DerivativeTolerance, system.GoOn };
+  ShiftedSystem rough = preconditioned.System;
+  rough.Tolerance = DerivativeTolerance;
   SectionProducts last;
   for (int order = 1; order <= Derivatives; ++order)
   {
     const ComplexVector& b = order == 1 ? u.Mass : last.Mass;
     const double norm = Norm(b);
-    ComplexVector t = Zeros(b.size());
     int steps = 0;
-    Iterate(rough, matrix, preconditioner, b, norm, Zeros(b.size()), norm, mostSteps, t, steps);
-    if (steps == 0 || !system.GoOn())
+    ComplexVector derivative = Iterate({ rough, preconditioned.Matrix, preconditioned.Inverse },
+      { b, norm }, { Zeros(b.size()), Zeros(b.size()), norm }, mostSteps, steps);
+    if (steps == 0)
     {
       return;
     }
-    last.Set(system.Matrices, std::move(t));
+    last.Set(rough.Matrices, std::move(derivative));
     solved.Add(last);
   }
+}
+
+/// The start at u, or at zero where that is closer.
+Start StartAt(ComplexVector u, const CombinedMatrix& matrix, const RightHandSide& right)
+{
+  Start start;
+  start.Solution = std::move(u);
+  matrix.Multiply(start.Solution, start.Product);
+  start.Rest = RestOf(right.Vector, start.Product);
+  if (!(start.Rest < right.Norm))
+  {
+    start.Solution.setZero();
+    start.Product.setZero();
+    start.Rest = right.Norm;
+  }
+  return start;
+}
+
+/// Starts again from the true residual while that is too large and gets smaller.
+/// @param best gets the best solution
+/// @return the residual of that relative to its size
+double IterateWithRestarts(const PreconditionedSystem& preconditioned, const RightHandSide& right,
+  Start start, int& steps, SectionProducts& best)
+{
+  const ShiftedSystem& system = preconditioned.System;
+  double residual = std::numeric_limits<double>::infinity();
+  for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
+  {
+    SectionProducts products(
+      system.Matrices, Iterate(preconditioned, right, std::move(start), MostSteps, steps));
+    const double rest = RestOf(system, right.Vector, products);
+    const double relative = rest / SizeOf(system, products.Vector, rest, right.Norm);
+    const bool stalls = !(relative < 0.5 * residual);
+    if (relative < residual)
+    {
+      residual = relative;
+      best = std::move(products);
+    }
+    if (stalls || residual <= system.Tolerance)
+    {
+      break;
+    }
+    start = { Copied(best.Vector), ProductOf(system, best), rest };
+  }
+  return residual;
 }
 }
 
@@ -342,62 +482,34 @@ SystemSolution ConjugateGradients(const ShiftedSystem& system, const Hierarchy& 
   const LowestSections& lowest, const ComplexVector& b, ReducedBasis& solved)
 {
   SystemSolution solution;
-  const double norm = Norm(b);
+  const RightHandSide right{ b, Norm(b) };
   Preconditioner preconditioner(hierarchy, system.Shift(), lowest);
-  if (!preconditioner.IsUsable() || !(norm > 0.0))
+  if (!preconditioner.IsUsable() || !(right.Norm > 0.0))
   {
     solution.Vector = ComplexVector::Zero(b.size());
     solution.Residual = preconditioner.IsUsable() ? 0.0 : 1.0;
     return solution;
   }
   ReducedBasis::Guess guess = solved.Closest(system.EnergyFactor, system.MassFactor, b);
-  SectionProducts best;
-  best.Vector = std::move(guess.Vector);
   if (guess.IsSolution)
   {
-    solution.Vector = std::move(best.Vector);
+    solution.Vector = std::move(guess.Vector);
     solution.Residual = guess.Residual;
     return solution;
   }
   const CombinedMatrix matrix(system.Matrices, system.EnergyFactor, system.MassFactor);
-  ComplexVector product;
-  matrix.Multiply(best.Vector, product);
-  double rest = RestOf(b, product);
-  if (!(rest < norm))
-  {
-    best.Vector.setZero();
-    product.setZero();
-    rest = norm;
-  }
-  solution.Residual = std::numeric_limits<double>::infinity();
+  const PreconditionedSystem preconditioned{ system, matrix, preconditioner };
   int steps = 0;
-  for (int restart = 0; restart < MostRestarts && steps < MostSteps; ++restart)
-  {
-    ComplexVector u = Copied(best.Vector);
-    Iterate(
-      system, matrix, preconditioner, b, norm, std::move(product), rest, MostSteps, u, steps);
-    SectionProducts products(system.Matrices, std::move(u));
-    rest = RestOf(system, b, products);
-    const double relative = rest / Size(system, products.Vector, rest, norm);
-    const bool stalls = !(relative < 0.5 * solution.Residual);
-    if (relative < solution.Residual)
-    {
-      solution.Residual = relative;
-      best = std::move(products);
-    }
-    if (stalls || solution.Residual <= system.Tolerance)
-    {
-      break;
-    }
-    product = ProductOf(system, best);
-  }
+  SectionProducts best;
+  solution.Residual = IterateWithRestarts(
+    preconditioned, right, StartAt(std::move(guess.Vector), matrix, right), steps, best);
   if (solution.Residual <= system.Tolerance)
   {
     solved.Add(best, system.EnergyFactor, system.MassFactor, b, solution.Residual);
-    // Where K = M they are the solution itself.
+    // Where K = M the derivatives are multiples of the solution.
     if (system.OthersFollow && solved.Size() == 1 && system.EnergyFactor > 0.0)
     {
-      AddDerivatives(system, matrix, preconditioner, best, steps / 2, solved);
+      AddDerivatives(preconditioned, best, steps / 2, solved);
     }
   }
   solution.Vector = std::move(best.Vector);

@@ -6,37 +6,40 @@
 #include "Solvers/Matrices/Factorization.h"
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Matrices/SparseProducts.h"
+#include "Solvers/Systems/ConjugateGradientLoop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace DirectionFields
 {
 namespace
 {
-/// Refinement goes on until the relative residual is below this, or no longer falls.
+/// Refinement ends where the relative residual is below this, or no longer falls.
 constexpr double WantedResidual = 1e-12;
 constexpr int MaximumRefinements = 30;
 /// A sum below this part of the sum of its terms' magnitudes is nothing but rounding.
 constexpr double Cancelled = 1e-15;
-/// Conjugate gradient steps until the squared gradient has fallen by so much, and how often they
-/// start again.
+/// Conjugate gradients end where the squared gradient has fallen to this part, or after this number of
+/// steps, and start again as often as this.
 constexpr double StepReduction = 1e-24;
 constexpr int MaximumSteps = 1000;
 constexpr int MaximumRestarts = 5;
-/// A least squares solution with a larger residual is tried once more by another way, unless that
-/// would couple an unknown with more others than this in the mean.
+/// A least squares solution with a larger residual is tried once more by conjugate gradients. They are
+/// tried at once where the normal matrix would couple an unknown with more others than this in the mean.
 constexpr double AcceptedResidual = 1e-9;
 constexpr double DensestCouplings = 30.0;
-/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by
-/// that: rounding of K u alone would exceed any residual relative to a tiny right-hand side.
+/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by that
+/// part: rounding of K u alone would exceed any residual relative to a tiny right-hand side.
 constexpr double RoundingScale = 1e-6;
-/// Added to the diagonal, relative to it, where a matrix is singular up to rounding.
+/// Parts of the diagonal that are added to it, one after the other, until a matrix that is singular up to
+/// rounding can be factored.
 constexpr double Regularizations[] = { 0.0, 1e-14, 1e-12, 1e-10, 1e-8 };
 
-/// Finite, and how large.
+/// The norm of a right-hand side, which must be finite.
 double CheckedNorm(const ComplexVector& rightHandSide)
 {
   const double norm = rightHandSide.norm();
@@ -47,25 +50,14 @@ double CheckedNorm(const ComplexVector& rightHandSide)
   return norm;
 }
 
-/// Throws Stopped.
-void RequireToGoOn(const GoOnFunction& goOn)
-{
-  if (goOn && !goOn())
-  {
-    throw Stopped();
-  }
-}
-
 /// Factors a matrix, with a little added to its diagonal where it needs that.
-void Factor(const SparseMatrix& matrix, const GoOnFunction& goOn, Factorization& factor)
+void Factor(const SparseMatrix& matrix, const Progress& progress, Factorization& factor)
 {
   for (const double regularization : Regularizations)
   {
     SparseMatrix regular = matrix;
     regular.diagonal() *= 1.0 + regularization;
-    const ProgressFunction ask =
-      goOn ? ProgressFunction([&](double) { return goOn(); }) : ProgressFunction();
-    if (factor.Compute(regular, Progress(ask)))
+    if (factor.Compute(regular, progress))
     {
       return;
     }
@@ -73,9 +65,10 @@ void Factor(const SparseMatrix& matrix, const GoOnFunction& goOn, Factorization&
   throw NotPositiveDefinite();
 }
 
-/// Solves by a factor and refines with the matrix itself: what the factor loses to rounding or to
-/// regularization comes back.
-SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b, const GoOnFunction& goOn)
+/// Solves by a factor and refines the solution with the matrix itself, which restores what the factor loses
+/// to rounding or to regularization.
+SystemSolution SolveByFactor(
+  const SparseMatrix& matrix, const ComplexVector& b, const Progress& progress)
 {
   SystemSolution solution;
   solution.Vector = ComplexVector::Zero(b.size());
@@ -85,12 +78,12 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b, const G
     return solution;
   }
   Factorization factor;
-  Factor(matrix, goOn, factor);
+  Factor(matrix, progress, factor);
   ComplexVector residual = b;
   solution.Residual = 1.0;
   for (int step = 0; step < MaximumRefinements && solution.Residual > WantedResidual; ++step)
   {
-    RequireToGoOn(goOn);
+    progress.RequireToGoOn();
     const ComplexVector better = solution.Vector + factor.Solve(residual);
     const ComplexVector rest = b - matrix * better;
     const double relative =
@@ -111,51 +104,114 @@ SystemSolution Solve(const SparseMatrix& matrix, const ComplexVector& b, const G
   return solution;
 }
 
-/// Minimizes ‖K_f u - b‖ by conjugate gradients on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of
-/// the free vertices are the identity and only the others are left to deal with.
-SystemSolution SolveByFactoredSquare(const SparseMatrix& columns, const SparseMatrix& adjoint,
-  const SparseMatrix& square, const ComplexVector& b, const GoOnFunction& goOn)
+/// K_f, its adjoint, and the part K_ff of it.
+struct FreeColumns
+{
+  FreeColumns(const SparseMatrix& matrix, const FreeVertices& free)
+    : Columns(free.Columns(matrix))
+    , Adjoint(this->Columns.adjoint())
+    , Square(free.Principal(matrix))
+  {
+  }
+
+  SparseMatrix Columns;
+  SparseMatrix Adjoint;
+  SparseMatrix Square;
+};
+
+/// Conjugate gradients for ‖K_f u - b‖ on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of the free
+/// vertices are the identity and only the others are left to deal with.
+class FactoredIteration
+{
+public:
+  /// @param factor of K_ff
+  FactoredIteration(const FreeColumns& matrix, const Factorization& factor, const ComplexVector& b,
+    const Progress& progress, ComplexVector u)
+    : Matrix(matrix)
+    , Factor(factor)
+    , Listener(progress)
+    , Solution(std::move(u))
+    , Residual(b - matrix.Columns * this->Solution)
+    , Direction(ComplexVector::Zero(this->Solution.size()))
+  {
+    this->FindGradient();
+    this->SmallSquares = StepReduction * this->Squares;
+  }
+
+  bool GoesOn() const
+  {
+    if (!(this->Squares > this->SmallSquares) || this->Steps >= MaximumSteps)
+    {
+      return false;
+    }
+    this->Listener.RequireToGoOn();
+    return true;
+  }
+  double Precondition() const { return this->Squares; }
+  void SetDirection(double keep) { this->Direction = this->Gradient + keep * this->Direction; }
+  double FindCurvature()
+  {
+    this->Step = this->Factor.Solve(this->Direction);
+    this->Product = this->Matrix.Columns * this->Step;
+    return this->Product.squaredNorm();
+  }
+  void Advance(double step)
+  {
+    this->Solution += step * this->Step;
+    this->Residual -= step * this->Product;
+    this->FindGradient();
+    ++this->Steps;
+  }
+  const ComplexVector& GetSolution() const { return this->Solution; }
+
+private:
+  /// K_ff^-1 K_f^* r and its squared norm.
+  void FindGradient()
+  {
+    this->Gradient = this->Factor.Solve(this->Matrix.Adjoint * this->Residual);
+    this->Squares = this->Gradient.squaredNorm();
+  }
+
+  const FreeColumns& Matrix;
+  const Factorization& Factor;
+  const Progress& Listener;
+  ComplexVector Solution;
+  ComplexVector Residual;
+  ComplexVector Gradient;
+  /// K_ff times the direction of the step, the direction itself and its product with K_f
+  ComplexVector Direction;
+  ComplexVector Step;
+  ComplexVector Product;
+  double Squares = 0.0;
+  double SmallSquares;
+  int Steps = 0;
+};
+
+/// Minimizes ‖K_f u - b‖ by conjugate gradients with the factor of K_ff. Starting again from the true
+/// residual takes back what rounding adds up in their recursions.
+SystemSolution SolveByFactoredSquare(
+  const FreeColumns& matrix, const ComplexVector& b, const Progress& progress)
 {
   SystemSolution solution;
-  solution.Vector = ComplexVector::Zero(columns.cols());
-  const double size = CheckedNorm(adjoint * b);
-  const double terms = SumOfMagnitudes(adjoint, b);
+  solution.Vector = ComplexVector::Zero(matrix.Columns.cols());
+  const double size = CheckedNorm(matrix.Adjoint * b);
+  const double terms = SumOfMagnitudes(matrix.Adjoint, b);
   if (size <= Cancelled * terms)
   {
     return solution;
   }
   Factorization factor;
-  Factor(square, goOn, factor);
+  Factor(matrix.Square, progress, factor);
   solution.Residual = 1.0;
-  // Starting again from the true residual takes back what rounding adds up in the recursions.
   for (int start = 0; start < MaximumRestarts && solution.Residual > WantedResidual; ++start)
   {
-    ComplexVector u = solution.Vector;
-    ComplexVector r = b - columns * u;
-    ComplexVector s = factor.Solve(adjoint * r);
-    ComplexVector p = s;
-    double gamma = s.squaredNorm();
-    const double first = gamma;
-    for (int step = 0; step < MaximumSteps && gamma > StepReduction * first; ++step)
-    {
-      RequireToGoOn(goOn);
-      const ComplexVector direction = factor.Solve(p);
-      const ComplexVector q = columns * direction;
-      const double alpha = gamma / q.squaredNorm();
-      if (!std::isfinite(alpha))
-      {
-        break;
-      }
-      u += alpha * direction;
-      r -= alpha * q;
-      s = factor.Solve(adjoint * r);
-      const double next = s.squaredNorm();
-      p = s + (next / gamma) * p;
-      gamma = next;
-    }
-    const double rounding = SumOfMagnitudes(adjoint, columns.cwiseAbs() * u.cwiseAbs());
-    const double relative =
-      (adjoint * (b - columns * u)).norm() / std::max(size, RoundingScale * (terms + rounding));
+    FactoredIteration iteration(matrix, factor, b, progress, solution.Vector);
+    TakeConjugateGradientSteps(iteration);
+    const ComplexVector& u = iteration.GetSolution();
+    const double rounding =
+      SumOfMagnitudes(matrix.Adjoint, matrix.Columns.cwiseAbs() * u.cwiseAbs());
+    const double relative = (matrix.Adjoint * (b - matrix.Columns * u)).norm() /
+      std::max(size, RoundingScale * (terms + rounding));
     if (!(relative < solution.Residual))
     {
       break;
@@ -173,20 +229,19 @@ SystemSolution SolveByFactoredSquare(const SparseMatrix& columns, const SparseMa
 
 /// Minimizes ‖K_f u - b‖: by a factor of K_f^* K_f unless that is dense, as at a vertex of many
 /// triangles, or too badly conditioned.
-SystemSolution SolveLeastSquares(const SparseMatrix& columns, const SparseMatrix& square,
-  const ComplexVector& b, const GoOnFunction& goOn)
+SystemSolution SolveLeastSquares(
+  const FreeColumns& matrix, const ComplexVector& b, const Progress& progress)
 {
-  const SparseMatrix adjoint = columns.adjoint();
   SystemSolution solution;
   solution.Residual = std::numeric_limits<double>::infinity();
-  if (IsNormalMatrixSparse(adjoint, DensestCouplings))
+  if (IsNormalMatrixSparse(matrix.Adjoint, DensestCouplings))
   {
-    RequireToGoOn(goOn);
-    solution = Solve(adjoint * columns, adjoint * b, goOn);
+    progress.RequireToGoOn();
+    solution = SolveByFactor(matrix.Adjoint * matrix.Columns, matrix.Adjoint * b, progress);
   }
   if (solution.Residual > AcceptedResidual)
   {
-    SystemSolution other = SolveByFactoredSquare(columns, adjoint, square, b, goOn);
+    SystemSolution other = SolveByFactoredSquare(matrix, b, progress);
     if (other.Residual < solution.Residual)
     {
       return other;
@@ -204,27 +259,27 @@ ComplexVector MovedToTheRight(const SparseMatrix& matrix, const ComplexVector& b
 }
 
 SystemSolution SolveDirectly(
-  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const GoOnFunction& goOn)
+  const SparseMatrix& matrix, const ComplexVector& rightHandSide, const Progress& progress)
 {
-  return Solve(matrix, rightHandSide, goOn);
+  return SolveByFactor(matrix, rightHandSide, progress);
 }
 
-SystemSolution MinimizeEnergyDirectly(const SparseMatrix& matrix, const ComplexVector& rightHandSide,
-  const GivenValues& given, const GoOnFunction& goOn)
+SystemSolution MinimizeEnergyDirectly(const SparseMatrix& matrix,
+  const ComplexVector& rightHandSide, const GivenValues& given, const Progress& progress)
 {
   const FreeVertices free(given.Vertices, static_cast<Index>(matrix.cols()));
-  SystemSolution solution = Solve(free.Principal(matrix),
-    free.Gathered(MovedToTheRight(matrix, rightHandSide, free, given)), goOn);
+  SystemSolution solution = SolveByFactor(free.Principal(matrix),
+    free.Gathered(MovedToTheRight(matrix, rightHandSide, free, given)), progress);
   solution.Vector = free.Joined(solution.Vector, given);
   return solution;
 }
 
-SystemSolution MinimizeResidualDirectly(const SparseMatrix& matrix, const ComplexVector& rightHandSide,
-  const GivenValues& given, const GoOnFunction& goOn)
+SystemSolution MinimizeResidualDirectly(const SparseMatrix& matrix,
+  const ComplexVector& rightHandSide, const GivenValues& given, const Progress& progress)
 {
   const FreeVertices free(given.Vertices, static_cast<Index>(matrix.cols()));
-  SystemSolution solution = SolveLeastSquares(free.Columns(matrix), free.Principal(matrix),
-    MovedToTheRight(matrix, rightHandSide, free, given), goOn);
+  SystemSolution solution = SolveLeastSquares(
+    { matrix, free }, MovedToTheRight(matrix, rightHandSide, free, given), progress);
   solution.Vector = free.Joined(solution.Vector, given);
   return solution;
 }

@@ -38,7 +38,7 @@ SystemSolution MinimizeEnergyByMultigrid(const ShiftedSystem& system, FreeSystem
   }
   const ComplexVector b = freeSystem.Free.Gathered(rightHandSide - system.Times(u));
   const ShiftedSystem inner{ freeSystem.Matrices, system.EnergyFactor, system.MassFactor,
-    system.Tolerance, system.GoOn };
+    system.Tolerance, system.Progress };
   const SystemSolution free =
     ConjugateGradients(inner, freeSystem.Hierarchy, {}, b, freeSystem.Solved);
   solution.Residual = free.Residual;

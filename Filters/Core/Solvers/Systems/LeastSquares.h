@@ -12,8 +12,8 @@ namespace DirectionFields
 /// vertices, by conjugate gradients on the normal equations (CGLS, Björck 1996) with
 /// LeastSquaresPreconditioner: u minimizes ‖K u - b‖ among the sections with the given values (POC14).
 /// @param freeSystem that of the system's matrices and of the given vertices
-SystemSolution MinimizeResidualByMultigrid(const ShiftedSystem& system, const FreeSystem& freeSystem,
-  const ComplexVector& rightHandSide, const GivenValues& given);
+SystemSolution MinimizeResidualByMultigrid(const ShiftedSystem& system,
+  const FreeSystem& freeSystem, const ComplexVector& rightHandSide, const GivenValues& given);
 }
 
 #endif

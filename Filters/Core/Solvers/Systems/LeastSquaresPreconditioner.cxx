@@ -146,8 +146,8 @@ LeastSquaresPreconditioner::LeastSquaresPreconditioner(const SparseMatrix& matri
   for (const Hierarchy::Level& level : hierarchy.GetLevels())
   {
     Workspace own;
-    own.Diagonal = SweepDiagonal(level.Matrices.Energy, level.LumpedMass,
-      static_cast<float>(shift), Relaxation);
+    own.Diagonal =
+      SweepDiagonal(level.Matrices.Energy, level.LumpedMass, static_cast<float>(shift), Relaxation);
     for (CompactSections* section : { &own.Right, &own.Sum, &own.Rest })
     {
       section->resize(2 * static_cast<std::size_t>(level.Rows()));

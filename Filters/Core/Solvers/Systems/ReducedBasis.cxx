@@ -92,8 +92,7 @@ ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVecto
   const Eigen::VectorXcd coefficients = perLength.asDiagonal() *
     (spectrum.eigenvectors() *
       (inverse.asDiagonal() *
-        (spectrum.eigenvectors().adjoint() *
-          (perLength.asDiagonal() * products))));
+        (spectrum.eigenvectors().adjoint() * (perLength.asDiagonal() * products))));
   Guess guess{ Uninitialized(b.size()) };
   ComplexVector& sum = guess.Vector;
   ForRows(sum,

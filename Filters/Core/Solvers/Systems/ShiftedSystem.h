@@ -4,16 +4,15 @@
 #ifndef DirectionFields_ShiftedSystem_h
 #define DirectionFields_ShiftedSystem_h
 
+#include "Progress.h"
 #include "Solvers/Matrices/Operators.h"
 #include "Types.h"
 
-#include <functional>
-
 namespace DirectionFields
 {
-/// The matrix K = a A + m M of one component, a >= 0, and how far systems with it are to be solved. The
-/// iterative solvers may return a solution whose Residual is larger than the Tolerance: where V-cycles do
-/// not help, or where GoOn, called before each step, has said false.
+/// The matrix K = a A + m M of one component, a >= 0, and how far systems with it are to be solved. What
+/// the iterative solvers return may have a Residual above the Tolerance where V-cycles do not help. They
+/// throw Stopped.
 struct ShiftedSystem
 {
   const Operators& Matrices;
@@ -23,7 +22,8 @@ struct ShiftedSystem
   double MassFactor;
   /// The relative residual up to which a solution counts as one.
   double Tolerance;
-  std::function<bool()> GoOn;
+  /// Asked before each step whether to go on.
+  DirectionFields::Progress Progress;
   /// Whether others with other factors are to follow: the first solution then takes longer, and they
   /// take fewer steps.
   bool OthersFollow = false;

@@ -39,12 +39,8 @@ TEST(ConjugateGradients, StepsOfAlignedSystemsDoNotDependOnTheStrength)
   {
     ReducedBasis solved;
     int steps = 0;
-    const ShiftedSystem shifted{ system.Matrices, 1.0, shift * smallest, 1e-6,
-      [&]
-      {
-        ++steps;
-        return true;
-      } };
+    const ProgressFunction count = [&](double) { return ++steps > 0; };
+    const ShiftedSystem shifted{ system.Matrices, 1.0, shift * smallest, 1e-6, Progress(count) };
     const SystemSolution solution = ConjugateGradients(shifted, hierarchy, lowest, b, solved);
     const ComplexVector rest = shifted.Times(solution.Vector) - b;
     EXPECT_LE(rest.norm(), 1e-6 * b.norm()) << shift;
@@ -62,22 +58,32 @@ TEST(ConjugateGradients, TwiceTheDigitsTakeTwiceTheSteps)
   const auto steps = [&](double tolerance)
   {
     ReducedBasis solved;
-    int count = 0;
-    const ShiftedSystem shifted{ system.Matrices, 1.0, system.Scale, tolerance,
-      [&]
-      {
-        ++count;
-        return true;
-      } };
+    int asked = 0;
+    const ProgressFunction count = [&](double) { return ++asked > 0; };
+    const ShiftedSystem shifted{ system.Matrices, 1.0, system.Scale, tolerance, Progress(count) };
     const SystemSolution solution = ConjugateGradients(shifted, hierarchy, {}, b, solved);
     const double rest = (shifted.Times(solution.Vector) - b).norm();
     EXPECT_LE(rest, tolerance * b.norm());
     EXPECT_NEAR(solution.Residual * b.norm(), rest, 0.01 * rest);
-    return count;
+    return asked;
   };
   const int few = steps(1e-6);
   EXPECT_LE(few, 14);
   EXPECT_LE(steps(1e-12), 2 * few + 2);
+}
+
+TEST(ConjugateGradients, StopWhenTold)
+{
+  const System system(Potato(5), 4, 0.0);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
+  const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
+  int asked = 0;
+  const ProgressFunction goOn = [&](double) { return ++asked < 4; };
+  const ShiftedSystem shifted{ system.Matrices, 1.0, system.Scale, 1e-6, Progress(goOn) };
+  ReducedBasis solved;
+  EXPECT_THROW(ConjugateGradients(shifted, hierarchy, {}, b, solved), Stopped);
+  EXPECT_EQ(asked, 4);
+  EXPECT_EQ(solved.Size(), 0);
 }
 
 /// Values given here and there leave patches that have little to do with each other, many of a few
@@ -100,12 +106,8 @@ TEST(ConjugateGradients, HierarchiesOfPatchesBetweenGivenValuesGetSmall)
   EXPECT_LE(freeSystem.Hierarchy.GetLevels().back().Rows(), Hierarchy::CoarsestRows);
   EXPECT_LE(freeSystem.Hierarchy.OperatorComplexity(), 1.6);
   int steps = 0;
-  const ShiftedSystem shifted{ system.Matrices, 1.0, 0.0, 1e-10,
-    [&]
-    {
-      ++steps;
-      return true;
-    } };
+  const ProgressFunction count = [&](double) { return ++steps > 0; };
+  const ShiftedSystem shifted{ system.Matrices, 1.0, 0.0, 1e-10, Progress(count) };
   const ComplexVector b = ComplexVector::Zero(n);
   const SystemSolution fast = MinimizeEnergyByMultigrid(shifted, freeSystem, b, given);
   const SystemSolution direct = MinimizeEnergyDirectly(system.Matrices.Energy, b, given);

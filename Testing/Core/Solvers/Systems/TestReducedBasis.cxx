@@ -85,8 +85,7 @@ TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
   LowestSections lowest;
   const double smallest =
     SolveByJacobiDavidson(system.Matrices, hierarchy, settings, {}, lowest).Value;
-  const ComplexVector b =
-    system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
+  const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
   std::vector<int> stepsOfMoves[2];
   for (const bool othersFollow : { false, true })
   {
@@ -95,13 +94,10 @@ TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
     for (int move = 0; move < 6; ++move)
     {
       steps.push_back(0);
-      const auto count = [&]
-      {
-        ++steps.back();
-        return true;
-      };
+      const ProgressFunction count = [&](double) { return ++steps.back() > 0; };
       const double shift = system.Scale * (0.5 + 0.1 * move) - smallest;
-      const ShiftedSystem shifted{ system.Matrices, 1.0, shift, 1e-6, count, othersFollow };
+      const ShiftedSystem shifted{ system.Matrices, 1.0, shift, 1e-6, Progress(count),
+        othersFollow };
       const SystemSolution solution = ConjugateGradients(shifted, hierarchy, lowest, b, solved);
       const SparseMatrix k = system.Matrices.Energy + shift * system.Matrices.Mass;
       EXPECT_LE((k * solution.Vector - b).norm(), 1.01e-6 * b.norm());
@@ -127,7 +123,8 @@ TEST(ReducedBasis, OneStrengthAloneNeedsNoDerivatives)
   {
     options.OthersFollow = othersFollow;
     int calls = 0;
-    field = DirectionField(Potato(5)).Compute(options, {}, [&](double) { return ++calls > 0; })
+    field = DirectionField(Potato(5))
+              .Compute(options, {}, [&](double) { return ++calls > 0; })
               .Representation;
     return calls;
   };
