@@ -72,9 +72,6 @@ struct Options
   /// same surface with better triangles. The eigenvalue problem and the linear systems use it; the
   /// curvature, the constraints and the singularity indices stay with the surface's own triangles.
   bool IntrinsicDelaunay = false;
-  /// Whether fields of other strengths are likely to follow from the same DirectionField: the first
-  /// aligned one takes a twentieth longer then, and the next ones a fifth less.
-  bool OthersFollow = true;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

@@ -164,7 +164,6 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.Tolerance = this->Tolerance;
   options.MaximumIterations = this->MaximumIterations;
   options.Solver = static_cast<DirectionFields::Solver>(this->Solver);
-  options.OthersFollow = this->KeepStages;
   options.NumberOfThreads = this->NumberOfThreads > 0 ? this->NumberOfThreads : DefaultThreads();
   options.MergePoints = this->MergePoints;
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;

@@ -99,7 +99,7 @@ SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const Gi
   const ComplexVector& rightHandSide, const Options& options, const Progress& progress)
 {
   const ShiftedSystem system{ this->Matrices, factors.Energy, factors.Mass,
-    SystemTolerance(options), progress, options.OthersFollow };
+    SystemTolerance(options), progress };
   if (given.Vertices.empty())
   {
     return ConjugateGradients(

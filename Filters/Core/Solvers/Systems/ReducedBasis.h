@@ -6,7 +6,6 @@
 
 #include "Solvers/Matrices/OperatorProducts.h"
 
-#include <optional>
 #include <vector>
 
 namespace DirectionFields
@@ -23,18 +22,17 @@ public:
   struct Guess
   {
     ComplexVector Vector;
-    /// Where the very system has been solved before: with the Residual of Add.
+    /// Whether this very system has been solved before, then with the residual that Add was told.
     bool IsSolution = false;
     double Residual = 0.0;
   };
-  /// Of the combinations of the basis the one closest to the solution of (a A + m M) u = b in the norm
-  /// of that matrix, which is to be positive definite; zero where there is none.
+  /// Returns the combination of the basis that is closest to the solution of (a A + m M) u = b in the norm
+  /// of that matrix, which is to be positive definite; zero where the basis
+  /// is empty.
   Guess Closest(double a, double m, const ComplexVector& b) const;
 
   /// Adds the solution u of (a A + m M) u = b.
   void Add(const SectionProducts& u, double a, double m, const ComplexVector& b, double residual);
-  /// Adds any other vector.
-  void Add(const SectionProducts& u);
 
   int Size() const { return static_cast<int>(this->Vectors.size()); }
 
@@ -50,9 +48,9 @@ private:
   };
 
   std::vector<ComplexVector> Vectors;
-  /// None of vectors that are no solutions.
-  std::vector<std::optional<System>> Systems;
-  /// Of the vectors, in their order.
+  /// The system that each vector solves.
+  std::vector<System> Systems;
+  /// v^* A w and v^* M w of the vectors v and w, in their order.
   Eigen::MatrixXcd Energy;
   Eigen::MatrixXcd Mass;
 };

@@ -24,9 +24,6 @@ struct ShiftedSystem
   double Tolerance;
   /// Asked before each step whether to go on.
   DirectionFields::Progress Progress;
-  /// Whether others with other factors are to follow: the first solution then takes longer, and they
-  /// take fewer steps.
-  bool OthersFollow = false;
 
   /// m / a, within the range of the hierarchy.
   double Shift() const;
