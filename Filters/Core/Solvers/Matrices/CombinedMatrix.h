@@ -33,7 +33,7 @@ private:
 
   struct OutsideEntry
   {
-    /// Counted from the block's first.
+    /// Counted from the block's first row.
     Index Row;
     Index Column;
     Complex Value;
@@ -47,7 +47,7 @@ private:
   LargeArray<std::uint16_t> InsideRow;
   LargeArray<std::uint16_t> InsideColumn;
   LargeArray<Complex> InsideValue;
-  /// Of each block, entries in columns of others.
+  /// The entries of each block in columns of other blocks.
   std::vector<std::vector<OutsideEntry>> Outside;
 };
 }

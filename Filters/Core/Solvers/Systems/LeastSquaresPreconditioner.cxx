@@ -14,19 +14,20 @@ namespace DirectionFields
 {
 namespace
 {
-/// Sweeps of a cycle on each level, and how far they go.
+/// The sweeps of a cycle on each level, and the factor by which each of them goes beyond its correction.
 constexpr int Sweeps = 3;
 constexpr float Relaxation = 1.2f;
-/// Unknowns of the coarse level: more of them save steps, but cost more in each.
+/// The coarse level has at most this number of unknowns: more of them save steps, but cost more in each.
 constexpr Index MostCoarseRows = 30000;
-/// A coarse matrix that couples an unknown with more others than this in the mean is not formed.
+/// The coarse matrix is not formed where it would couple an unknown with more others than this in the mean.
 constexpr double DensestCouplings = 100.0;
-/// Sections of the coarse level that reach given vertices are deflated, and those that reach what so
-/// many layers of them reach.
+/// The sections of the coarse level that reach given vertices are deflated. So are the sections that reach
+/// the vertices of these, and so on for this number of layers.
 constexpr int Layers = 2;
 constexpr Index ColumnPiece = 256;
 
-/// P, or P with its rows moved to the free vertices among all.
+/// The prolongator P as a sparse matrix.
+/// @param free if given, row k of P becomes the row of the k-th free vertex among all vertices
 SparseMatrix ToSparse(const Prolongator& p, Index rows, const std::vector<Index>* free)
 {
   SparseMatrix matrix(rows, p.CoarseRows());
@@ -44,7 +45,7 @@ SparseMatrix ToSparse(const Prolongator& p, Index rows, const std::vector<Index>
   return matrix;
 }
 
-/// Marks the rows, too, that a matrix couples with marked ones.
+/// Also marks the rows that a matrix couples with marked ones.
 void Widen(const SparseMatrix& matrix, std::vector<char>& rows)
 {
   const std::vector<char> before = rows;
@@ -60,8 +61,7 @@ void Widen(const SparseMatrix& matrix, std::vector<char>& rows)
   }
 }
 
-/// Which columns of K Z reach rows that are marked, or, so many layers on, those that such columns
-/// reach.
+/// The columns of K Z that reach marked rows, or rows that such columns reach, and so on for all layers.
 std::vector<Index> ColumnsNear(
   const SparseMatrix& matrix, const SparseMatrix& sections, std::vector<char> rows)
 {

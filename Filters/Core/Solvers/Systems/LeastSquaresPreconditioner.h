@@ -33,7 +33,7 @@ public:
 
   bool IsUsable() const { return this->Coarsest.IsUsable(); }
 
-  /// Finds z = B B^* r; what r is at given vertices does not matter. Returns Re r^* z.
+  /// Finds z = B B^* r, for which the values of r at given vertices do not matter. Returns Re r^* z.
   /// @param size ‖r‖
   double Apply(const ComplexVector& r, double size);
   /// z / ‖r‖ of the last call, a section over the free vertices.
@@ -48,7 +48,7 @@ public:
   void Correct(const ComplexVector& c, ComplexVector& x) const;
 
 private:
-  /// Storage of one level.
+  /// The storage of one level.
   struct Workspace
   {
     SweepDiagonal Diagonal;
@@ -68,7 +68,7 @@ private:
     std::vector<Index> Filled;
   };
   void MakeCoarse(const SparseMatrix& matrix);
-  /// Sum of the level from its Right.
+  /// Finds the Sum of the level from its Right.
   /// @param after whether the cycle sweeps after the correction of the coarser level, or, its
   ///              adjoint, before
   void ApplyCycle(std::size_t level, bool after);
@@ -82,7 +82,7 @@ private:
   bool Deflates = false;
   /// Z
   SparseRows Sections;
-  /// K_f Z by its columns, and by its rows.
+  /// K_f Z, once by its columns and once by its rows.
   SparseMatrix CoarseColumns;
   SparseRows CoarseRows;
   Factorization CoarseFactor;
