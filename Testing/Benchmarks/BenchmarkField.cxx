@@ -8,6 +8,7 @@
 // MESH is a number of triangles or a file (see BenchmarkMeshes.h); without any, 10^4 to 6.4 10^6.
 
 #include "BenchmarkMeshes.h"
+#include "DirectionField.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Meshes/PolyData.h"

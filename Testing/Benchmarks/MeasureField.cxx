@@ -19,6 +19,7 @@
 // property, and 1, without figures, where the filter reports an error.
 
 #include "BenchmarkMeshes.h"
+#include "DirectionField.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "MemoryBandwidth.h"

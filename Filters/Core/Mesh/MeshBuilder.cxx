@@ -18,6 +18,12 @@
 
 namespace DirectionFields
 {
+// The constructor is defined here so that the mesh does not depend on its builder.
+TriangleMesh::TriangleMesh(const Surface& surface)
+{
+  MeshBuilder(*this).Build(surface);
+}
+
 void MeshBuilder::Build(const Surface& surface)
 {
   TriangleMesh& mesh = this->Mesh;

@@ -3,7 +3,6 @@
 
 #include "Mesh/TriangleMesh.h"
 
-#include "Mesh/MeshBuilder.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -17,11 +16,6 @@ namespace
 constexpr Index LargeComponent = 4 * LightPiece;
 /// Small components that a thread takes at a time.
 constexpr Index ComponentPiece = 64;
-}
-
-TriangleMesh::TriangleMesh(const Surface& surface)
-{
-  MeshBuilder(*this).Build(surface);
 }
 
 void TriangleMesh::ForEachComponent(const std::function<void(Index)>& body) const
