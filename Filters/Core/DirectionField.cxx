@@ -82,7 +82,19 @@ Stages& DirectionField::StagesFor(const Options& options)
 }
 
 Result DirectionField::Compute(
-  const Options& options, const Guidance& guidance, const ProgressFunction& progressFunction)
+  const Options& options, const Guidance& guidance, const ProgressFunction& progress) &
+{
+  return this->ComputeField(options, guidance, progress, true);
+}
+
+Result DirectionField::Compute(
+  const Options& options, const Guidance& guidance, const ProgressFunction& progress) &&
+{
+  return this->ComputeField(options, guidance, progress, false);
+}
+
+Result DirectionField::ComputeField(const Options& options, const Guidance& guidance,
+  const ProgressFunction& progressFunction, bool othersFollow)
 {
   Check(options);
   Check(guidance, options, this->Input->Points.size());
@@ -101,7 +113,8 @@ Result DirectionField::Compute(
     const double energyPart = guide.Any() ? 0.65 : 1.0;
     EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, energyPart));
     ComponentFields fields = SolveComponents(stages, energy, guide,
-      this->PhaseReferenceSection(options.Degree), options, progress.Part(energyPart, 1.0));
+      this->PhaseReferenceSection(options.Degree), options, othersFollow,
+      progress.Part(energyPart, 1.0));
     return ToResult(stages, options, guide, std::move(fields), std::move(notes));
   }
   catch (const Stopped&)

@@ -43,7 +43,11 @@ public:
   /// out of range, for curvature alignment or constraints with a degree other than 2 and 4, and for
   /// guidance of the wrong size.
   Result Compute(
-    const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {});
+    const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {}) &;
+  /// The same field, from an object that is not to compute another one: it does without what prepares
+  /// for other strengths of the alignment.
+  Result Compute(
+    const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {}) &&;
 
   /// From the next call of Compute on, the one rotation of each component that the smoothest field
   /// leaves open is such that it is closest to these directions on average, as those of the surface a
@@ -54,6 +58,8 @@ public:
   void SetPhaseReference(std::vector<Vector3> directions, int degree);
 
 private:
+  Result ComputeField(const Options& options, const Guidance& guidance,
+    const ProgressFunction& progress, bool othersFollow);
   /// The stages of the surface with points merged or not, made anew where that has changed.
   Stages& StagesFor(const Options& options);
   /// The phase reference as a section over the vertices; empty where there is none of that degree.

@@ -26,6 +26,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkDirectionField);
@@ -202,8 +203,11 @@ DirectionFields::Result vtkDirectionField::ComputeField(
     guidance =
       DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
   }
-  return this->Last->GetSolver().Compute(
-    options, guidance, DirectionFields::ReportTo(this, ProgressRead, ProgressSolved));
+  DirectionFields::DirectionField& solver = this->Last->GetSolver();
+  const DirectionFields::ProgressFunction progress =
+    DirectionFields::ReportTo(this, ProgressRead, ProgressSolved);
+  return this->KeepStages ? solver.Compute(options, guidance, progress)
+                          : std::move(solver).Compute(options, guidance, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,8 @@
 namespace DirectionFields
 {
 ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
-  const std::vector<Complex>& phaseReference, const Options& options, const Progress& progress)
+  const std::vector<Complex>& phaseReference, const Options& options,
+  bool othersFollow, const Progress& progress)
 {
   const TriangleMesh& mesh = stages.GetMesh();
   ComponentFields fields;
@@ -25,6 +26,7 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
       progress.Report(static_cast<double>(component.FirstVertex) / mesh.GetNumberOfVertices());
     }
     const ComponentGuide own = guide.Of(component);
+    energy.Components[c].SetOthersFollow(othersFollow);
     ComplexVector u =
       energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
     if (!phaseReference.empty() && own.Given.Vertices.empty() && own.Guidance.isZero(0.0))

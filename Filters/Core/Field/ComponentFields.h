@@ -26,8 +26,10 @@ struct ComponentFields
 /// @param energy         of the same stages
 /// @param phaseReference a section that smoothest fields are turned towards, which leave one rotation
 ///                       of each component open; empty where they stay as they are
+/// @param othersFollow   as in ComponentStage
 ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
-  const std::vector<Complex>& phaseReference, const Options& options, const Progress& progress);
+  const std::vector<Complex>& phaseReference, const Options& options,
+  bool othersFollow, const Progress& progress);
 }
 
 #endif

@@ -99,7 +99,7 @@ SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const Gi
   const ComplexVector& rightHandSide, const Options& options, const Progress& progress)
 {
   const ShiftedSystem system{ this->Matrices, factors.Energy, factors.Mass,
-    SystemTolerance(options), progress };
+    SystemTolerance(options), progress, this->OthersFollow };
   if (given.Vertices.empty())
   {
     return ConjugateGradients(

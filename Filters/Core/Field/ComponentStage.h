@@ -28,6 +28,10 @@ public:
 
   const Operators& GetMatrices() const { return this->Matrices; }
 
+  /// Whether fields of other strengths are likely to follow. The first aligned one then takes a twentieth
+  /// longer, and the next ones a fifth less; none of them changes.
+  void SetOthersFollow(bool follow) { this->OthersFollow = follow; }
+
   /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained
   /// vertices and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where
   /// alpha is 1: u tends to q where lambda_t tends to minus infinity, and guidance and constraints are
@@ -86,6 +90,7 @@ private:
   /// The solutions without constraints, from which the next one is guessed.
   ReducedBasis Solved;
   std::optional<GuidanceTerms> Terms;
+  bool OthersFollow = false;
 };
 }
 

@@ -31,6 +31,10 @@ constexpr double UpdateError = 1e-7;
 /// The residual is computed anew where the errors of its updates have added up to this part of it (H. van
 /// der Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
 constexpr double MostError = 0.25;
+/// How many derivatives of the first solution the next ones begin with, and their relative residual. More
+/// derivatives, or better ones, save no more steps than they cost.
+constexpr int Derivatives = 2;
+constexpr double DerivativeTolerance = 0.1;
 /// The squares of this many rows are added up in single precision.
 constexpr Index FewRows = 256;
 
@@ -403,6 +407,31 @@ ComplexVector Iterate(const PreconditionedSystem& preconditioned, const RightHan
   return iteration.Finish();
 }
 
+/// Adds approximations of K^-1 M u and K^-1 M K^-1 M u, which are derivatives of a solution u by the factor
+/// of M, up to their scale.
+/// @param mostSteps the steps that each of them may take
+void AddDerivatives(const PreconditionedSystem& preconditioned, const SectionProducts& u,
+  int mostSteps, ReducedBasis& solved)
+{
+  ShiftedSystem rough = preconditioned.System;
+  rough.Tolerance = DerivativeTolerance;
+  SectionProducts last;
+  for (int order = 1; order <= Derivatives; ++order)
+  {
+    const ComplexVector& b = order == 1 ? u.Mass : last.Mass;
+    const double norm = Norm(b);
+    int steps = 0;
+    ComplexVector derivative = Iterate({ rough, preconditioned.Matrix, preconditioned.Inverse },
+      { b, norm }, { Zeros(b.size()), Zeros(b.size()), norm }, mostSteps, steps);
+    if (steps == 0)
+    {
+      return;
+    }
+    last.Set(rough.Matrices, std::move(derivative));
+    solved.Add(last);
+  }
+}
+
 /// The start at u, or at zero where that is closer.
 Start StartAt(ComplexVector u, const CombinedMatrix& matrix, const RightHandSide& right)
 {
@@ -477,6 +506,11 @@ SystemSolution ConjugateGradients(const ShiftedSystem& system, const Hierarchy& 
   if (solution.Residual <= system.Tolerance)
   {
     solved.Add(best, system.EnergyFactor, system.MassFactor, b, solution.Residual);
+    // Where K = M the derivatives are multiples of the solution.
+    if (system.OthersFollow && solved.Size() == 1 && system.EnergyFactor > 0.0)
+    {
+      AddDerivatives(preconditioned, best, steps / 2, solved);
+    }
   }
   solution.Vector = std::move(best.Vector);
   solution.Energy = std::move(best.Energy);

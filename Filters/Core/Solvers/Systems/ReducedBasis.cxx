@@ -71,11 +71,11 @@ ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVecto
   const Eigen::VectorXcd products = Products(this->Vectors, { &b });
   for (std::size_t k = 0; k < this->Systems.size(); ++k)
   {
-    const System& system = this->Systems[k];
-    if (system.Energy == a && system.Mass == m &&
-      system.Product == products[static_cast<Eigen::Index>(k)])
+    const std::optional<System>& system = this->Systems[k];
+    if (system && system->Energy == a && system->Mass == m &&
+      system->Product == products[static_cast<Eigen::Index>(k)])
     {
-      return { this->Vectors[k], true, system.Residual };
+      return { this->Vectors[k], true, system->Residual };
     }
   }
   const Eigen::MatrixXcd matrix = a * this->Energy + m * this->Mass;
@@ -112,6 +112,12 @@ ReducedBasis::Guess ReducedBasis::Closest(double a, double m, const ComplexVecto
 void ReducedBasis::Add(
   const SectionProducts& u, double a, double m, const ComplexVector& b, double residual)
 {
+  this->Add(u);
+  this->Systems.back() = { a, m, Product(u.Vector, b), residual };
+}
+
+void ReducedBasis::Add(const SectionProducts& u)
+{
   const bool forget = this->Size() == MostVectors;
   if (forget)
   {
@@ -120,7 +126,7 @@ void ReducedBasis::Add(
   }
   this->Vectors.push_back(Copied(u.Vector));
   const Eigen::MatrixXcd products = Products(this->Vectors, { &u.Energy, &u.Mass });
-  this->Systems.push_back({ a, m, Product(u.Vector, b), residual });
+  this->Systems.emplace_back();
   Extend(this->Energy, products.col(0), forget);
   Extend(this->Mass, products.col(1), forget);
 }

@@ -6,6 +6,7 @@
 
 #include "Solvers/Matrices/OperatorProducts.h"
 
+#include <optional>
 #include <vector>
 
 namespace DirectionFields
@@ -26,13 +27,14 @@ public:
     bool IsSolution = false;
     double Residual = 0.0;
   };
-  /// Returns the combination of the basis that is closest to the solution of (a A + m M) u = b in the norm
-  /// of that matrix, which is to be positive definite; zero where the basis
-  /// is empty.
+  /// Returns the combination of the basis that is closest to the solution of (a A + m M) u = b in the
+  /// norm of that matrix, which is to be positive definite; zero where the basis is empty.
   Guess Closest(double a, double m, const ComplexVector& b) const;
 
   /// Adds the solution u of (a A + m M) u = b.
   void Add(const SectionProducts& u, double a, double m, const ComplexVector& b, double residual);
+  /// Adds a vector that solves no system.
+  void Add(const SectionProducts& u);
 
   int Size() const { return static_cast<int>(this->Vectors.size()); }
 
@@ -48,8 +50,8 @@ private:
   };
 
   std::vector<ComplexVector> Vectors;
-  /// The system that each vector solves.
-  std::vector<System> Systems;
+  /// The system that each vector solves, if it solves one.
+  std::vector<std::optional<System>> Systems;
   /// v^* A w and v^* M w of the vectors v and w, in their order.
   Eigen::MatrixXcd Energy;
   Eigen::MatrixXcd Mass;

@@ -24,6 +24,9 @@ struct ShiftedSystem
   double Tolerance;
   /// Asked before each step whether to go on.
   DirectionFields::Progress Progress;
+  /// Whether systems with other factors are to follow: the first solution then takes longer, and they
+  /// take fewer steps.
+  bool OthersFollow = false;
 
   /// m / a, within the range of the hierarchy.
   double Shift() const;

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 using namespace DirectionFields;
 using namespace Meshes;
 
@@ -86,24 +88,53 @@ TEST(ReducedBasis, SavesStepsOfTheNextStrengths)
   const double smallest =
     SolveByJacobiDavidson(system.Matrices, hierarchy, settings, {}, lowest).Value;
   const ComplexVector b = system.Matrices.Mass * RandomVector(system.Matrices.Energy.rows(), 1);
-  ReducedBasis solved;
-  std::vector<int> steps;
-  for (int move = 0; move < 6; ++move)
+  std::vector<int> stepsOfMoves[2];
+  for (const bool othersFollow : { false, true })
   {
-    steps.push_back(0);
-    const ProgressFunction count = [&](double) { return ++steps.back() > 0; };
-    const double shift = system.Scale * (0.5 + 0.1 * move) - smallest;
-    const ShiftedSystem shifted{ system.Matrices, 1.0, shift, 1e-6, Progress(count) };
-    const SystemSolution solution = ConjugateGradients(shifted, hierarchy, lowest, b, solved);
-    const SparseMatrix k = system.Matrices.Energy + shift * system.Matrices.Mass;
-    EXPECT_LE((k * solution.Vector - b).norm(), 1.01e-6 * b.norm());
-    EXPECT_NEAR(solution.Residual, (k * solution.Vector - b).norm() / b.norm(), 1e-10);
-    // A solution costs its own steps and nothing else for those that may follow.
-    EXPECT_EQ(solved.Size(), move + 1);
+    ReducedBasis solved;
+    std::vector<int>& steps = stepsOfMoves[othersFollow];
+    for (int move = 0; move < 6; ++move)
+    {
+      steps.push_back(0);
+      const ProgressFunction count = [&](double) { return ++steps.back() > 0; };
+      const double shift = system.Scale * (0.5 + 0.1 * move) - smallest;
+      const ShiftedSystem shifted{ system.Matrices, 1.0, shift, 1e-6, Progress(count),
+        othersFollow };
+      const SystemSolution solution = ConjugateGradients(shifted, hierarchy, lowest, b, solved);
+      const SparseMatrix k = system.Matrices.Energy + shift * system.Matrices.Mass;
+      EXPECT_LE((k * solution.Vector - b).norm(), 1.01e-6 * b.norm());
+      EXPECT_NEAR(solution.Residual, (k * solution.Vector - b).norm() / b.norm(), 1e-10);
+    }
+    EXPECT_GE(steps[0], 8);
+    EXPECT_LE(2 * steps[5], steps[0]);
+    EXPECT_LT(steps[1], steps[0]);
   }
-  EXPECT_GE(steps[0], 8);
-  EXPECT_LE(2 * steps[5], steps[0]);
-  EXPECT_LT(steps[1], steps[0]);
+  // Derivatives take steps once, and save some of the next solution.
+  EXPECT_GT(stepsOfMoves[true][0], stepsOfMoves[false][0]);
+  EXPECT_LE(stepsOfMoves[true][0], 2 * stepsOfMoves[false][0]);
+  EXPECT_LE(stepsOfMoves[true][1], stepsOfMoves[false][1] - 2);
+}
+
+/// The field itself does not depend on whether others follow.
+TEST(ReducedBasis, OneStrengthAloneNeedsNoDerivatives)
+{
+  Options options;
+  options.Solver = Solver::Multigrid;
+  options.Alignment = Alignment::PrincipalCurvature;
+  const auto steps = [&](bool othersFollow, std::vector<Complex>& field)
+  {
+    int calls = 0;
+    const ProgressFunction count = [&](double) { return ++calls > 0; };
+    DirectionField solver(Potato(5));
+    field = (othersFollow ? solver.Compute(options, {}, count)
+                          : std::move(solver).Compute(options, {}, count))
+              .Representation;
+    return calls;
+  };
+  std::vector<Complex> alone;
+  std::vector<Complex> first;
+  EXPECT_LE(steps(false, alone) + 4, steps(true, first));
+  EXPECT_EQ(alone, first);
 }
 
 TEST(ReducedBasis, TheSameOptionsGiveTheSameBytesAlsoWhereRoundingIsReached)
