@@ -14,7 +14,10 @@
 
 namespace DirectionFields
 {
+namespace Internal
+{
 class Stages;
+}
 
 /// The globally optimal direction field of a triangle mesh: for every connected component the
 /// eigenvector to the smallest eigenvalue of the smoothness energy of
@@ -61,12 +64,12 @@ private:
   Result ComputeField(const Options& options, const Guidance& guidance,
     const ProgressFunction& progress, bool othersFollow);
   /// The stages of the surface with points merged or not, made anew where that has changed.
-  Stages& StagesFor(const Options& options);
+  Internal::Stages& StagesFor(const Options& options);
   /// The phase reference as a section over the vertices; empty where there is none of that degree.
   std::vector<Complex> PhaseReferenceSection(int degree) const;
 
   std::shared_ptr<const Surface> Input;
-  std::unique_ptr<Stages> Kept;
+  std::unique_ptr<Internal::Stages> Kept;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;
 };

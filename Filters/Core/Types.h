@@ -8,11 +8,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 /// Direction fields on triangle meshes, free of any visualization library.
@@ -35,31 +33,11 @@ using Triangle = std::array<Index, 3>;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// A quotient that stays within the range of double: the largest value stands for what exceeds it.
-inline double Divided(double value, double unit)
+/// All that the library does not install. It is empty for those who use an installation.
+namespace Internal
 {
-  constexpr double largest = std::numeric_limits<double>::max();
-  return value == 0.0 ? 0.0 : std::clamp(value / unit, -largest, largest);
 }
-
-/// A value in 1 / unit^2, likewise.
-inline double PerSquare(double value, double unit)
-{
-  return Divided(Divided(value, unit), unit);
-}
-
-/// Empties a vector and frees its memory, which neither clear nor the assignment of {} does.
-template <typename T, typename Allocator>
-void Free(std::vector<T, Allocator>& vector)
-{
-  std::vector<T, Allocator>().swap(vector);
-}
-
-/// The order of points that stands for numbers where results must not depend on numbering.
-inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)
-{
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
+using namespace Internal;
 }
 
 #endif

@@ -70,7 +70,10 @@
 
 namespace DirectionFields
 {
+namespace Internal
+{
 struct GlyphOptions;
+}
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldGlyphs : public vtkPolyDataAlgorithm
@@ -175,7 +178,7 @@ private:
   void operator=(const vtkDirectionFieldGlyphs&) = delete;
 
   /// The options of the drawing, from the properties.
-  DirectionFields::GlyphOptions MakeOptions() const;
+  DirectionFields::Internal::GlyphOptions MakeOptions() const;
 
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
   void DrawGlyphs(vtkPolyData* input, vtkPolyData* output);

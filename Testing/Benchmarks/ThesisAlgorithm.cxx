@@ -7,6 +7,7 @@
 #include "Sections/Assembly.h"
 #include "Sections/Singularities.h"
 #include "Solvers/Eigenpairs/Lanczos.h"
+#include "Support/Division.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
   const std::vector<Complex>& phaseReference, const Options& options,

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The fields of all components.
 struct ComponentFields

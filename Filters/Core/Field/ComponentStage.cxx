@@ -8,13 +8,14 @@
 #include "Solvers/Systems/ConjugateGradients.h"
 #include "Solvers/Systems/DirectSystem.h"
 #include "Solvers/Systems/LeastSquares.h"
+#include "Support/Division.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -14,7 +14,7 @@
 #include <memory>
 #include <optional>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// One component: its matrices and smallest eigenpairs, and what fields that were solved for leave for
 /// the next ones. All matrices and vectors are over the component's vertices.

@@ -5,11 +5,13 @@
 
 #include "Sections/DoubleCover.h"
 #include "Sections/Singularities.h"
+#include "Support/Free.h"
+#include "Support/PointOrder.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

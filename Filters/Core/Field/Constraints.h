@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Which vertices are constrained, and to what. The rules are those of POC14, section 3, with what the
 /// thesis of C. Clemenz (TU Wien 2019) settled. Vertices of a non-manifold edge are always constrained

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Discrete curvature of a mesh over its vertices. Lengths are in units of Metric::Unit.
 struct Curvature

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

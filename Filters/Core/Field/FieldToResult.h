@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The field and its figures as the caller gets them: over the points and triangles of the input.
 /// @param notes the sentences for the user

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 std::vector<Complex> GuidanceSection(
   const SurfaceGeometry& geometry, const Guidance& guidance, int degree)

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The user's vectors as a section of degree n over the vertices of the mesh: the n-th power of the
 /// projected vector's direction times its length times its weight.

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

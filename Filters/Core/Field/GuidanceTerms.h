@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// What the field of one component follows. All is counted from the component's first vertex.
 struct ComponentGuide

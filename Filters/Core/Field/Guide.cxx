@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 class Stages;
 

@@ -12,7 +12,7 @@
 #include <functional>
 #include <memory>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// What the smallest eigenpair of a component leaves for other systems with its matrices.
 struct SmallestPairs

@@ -9,11 +9,12 @@
 #include "Sections/DoubleCover.h"
 #include "Sections/ReferenceSection.h"
 #include "Sections/SectionDirections.h"
+#include "Support/Division.h"
 #include "Support/Threads.h"
 
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 Stages::Stages(std::shared_ptr<const Surface> surface, bool mergePoints)
   : Input(std::move(surface))

@@ -16,7 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The options that matrices and smallest eigenpairs depend on.
 using EnergyKey = std::tuple<int, double, double, int, Solver, bool>;

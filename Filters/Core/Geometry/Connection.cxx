@@ -3,6 +3,7 @@
 
 #include "Geometry/Connection.h"
 
+#include "Support/PointOrder.h"
 #include "Support/Threads.h"
 
 namespace DirectionFields

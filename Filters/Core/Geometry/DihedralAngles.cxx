@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

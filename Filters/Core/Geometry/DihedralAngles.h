@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Signed angle between the normals of the two triangles of each edge, radians, positive where the
 /// surface is convex; 0 on the boundary.

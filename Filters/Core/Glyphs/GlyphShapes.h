@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// What the glyphs of a field are made of.
 enum class GlyphType

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Where the glyphs are.
 enum class GlyphMode

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include "Support/LargeArray.h"
 #include "Types.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The connected components of triangles, numbered by their first triangles.
 struct ConnectedTriangles

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 CoveredTriangles::CoveredTriangles(
   const std::vector<char>& isCovered, LargeArray<Index>& corners, LargeArray<Index>& twins)

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The orientable double cover of what cannot be oriented: triangles that are seen from both sides.
 struct CoveredTriangles

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

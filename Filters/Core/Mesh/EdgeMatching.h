@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Which half-edges of triangles are two sides of one edge, whatever the winding. Half-edge 3 t + c
 /// runs from corner c of triangle t to the next one.

@@ -3,12 +3,10 @@
 
 #include "Mesh/MergePoints.h"
 
-#include "Mesh/TriangleMesh.h"
-
 #include <cmath>
 #include <cstring>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

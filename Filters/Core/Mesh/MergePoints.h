@@ -4,14 +4,13 @@
 #ifndef DirectionFields_MergePoints_h
 #define DirectionFields_MergePoints_h
 
+#include "Mesh/TriangleMesh.h"
 #include "Surface.h"
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
-class TriangleMesh;
-
 /// For each point the first one that a triangle uses and that has exactly the same coordinates:
 /// itself where there is none before it, and where no triangle uses it. 0 and -0 are the same, NaN
 /// is not the same as anything. It takes linear time, except where hashing has very bad luck.

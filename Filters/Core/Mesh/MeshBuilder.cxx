@@ -16,14 +16,8 @@
 #include <cstdint>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
-// The constructor is defined here so that the mesh does not depend on its builder.
-TriangleMesh::TriangleMesh(const Surface& surface)
-{
-  MeshBuilder(*this).Build(surface);
-}
-
 void MeshBuilder::Build(const Surface& surface)
 {
   TriangleMesh& mesh = this->Mesh;
@@ -364,5 +358,14 @@ void MeshBuilder::ChooseFrontVertices()
     mesh.IsBackVertex[v] = mirror != None &&
       (onFront[v] != onFront[mirror] ? onFront[v] < onFront[mirror] : v > mirror);
   }
+}
+}
+
+namespace DirectionFields
+{
+// The constructor is defined here so that the mesh does not depend on its builder.
+TriangleMesh::TriangleMesh(const Surface& surface)
+{
+  MeshBuilder(*this).Build(surface);
 }
 }

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Makes a mesh of a surface, whatever is wrong with that: sorts the triangles, matches their edges,
 /// winds and covers them, makes every fan a vertex, and numbers everything by component.

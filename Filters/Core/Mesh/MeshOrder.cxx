@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 Fan FindFan(const TriangleMesh& mesh, Index start)
 {

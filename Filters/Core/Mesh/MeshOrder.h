@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The triangles around a vertex.
 struct Fan

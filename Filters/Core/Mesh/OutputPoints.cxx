@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 OutputPoints::OutputPoints(
   const TriangleMesh& mesh, const Surface& surface, const std::vector<Index>& merged)

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The points that results are given at: those of the input, then one for each vertex whose points
 /// have another vertex already. Of a cover there are only the front vertices.

@@ -3,7 +3,9 @@
 
 #include "Mesh/OwnedParts.h"
 
-namespace DirectionFields
+#include "Support/PointOrder.h"
+
+namespace DirectionFields::Internal
 {
 namespace
 {

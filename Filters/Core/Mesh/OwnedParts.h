@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// What counts in sums over a mesh. Of a cover one side counts. Where triangles are there as ghosts of
 /// other pieces (Surface::Ghost), such a triangle counts in the piece that it belongs to, and a vertex

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <string>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include "Support/LargeArray.h"
 #include "Surface.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The triangles of a surface that have three corners, sorted so that what is close in space is
 /// mostly close in memory, whatever the order of the input.

@@ -13,8 +13,11 @@
 
 namespace DirectionFields
 {
+namespace Internal
+{
 class MeshBuilder;
 class MeshOrder;
+}
 
 /// Half-edge structure of an oriented manifold triangle mesh, with or without boundary.
 ///
@@ -141,8 +144,8 @@ public:
   const Repairs& GetRepairs() const { return this->Repaired; }
 
 private:
-  friend class MeshBuilder;
-  friend class MeshOrder;
+  friend class Internal::MeshBuilder;
+  friend class Internal::MeshOrder;
 
   LargeArray<Index> Corners;
   LargeArray<Index> Twins;

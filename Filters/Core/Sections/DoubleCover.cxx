@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 DoubleCover::DoubleCover(
   const IntrinsicGeometry& geometry, const TriangleMesh::Component& component, int degree)

@@ -6,7 +6,7 @@
 
 #include "Geometry/IntrinsicGeometry.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The sections over a component that cannot be oriented are the symmetric sections over its double
 /// cover: those that have the same directions in space on both sides. Seen from the other side a

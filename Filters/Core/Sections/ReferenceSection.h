@@ -6,7 +6,7 @@
 
 #include "Geometry/SurfaceGeometry.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Sections that follow from the geometry of a component alone, not from any numbering: the start of
 /// the eigensolver, and what fixes the global phase that the eigenvector leaves open. All arrays are

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// One of the n directions of a section of degree n at each vertex, as a unit tangent vector in space;
 /// zero where the section is 0.

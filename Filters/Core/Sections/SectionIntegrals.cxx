@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

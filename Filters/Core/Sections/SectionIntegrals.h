@@ -6,7 +6,7 @@
 
 #include "Types.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The functions of the holonomy Omega of a triangle in the integrals of two hat sections, which are
 /// transported radially from their vertices over a triangle of constant curvature (KCPS13,

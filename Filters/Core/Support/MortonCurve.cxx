@@ -6,7 +6,7 @@
 #include "Support/RadixSort.h"
 #include "Support/Threads.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The box around finite points; empty without any.
 struct BoundingBox

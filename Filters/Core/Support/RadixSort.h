@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A number with the key that it is sorted by.
 template <typename Key>

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Sorts what is mostly a handful of items, like the edges of a vertex: insertion is fastest there.
 template <typename Item>

@@ -8,7 +8,7 @@
 // Compiled with options under which the compiler may take the C library's vector functions. Nothing
 // but loops over those belongs here: elsewhere the options would change what is computed.
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 void CosinesAndSines(const double* __restrict angles, Index count, double* __restrict cosines,
   double* __restrict sines)

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The modulus, for numbers whose squares neither overflow nor matter if they vanish: a third of the
 /// time that std::abs takes.

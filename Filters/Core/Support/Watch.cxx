@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

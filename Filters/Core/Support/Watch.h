@@ -8,7 +8,7 @@
 #include <future>
 #include <thread>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A computation that cannot be interrupted, on a thread of its own. Its result is waited for a little at a
 /// time, so that one may ask meanwhile whether it is still wanted. Where the object goes before Take, the

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

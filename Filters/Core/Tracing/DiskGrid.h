@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Whether two surface points that are near in space are on the same side of the surface, by their
 /// unit normals. Normals up to 105 degrees apart are: around the edge of a box there is one side,

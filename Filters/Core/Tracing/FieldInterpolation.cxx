@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// n directions at each point of a surface.
 struct PointDirections

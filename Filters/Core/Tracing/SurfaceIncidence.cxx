@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

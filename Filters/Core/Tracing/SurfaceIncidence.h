@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Which triangles of a surface meet at a point and along an edge, and their normals. For looking
 /// at surfaces, not for computing on them: anything may be wrong with the surface, and triangles

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

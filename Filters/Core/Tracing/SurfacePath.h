@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A straight path on a surface, that is, one that goes straight on when the triangles it crosses
 /// are laid flat.

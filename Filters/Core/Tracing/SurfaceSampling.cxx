@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

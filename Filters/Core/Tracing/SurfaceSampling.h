@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 struct SamplingOptions
 {

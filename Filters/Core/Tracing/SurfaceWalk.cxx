@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

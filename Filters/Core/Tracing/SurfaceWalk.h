@@ -6,7 +6,7 @@
 
 #include "Tracing/SurfaceIncidence.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Where a path starts: inside a triangle, or on a point of the surface.
 struct PathStart

@@ -8,7 +8,7 @@
 #include "Solvers/Multigrid/Cycle.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Conjugate gradients with V-cycles in single precision that leave out a few sections V: they solve
 /// P^* K P t = P^* b, where K = A + shift m, m is the lumped mass and P = 1 - V (W^* V)^-1 W^*. A column of

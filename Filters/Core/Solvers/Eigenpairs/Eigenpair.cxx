@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 double FractionDone(int solves)
 {

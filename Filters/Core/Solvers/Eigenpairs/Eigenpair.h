@@ -7,7 +7,7 @@
 #include "Progress.h"
 #include "Types.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Smallest eigenpair of A u = lambda M u, A Hermitian positive semi-definite, M Hermitian positive
 /// definite.

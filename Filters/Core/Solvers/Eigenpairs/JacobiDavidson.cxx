@@ -15,7 +15,7 @@
 #include <optional>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

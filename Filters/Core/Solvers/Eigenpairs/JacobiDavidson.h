@@ -8,7 +8,7 @@
 #include "Solvers/Multigrid/Hierarchy.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The smallest eigenpair of A u = lambda M u by multigrid: the smallest few pairs of the coarsest
 /// level are improved from level to level; on the finest level the smallest one converges by

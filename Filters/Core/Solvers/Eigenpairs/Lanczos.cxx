@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -6,7 +6,7 @@
 
 #include "Solvers/Eigenpairs/Eigenpair.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The smallest eigenpair by the shift-and-invert Lanczos iteration in the inner product of M, fully
 /// orthogonalized and thickly restarted (K. Wu and H. Simon, SIAM J. Matrix Anal. Appl. 22, 2000); by a

@@ -4,13 +4,14 @@
 #include "Solvers/Eigenpairs/NestedIteration.h"
 
 #include "Solvers/Eigenpairs/RayleighRitz.h"
+#include "Support/Free.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

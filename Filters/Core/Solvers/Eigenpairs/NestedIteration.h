@@ -8,7 +8,7 @@
 #include "Solvers/Multigrid/Cycle.h"
 #include "Solvers/Multigrid/SectionBlock.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Approximations of the four smallest eigenpairs of A u = lambda M u on the finest level.
 struct NestedPairs

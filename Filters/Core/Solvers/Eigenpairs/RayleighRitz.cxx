@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -6,7 +6,7 @@
 
 #include "Solvers/Multigrid/SectionBlock.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The smallest pairs of a projected eigenvalue problem.
 struct RitzPairs

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

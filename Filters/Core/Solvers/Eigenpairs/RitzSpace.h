@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A space of sections that grows by one at a time, and its Ritz pairs in double precision. Where many
 /// eigenvalues nearly agree, it separates their eigenvectors.

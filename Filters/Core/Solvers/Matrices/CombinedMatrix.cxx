@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

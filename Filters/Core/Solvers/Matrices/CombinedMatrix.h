@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// K = a A + m M for many products, which are limited by the traffic of memory: what couples two rows of
 /// one block is stored once, for both.

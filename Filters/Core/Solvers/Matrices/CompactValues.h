@@ -13,7 +13,7 @@
 #include <cstring>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Preconditioners compute with these numbers: they take half the memory traffic of Complex, and have digits
 /// enough for a correction.

@@ -10,7 +10,7 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

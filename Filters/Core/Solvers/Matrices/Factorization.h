@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Sparse Cholesky factorization of a Hermitian positive definite matrix, by Eigen, or by CHOLMOD
 /// where it was built in and the matrix is large.

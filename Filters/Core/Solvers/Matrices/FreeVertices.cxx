@@ -8,7 +8,7 @@
 
 #include <cstddef>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 FreeVertices::FreeVertices(const std::vector<Index>& given, Index count)
   : Number(count, 0)

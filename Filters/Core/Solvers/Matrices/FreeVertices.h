@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Vertices with given representation vectors.
 struct GivenValues

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

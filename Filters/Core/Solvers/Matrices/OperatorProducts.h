@@ -7,7 +7,7 @@
 #include "Solvers/Matrices/Operators.h"
 #include "Support/LargeArray.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// K x of a Hermitian matrix, on several threads.
 ComplexVector Product(const SparseMatrix& matrix, const ComplexVector& x);

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Adds up the entries of one row of a sparse product: sum[column] is the entry of a column, zero at first.
 ///

@@ -7,7 +7,7 @@
 #include "Support/Threads.h"
 #include "Types.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Adds up conj(a) x; real and imaginary part at once.
 class ConjugateSum

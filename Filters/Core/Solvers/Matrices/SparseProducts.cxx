@@ -5,7 +5,7 @@
 
 #include "Solvers/Matrices/RowSum.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The chosen columns of a matrix, in the order in which they are chosen, on several threads.
 /// @param rows      of what is returned

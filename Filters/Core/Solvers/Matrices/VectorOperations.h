@@ -10,7 +10,7 @@
 #include <cmath>
 
 /// Operations on long vectors, on several threads, with the same bytes for any number of them.
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 constexpr Index VectorPiece = 4096;
 

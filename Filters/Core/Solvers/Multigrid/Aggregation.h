@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// How strongly the energy couples vertices.
 struct Couplings

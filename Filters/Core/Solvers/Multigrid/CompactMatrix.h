@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Hermitian matrix in single precision, as sweeps go through it. Compressed rows; the diagonal stands
 /// apart.

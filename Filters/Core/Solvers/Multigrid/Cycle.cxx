@@ -9,7 +9,7 @@
 
 #include <numeric>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

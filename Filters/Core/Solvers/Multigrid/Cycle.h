@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A multigrid cycle B, nearly the inverse of A + shift M: one sweep down, the coarser level's cycle, one
 /// sweep up; on the coarsest level a Cholesky factor. From the third level on a level's cycle is applied

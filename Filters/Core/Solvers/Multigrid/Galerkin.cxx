@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include "Solvers/Multigrid/LevelMatrices.h"
 #include "Solvers/Multigrid/Prolongator.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// P^* A P and P^* M P.
 LevelMatrices Coarsen(const LevelMatrices& matrices, const Prolongator& prolongator);

@@ -6,6 +6,7 @@
 #include "Solvers/Matrices/SparseColumns.h"
 #include "Solvers/Multigrid/Galerkin.h"
 #include "Solvers/Multigrid/SmoothedAggregation.h"
+#include "Support/Free.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A hierarchy of ever smaller matrices for the sections of one component, in single precision: a
 /// V-cycle costs a few passes over the matrix and inverts it up to a small factor whatever the

@@ -7,7 +7,7 @@
 #include "Solvers/Multigrid/SectionBlock.h"
 #include "Support/Threads.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 template <int B>
 void LevelMatrices::Multiply(const float* x, float* ax, float* mx) const

@@ -7,7 +7,7 @@
 #include "Solvers/Matrices/Operators.h"
 #include "Solvers/Multigrid/CompactMatrix.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Energy and mass matrix of one level of a multigrid hierarchy; they have the same pattern.
 struct LevelMatrices

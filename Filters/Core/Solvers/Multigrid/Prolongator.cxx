@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

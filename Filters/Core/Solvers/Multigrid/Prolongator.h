@@ -6,7 +6,7 @@
 
 #include "Solvers/Multigrid/CompactMatrix.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The matrix P that interpolates a section of the next coarser level, by rows, and its adjoint P^*,
 /// which takes residuals to that level.

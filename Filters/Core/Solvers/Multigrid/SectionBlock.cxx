@@ -3,12 +3,13 @@
 
 #include "Solvers/Multigrid/SectionBlock.h"
 
+#include "Support/Free.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
 #include <array>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

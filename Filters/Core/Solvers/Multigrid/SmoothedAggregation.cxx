@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include "Solvers/Multigrid/Aggregation.h"
 #include "Solvers/Multigrid/Prolongator.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina, Computing 56, 1996) that knows the
 /// transport of sections: neighbouring vertices are aggregated where the energy couples their values

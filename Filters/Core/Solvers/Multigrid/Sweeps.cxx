@@ -9,7 +9,7 @@
 #include <array>
 #include <iterator>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 SweepDiagonal::SweepDiagonal(
   const CompactMatrix& matrix, const LargeArray<float>& m, float shift, float relaxation)

@@ -11,7 +11,7 @@
 // other blocks is added to its diagonal, which keeps the sweep convergent (the l1 smoother of
 // A. Baker et al., SIAM J. Sci. Comput. 33, 2011). The local rows of each block are swept a few times
 // more, by themselves (local relaxation: A. Brandt, Multigrid Techniques, 1984).
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// How often local rows are swept besides the sweep of all rows.
 constexpr int LocalSweeps = 4;

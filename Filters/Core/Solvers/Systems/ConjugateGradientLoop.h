@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The loop of conjugate gradients (M. Hestenes, E. Stiefel 1952) for a positive definite matrix K and a
 /// preconditioner B. The iteration holds the solution u, the residual r, the direction p and the product

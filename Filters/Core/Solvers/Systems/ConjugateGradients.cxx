@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

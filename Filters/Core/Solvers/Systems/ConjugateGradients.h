@@ -10,7 +10,7 @@
 #include "Solvers/Systems/ShiftedSystem.h"
 #include "Solvers/Systems/SystemSolution.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Steps go on until the residual that they keep is below this part of the tolerance, and start again
 /// from the true residual while that is above the tolerance.

@@ -8,7 +8,7 @@
 #include "Solvers/Matrices/FreeVertices.h"
 #include "Solvers/Systems/SystemSolution.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Solves K u = b for a Hermitian positive definite K by its Cholesky factor. This and the other functions
 /// throw Stopped and NotPositiveDefinite.

@@ -4,8 +4,9 @@
 #include "Solvers/Systems/FreeSystem.h"
 
 #include "Solvers/Systems/ConjugateGradients.h"
+#include "Support/Free.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

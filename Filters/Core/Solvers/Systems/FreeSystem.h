@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The matrices among the vertices whose values are not given, and the hierarchy of these matrices.
 struct FreeSystem

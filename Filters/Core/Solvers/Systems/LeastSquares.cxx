@@ -9,11 +9,12 @@
 #include "Solvers/Systems/ConjugateGradientLoop.h"
 #include "Solvers/Systems/ConjugateGradients.h"
 #include "Solvers/Systems/LeastSquaresPreconditioner.h"
+#include "Support/Free.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

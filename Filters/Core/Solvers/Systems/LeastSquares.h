@@ -6,7 +6,7 @@
 
 #include "Solvers/Systems/FreeSystem.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Solves K_f^* K_f u_f = K_f^* (b - K_c u_c), K_f and K_c the columns of the free and of the given
 /// vertices, by conjugate gradients on the normal equations (CGLS, Björck 1996) with

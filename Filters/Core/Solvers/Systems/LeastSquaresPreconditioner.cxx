@@ -6,11 +6,12 @@
 #include "Solvers/Matrices/SparseColumns.h"
 #include "Solvers/Matrices/SparseProducts.h"
 #include "Solvers/Matrices/VectorOperations.h"
+#include "Support/Free.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

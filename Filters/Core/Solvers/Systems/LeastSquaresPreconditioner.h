@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// For conjugate gradients on K_f^* K_f, K_f the columns of K = a A + m M that belong to the free
 /// vertices. All vectors are over all vertices, those of free values zero at the given ones.

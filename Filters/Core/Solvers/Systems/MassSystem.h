@@ -6,7 +6,7 @@
 
 #include "Solvers/Matrices/Operators.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Solves M x = b for the mass matrix M of one component, to nearly all digits, by conjugate gradients
 /// with the diagonal as preconditioner: scaled by its diagonal the mass matrix is well conditioned on any

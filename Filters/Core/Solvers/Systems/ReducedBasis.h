@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// Solutions of systems (a A + m M) u = b for some a and m, which span good first guesses for
 /// others: solutions depend smoothly on the factors (the reduced basis method, see A. Quarteroni,

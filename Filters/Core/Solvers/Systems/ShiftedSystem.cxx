@@ -5,7 +5,7 @@
 
 #include "Solvers/Matrices/OperatorProducts.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 namespace
 {

@@ -8,7 +8,7 @@
 #include "Solvers/Matrices/Operators.h"
 #include "Types.h"
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// The matrix K = a A + m M of one component, a >= 0, and how far systems with it are to be solved. What
 /// the iterative solvers return may have a Residual above the Tolerance where V-cycles do not help. They

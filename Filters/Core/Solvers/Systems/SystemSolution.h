@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace DirectionFields
+namespace DirectionFields::Internal
 {
 /// A section that satisfies a linear system, and how well it does.
 struct SystemSolution

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Solvers/Systems/ConjugateGradientLoop.h"
+#include "Types.h"
 
 #include <gtest/gtest.h>
 
