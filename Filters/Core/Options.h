@@ -86,7 +86,8 @@ struct Options
     DirectionFields::CurvatureDirection::Maximum;
   /// tau, free of units, range 0 to 1: lambda_t = lambda_1 - sigma tau / (1 - tau) with
   /// sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the guidance
-  /// itself; 0.5 is lambda_t = 0 on a closed curved surface, the start that KCPS13 recommends.
+  /// itself; 0.5 is lambda_t = 0 where lambda_1 is the larger of the two, as on most closed curved surfaces:
+  /// the start that KCPS13 recommends.
   double AlignmentStrength = 0.5;
   /// Take Shift instead of AlignmentStrength.
   bool UseShift = false;

@@ -9,7 +9,7 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The first term left out, 2^20 / 24!, is below rounding at the switch.
+/// The first term of E4 that is left out is 2^20 / 24! at the switch, which is below rounding.
 constexpr int MostTerms = 20;
 
 /// The coefficients of z^m in E4, -F1 and -F2.
@@ -58,7 +58,7 @@ SectionIntegrals Sum(double omega)
 
 SectionIntegrals SectionIntegrals::At(double omega)
 {
-  // The first term left out of F2 is less than 1e-16.
+  // The first term of F2 that is left out is less than 1e-15.
   const double size = std::abs(omega);
   return size < 0.01 ? Sum<6>(omega)
     : size < 0.06    ? Sum<8>(omega)

@@ -9,7 +9,7 @@
 namespace DirectionFields
 {
 /// Index of each triangle of the mesh in units of 1/n: (omega_ij + omega_jk + omega_ki + Omega) / 2pi
-/// with omega_ij = arg(u_j / (r_ij u_i)) in (-pi, pi] (KCPS13, section 6.1.2). One omega per edge
+/// with omega_ij = arg(u_j / (r_ij u_i)) in [-pi, pi] (KCPS13, section 6.1.2). One omega per edge
 /// serves both its triangles, and Omega is not wrapped: on a closed surface the sum is n times the
 /// Euler characteristic, exactly, whatever the field.
 /// @param degree n

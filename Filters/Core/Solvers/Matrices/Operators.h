@@ -17,7 +17,7 @@ namespace DirectionFields
 /// - They have the same pattern: each has an entry at all places where one of them is not zero, its rows in
 ///   ascending order, the diagonal among them.
 /// - The phase of the entry M_ij of the mass matrix is that of the transport of sections from vertex j to
-///   vertex i. Multigrid reads the transport off it, since the energy's entries change sign where cotangent
+///   vertex i, up to a part of the curvature of the triangles at the edge. Multigrid reads the transport off it, since the energy's entries change sign where cotangent
 ///   weights are negative. A mass matrix that is lumped into its diagonal does not tell the transport.
 struct Operators
 {
