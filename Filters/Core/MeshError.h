@@ -26,18 +26,18 @@ public:
 
   MeshError(Kind kind, Index id, const std::string& what)
     : std::runtime_error(what)
-    , Kind_(kind)
-    , Id_(id)
+    , Cause(kind)
+    , Point(id)
   {
   }
 
-  Kind GetKind() const { return this->Kind_; }
+  Kind GetKind() const { return this->Cause; }
   /// The first offending point.
-  Index GetId() const { return this->Id_; }
+  Index GetId() const { return this->Point; }
 
 private:
-  Kind Kind_;
-  Index Id_;
+  Kind Cause;
+  Index Point;
 };
 }
 

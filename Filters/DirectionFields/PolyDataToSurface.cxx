@@ -59,7 +59,7 @@ bool CopyPoints(vtkDataArray* points, std::vector<Vector3>& copies)
 }
 
 /// Copies cells that are all triangles, stored with ids of one type; false if the type is another.
-/// @param firstCell number of the first one
+/// @param firstCell the number of the first cell
 template <typename Id>
 bool CopyTriangles(
   vtkCellArray* cells, vtkIdType firstCell, vtkIdType points, TriangulatedPolyData& result)
@@ -73,7 +73,7 @@ bool CopyTriangles(
   const Id* const ids = array->GetPointer(0);
   result.Mesh.Triangles.resize(triangles);
   result.FirstCell = firstCell;
-  // Of each piece the first id that there is no point of.
+  // The first id in each piece for which there is no point.
   std::vector<vtkIdType> invalid(NumberOfPieces(triangles, PieceSize), -1);
   ParallelFor(triangles, PieceSize,
     [&](Index begin, Index end)

@@ -101,7 +101,8 @@ TEST(TimeSeries, OnlyTheSmoothestFieldOfTheSameDegreeIsTurned)
 {
   const Surface surface = Potato(2);
   const std::vector<Vector3> oblique(surface.Points.size(), Vector3(0.2, 1.0, 0.4));
-  const auto compute = [&](const Options& options, const std::vector<Vector3>& reference, int degree)
+  using Vectors = std::vector<Vector3>;
+  const auto compute = [&](const Options& options, const Vectors& reference, int degree)
   {
     DirectionField field(surface);
     field.SetPhaseReference(reference, degree);

@@ -127,10 +127,11 @@ vtkSmartPointer<vtkPolyData> MakeGlyphs(vtkPolyData* field, int degree, double t
   using Corners = std::vector<std::array<double, 2>>;
   const std::vector<Corners> arrow = {
     { { -0.5, -0.14 }, { 0.05, -0.14 }, { 0.05, 0.14 }, { -0.5, 0.14 } },
-    { { 0.05, -0.32 }, { 0.55, 0.0 }, { 0.05, 0.32 } }
+    { { 0.05, -0.32 }, { 0.55, 0.0 }, { 0.05, 0.32 } },
   };
-  const std::vector<Corners> blade = { { { 0.0, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 },
-    { 0.0, 0.1 } } };
+  const std::vector<Corners> blade = {
+    { { 0.0, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.0, 0.1 } },
+  };
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> polys;
   for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)

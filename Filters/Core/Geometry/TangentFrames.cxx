@@ -57,13 +57,13 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Connection& connect
         angles.clear();
         for (const Index h : fan)
         {
-          edges.push_back(positions[mesh.Head(h)] - positions[v]);
+          edges.emplace_back(positions[mesh.Head(h)] - positions[v]);
           angles.push_back(connection.EdgeAngle[h]);
         }
         const bool boundary = mesh.IsBoundary(v);
         if (boundary)
         {
-          edges.push_back(positions[mesh.Tail(TriangleMesh::Previous(fan.back()))] - positions[v]);
+          edges.emplace_back(positions[mesh.Tail(TriangleMesh::Previous(fan.back()))] - positions[v]);
           angles.push_back(connection.AngleSum[v]);
         }
         Vector3 sum = Vector3::Zero();

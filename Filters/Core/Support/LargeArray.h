@@ -34,8 +34,9 @@ struct LargeArrayAllocator
   using is_always_equal = std::true_type;
 
   LargeArrayAllocator() = default;
+  // Containers convert allocators of one type to those of another by themselves.
   template <typename Other>
-  LargeArrayAllocator(const LargeArrayAllocator<Other>&)
+  LargeArrayAllocator(const LargeArrayAllocator<Other>&) // NOLINT(google-explicit-constructor)
   {
   }
   T* allocate(std::size_t count)

@@ -42,7 +42,7 @@ public:
   explicit MortonCurve(const BoundingBox& box);
   std::uint64_t Place(const Vector3& point) const;
 
-  /// Points in the order of a curve; those of the same place keep their order.
+  /// Points in the order of a curve; points at the same place keep their order.
   /// @param members ids of finite points
   static LargeArray<Index> Sorted(
     const std::vector<Vector3>& points, const LargeArray<Index>& members);

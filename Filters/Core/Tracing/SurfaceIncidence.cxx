@@ -52,7 +52,7 @@ SurfaceIncidence::SurfaceIncidence(const Surface& surface)
   {
     this->First[i + 1] += this->First[i];
   }
-  // One more, so that the end of the last list has an address.
+  // One element more gives the end of the last list an address.
   this->Incident.resize(this->First.back() + 1, None);
   std::vector<std::size_t> next(this->First.begin(), this->First.end() - 1);
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)

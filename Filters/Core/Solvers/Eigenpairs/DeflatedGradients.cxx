@@ -63,7 +63,7 @@ struct FewSums
     this->Products.Real += x.Real * real + x.Imaginary * imaginary;
     this->Products.Imaginary += x.Real * imaginary - x.Imaginary * real;
   }
-  operator Sums() const
+  explicit operator Sums() const
   {
     Sums sums;
     for (int b = 0; b < Width; ++b)
@@ -92,7 +92,7 @@ Sums SumRows(Index rows, const Body& body)
         {
           body(v, few);
         }
-        sums += few;
+        sums += Sums(few);
       }
       return sums;
     });

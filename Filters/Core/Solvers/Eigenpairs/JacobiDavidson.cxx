@@ -165,7 +165,7 @@ void AddTo(SectionProducts& t, const Complex& a, const SectionProducts& s, const
     });
 }
 
-/// Puts u in place of the first of four sections.
+/// Replaces the first of four sections by u.
 void SetFirst(const ComplexVector& u, CompactSections& sections)
 {
   ParallelFor(static_cast<Index>(u.size()), PieceRows,

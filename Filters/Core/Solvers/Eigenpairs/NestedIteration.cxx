@@ -153,9 +153,12 @@ private:
     const SectionBlock& w = this->Correction;
     const SectionBlock& s = this->Search;
     const bool searched = s.Rows() > 0;
-    std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs{ { &x.Vectors,
-                                                                                    &w.Energy },
-      { &x.Vectors, &w.Mass }, { &w.Vectors, &w.Energy }, { &w.Vectors, &w.Mass } };
+    std::vector<std::pair<const CompactSections*, const CompactSections*>> pairs = {
+      { &x.Vectors, &w.Energy },
+      { &x.Vectors, &w.Mass },
+      { &w.Vectors, &w.Energy },
+      { &w.Vectors, &w.Mass },
+    };
     if (searched)
     {
       for (const CompactSections* other : { &x.Vectors, &w.Vectors, &s.Vectors })

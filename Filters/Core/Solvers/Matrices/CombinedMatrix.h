@@ -29,7 +29,7 @@ public:
 
 private:
   template <typename Number, typename Sum>
-  double MultiplyNumbers(const Number* x, Sum* y) const;
+  double MultiplyNumbers(const Number* all, Sum* to) const;
 
   struct OutsideEntry
   {

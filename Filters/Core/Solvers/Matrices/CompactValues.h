@@ -89,9 +89,9 @@ private:
 template <>
 struct CompactValues<1>
 {
-  typedef float Numbers __attribute__((vector_size(4 * sizeof(float))));
+  using Numbers __attribute__((vector_size(4 * sizeof(float)))) = float;
   /// Two floats are moved as one double, which is never computed with.
-  typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
+  using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
   Numbers Lanes{};
 
   CompactValues() = default;
@@ -101,7 +101,7 @@ struct CompactValues<1>
   }
   void Store(float* sections, Index v) const
   {
-    typedef float Two __attribute__((vector_size(2 * sizeof(float)), aligned(alignof(float))));
+    using Two __attribute__((vector_size(2 * sizeof(float)), aligned(alignof(float)))) = float;
     *reinterpret_cast<Two*>(sections + 2 * static_cast<std::size_t>(v)) =
       Two{ this->Lanes[0], this->Lanes[1] };
   }
@@ -123,7 +123,7 @@ struct CompactValues<1>
 
   static double Both(const float* at)
   {
-    typedef double Double __attribute__((may_alias, aligned(alignof(float))));
+    using Double __attribute__((may_alias, aligned(alignof(float)))) = double;
     return *reinterpret_cast<const Double*>(at);
   }
 };
@@ -175,7 +175,7 @@ class PairSum
 {
   using Values = CompactValues<1>;
   using Numbers = Values::Numbers;
-  typedef int Bits __attribute__((vector_size(4 * sizeof(int))));
+  using Bits __attribute__((vector_size(4 * sizeof(int)))) = int;
 
 public:
   PairSum(const CompactComplex* factors, const Vertex* vertices, const float* sections)

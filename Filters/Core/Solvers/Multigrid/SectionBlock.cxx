@@ -73,7 +73,7 @@ std::vector<SmallMatrix> InnerProducts(
   std::vector<SmallMatrix> products;
   for (Eigen::Index p = 0; p < count; ++p)
   {
-    products.push_back(all.middleCols(Width * p, Width));
+    products.emplace_back(all.middleCols(Width * p, Width));
   }
   return products;
 }

@@ -191,7 +191,8 @@ void LeastSquaresPreconditioner::MakeCoarse(const SparseMatrix& matrix)
   if (IsNormalMatrixSparse(rows.Adjoint, DensestCouplings) &&
     this->CoarseFactor.Compute(SparseProduct(rows.Adjoint, columns)))
   {
-    this->CoarseColumns = std::move(columns);
+    // Eigen's sparse matrices copy where they are assigned from temporaries.
+    this->CoarseColumns.swap(columns);
     this->CoarseRows = std::move(rows);
     this->Sections = SparseRows(sections);
     this->Deflates = true;

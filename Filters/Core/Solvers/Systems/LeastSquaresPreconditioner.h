@@ -36,7 +36,7 @@ public:
   /// Finds z = B B^* r, for which the values of r at given vertices do not matter. Returns Re r^* z.
   /// @param size ‖r‖
   double Apply(const ComplexVector& r, double size);
-  /// z / ‖r‖ of the last call, a section over the free vertices.
+  /// The z of the latest Apply, divided by ‖r‖: a section over the free vertices.
   const CompactSections& GetResult() const { return this->Levels.front().Sum; }
 
   /// y -= K_f Z c, the sections Z of the coarse level as far as they are near given vertices,
