@@ -52,8 +52,7 @@ std::vector<Vector3> Carried(
   for (Index v = 0; v < component.Vertices(); ++v)
   {
     const Complex direction = u[v] / std::abs(u[v]);
-    carried[v] =
-      direction.real() * geometry.Frames.X[v] + direction.imag() * geometry.Frames.Y(v);
+    carried[v] = direction.real() * geometry.Frames.X[v] + direction.imag() * geometry.Frames.Y(v);
   }
   return carried;
 }
@@ -72,8 +71,7 @@ Surface Square(Index n)
     for (Index i = 0; i <= n; ++i)
     {
       const bool inside = i > 0 && i < n && j > 0 && j < n;
-      square.Points.emplace_back(
-        i + (inside ? 0.3 * std::sin(i + 5.0 * j) : 0.0),
+      square.Points.emplace_back(i + (inside ? 0.3 * std::sin(i + 5.0 * j) : 0.0),
         j + (inside ? 0.3 * std::cos(7.0 * i + j) : 0.0), 0.0);
       if (i < n && j < n)
       {
@@ -108,8 +106,9 @@ Surface Sphere(Index n)
           }
           return found->second;
         };
-        const auto add = [&](Index a, Index b, Index c)
-        { sphere.Triangles.push_back({ a, x * y * z > 0 ? b : c, x * y * z > 0 ? c : b }); };
+        const auto add = [&](Index a, Index b, Index c) {
+          sphere.Triangles.push_back({ a, x * y * z > 0 ? b : c, x * y * z > 0 ? c : b });
+        };
         for (Index i = 0; i < n; ++i)
         {
           for (Index j = 0; i + j < n; ++j)
@@ -173,7 +172,7 @@ int main()
   std::printf("Spheres of 800, 3200 and 12800 triangles: %.2f, %.2f and %.2f degrees\n", sphere[0],
     sphere[1], sphere[2]);
   // Halving the edges quarters the error.
-  const bool isRight = square < 1e-6 && sphere[0] < 2.0 && sphere[1] < 0.3 * sphere[0] &&
-    sphere[2] < 0.3 * sphere[1];
+  const bool isRight =
+    square < 1e-6 && sphere[0] < 2.0 && sphere[1] < 0.3 * sphere[0] && sphere[2] < 0.3 * sphere[1];
   return isRight ? EXIT_SUCCESS : EXIT_FAILURE;
 }

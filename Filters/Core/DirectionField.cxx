@@ -112,9 +112,9 @@ Result DirectionField::ComputeField(const Options& options, const Guidance& guid
     // The linear systems take about as long as half of the eigenvalue problem does.
     const double energyPart = guide.Any() ? 0.65 : 1.0;
     EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, energyPart));
-    ComponentFields fields = SolveComponents(stages, energy, guide,
-      this->PhaseReferenceSection(options.Degree), options, othersFollow,
-      progress.Part(energyPart, 1.0));
+    ComponentFields fields =
+      SolveComponents(stages, energy, guide, this->PhaseReferenceSection(options.Degree), options,
+        othersFollow, progress.Part(energyPart, 1.0));
     return ToResult(stages, options, guide, std::move(fields), std::move(notes));
   }
   catch (const Stopped&)

@@ -49,8 +49,8 @@ public:
     const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {}) &;
   /// The same field, from an object that is not to compute another one: it does without what prepares
   /// for other strengths of the alignment.
-  Result Compute(
-    const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {}) &&;
+  Result Compute(const Options& options, const Guidance& guidance = {},
+    const ProgressFunction& progress = {}) &&;
 
   /// From the next call of Compute on, the one rotation of each component that the smoothest field
   /// leaves open is such that it is closest to these directions on average, as those of the surface a

@@ -28,8 +28,7 @@ public:
   /// @param time of the input if it is one of a series
   ///
   /// Throws Stopped; then everything is as before.
-  void SetInput(
-    vtkPolyData* input, const std::optional<double>& time, const Progress& progress);
+  void SetInput(vtkPolyData* input, const std::optional<double>& time, const Progress& progress);
 
   /// Remembers the field that was computed of the input, which the next time step's follows.
   void SetField(const Result& field);

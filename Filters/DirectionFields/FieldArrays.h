@@ -50,8 +50,7 @@ void ForEachPieceOfTuples(std::size_t tuples, const Body& body)
 {
   constexpr std::size_t perPiece = 1 << 13;
   ParallelFor(static_cast<Index>((tuples + perPiece - 1) / perPiece), 1,
-    [&](Index begin, Index end)
-    { body(begin * perPiece, std::min(end * perPiece, tuples)); });
+    [&](Index begin, Index end) { body(begin * perPiece, std::min(end * perPiece, tuples)); });
 }
 
 /// An array whose values are not set yet.

@@ -72,8 +72,7 @@ void AddCurvature(const CurvatureReport& curvature, vtkPointData* data)
 /// Writes the directions and the moduli of u at all points.
 /// @param directions for each k the tuples of the k-th directions
 template <typename Value>
-void WriteDirections(
-  const Result& field, const std::vector<Value*>& directions, Value* moduli)
+void WriteDirections(const Result& field, const std::vector<Value*>& directions, Value* moduli)
 {
   ForEachPieceOfTuples(field.Representation.size(),
     [&](std::size_t begin, std::size_t end)
@@ -195,7 +194,8 @@ void AddComponentArrays(const Result& field, vtkFieldData* data)
   AddComponentArray<vtkDoubleArray>("Lambda", field, &ComponentReport::Lambda, data);
   AddComponentArray<vtkDoubleArray>(
     "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, data);
-  AddComponentArray<vtkDoubleArray>("SystemResidual", field, &ComponentReport::SystemResidual, data);
+  AddComponentArray<vtkDoubleArray>(
+    "SystemResidual", field, &ComponentReport::SystemResidual, data);
 }
 
 /// The normal of a triangle on the side of its vertices' normals, which a triangle wound against
@@ -252,7 +252,8 @@ void AddReport(
     { "NonManifoldPoints", repaired.NonManifoldPoints },
     { "NonOrientableComponents", repaired.NonOrientableComponents },
   };
-  auto repairs = MakeArray<vtkIntArray>(ArrayNames::Repairs, static_cast<int>(std::size(counts)), 1);
+  auto repairs =
+    MakeArray<vtkIntArray>(ArrayNames::Repairs, static_cast<int>(std::size(counts)), 1);
   for (std::size_t k = 0; k < std::size(counts); ++k)
   {
     repairs->SetComponentName(static_cast<vtkIdType>(k), counts[k].first);

@@ -164,8 +164,8 @@ class GhostMarks
 {
 public:
   explicit GhostMarks(vtkDataSetAttributes* data)
-    : Array(vtkUnsignedCharArray::SafeDownCast(
-        data->GetArray(vtkDataSetAttributes::GhostArrayName())))
+    : Array(
+        vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName())))
   {
   }
 
@@ -207,8 +207,7 @@ vtkIdType LargestNumberOfTriangles(vtkPolyData* polyData)
 void CopyAnyPoints(vtkPoints* points, std::vector<Vector3>& copies)
 {
   copies.resize(static_cast<std::size_t>(points->GetNumberOfPoints()));
-  if (CopyPoints<float>(points->GetData(), copies) ||
-    CopyPoints<double>(points->GetData(), copies))
+  if (CopyPoints<float>(points->GetData(), copies) || CopyPoints<double>(points->GetData(), copies))
   {
     return;
   }
@@ -292,7 +291,8 @@ bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
   }
   vtkDataArray* data = polyData->GetPoints()->GetData();
   return (SamePoints<float>(data, points) || SamePoints<double>(data, points)) &&
-    (SameTriangles<vtkTypeInt64>(polys, triangles) || SameTriangles<vtkTypeInt32>(polys, triangles));
+    (SameTriangles<vtkTypeInt64>(polys, triangles) ||
+      SameTriangles<vtkTypeInt32>(polys, triangles));
 }
 
 TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& progress)

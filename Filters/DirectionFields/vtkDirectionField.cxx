@@ -182,8 +182,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.ConsistencyAngle = this->ConsistencyAngle;
   options.DropConstraintsAtSingularities = this->DropConstraintsAtSingularities;
   options.ConstrainGuidance = this->ConstrainGuidance;
-  options.ConstraintSolver =
-    static_cast<DirectionFields::ConstraintSolver>(this->ConstraintSolver);
+  options.ConstraintSolver = static_cast<DirectionFields::ConstraintSolver>(this->ConstraintSolver);
   return options;
 }
 
@@ -211,8 +210,8 @@ DirectionFields::Result vtkDirectionField::ComputeField(
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionField::ComputeOutputs(vtkInformation* request, vtkPolyData* input,
-  vtkPolyData* output, vtkPolyData* singularities)
+void vtkDirectionField::ComputeOutputs(
+  vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
 {
   const DirectionFields::Options options = this->MakeOptions();
   DirectionFields::Threads threads(options.NumberOfThreads);
@@ -274,8 +273,7 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   std::string error;
   try
   {
-    this->ComputeOutputs(
-      outputVector->GetInformationObject(0), input, output, singularities);
+    this->ComputeOutputs(outputVector->GetInformationObject(0), input, output, singularities);
     return 1;
   }
   catch (const DirectionFields::Stopped&)

@@ -444,12 +444,11 @@ private:
   DirectionFields::Options MakeOptions() const;
 
   /// The field of the surface that was read last, with the guidance of the input.
-  DirectionFields::Result ComputeField(
-    vtkPolyData* input, const DirectionFields::Options& options);
+  DirectionFields::Result ComputeField(vtkPolyData* input, const DirectionFields::Options& options);
 
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void ComputeOutputs(vtkInformation* request, vtkPolyData* input, vtkPolyData* output,
-    vtkPolyData* singularities);
+  void ComputeOutputs(
+    vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
 
   int Degree;
   double EnergyBias;

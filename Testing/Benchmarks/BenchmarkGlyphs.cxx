@@ -58,8 +58,7 @@ vtkPolyData* Torus(int size)
       {
         const double turn = 0.5 * std::sin(u) + 0.5 * vtkMath::Pi() * k;
         const double around = std::cos(turn), across = std::sin(turn);
-        direction[k]->InsertNextTuple3(
-          -around * std::sin(u) - across * std::sin(v) * std::cos(u),
+        direction[k]->InsertNextTuple3(-around * std::sin(u) - across * std::sin(v) * std::cos(u),
           around * std::cos(u) - across * std::sin(v) * std::sin(u), across * std::cos(v));
       }
       const vtkIdType a = static_cast<vtkIdType>(i) * size + j;

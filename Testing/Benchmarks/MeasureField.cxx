@@ -283,15 +283,11 @@ void MeasureStages(const DirectionFields::Surface& surface, Figures& figures)
   const Threads::Scope scope(threads);
   std::optional<SurfaceGeometry> g;
   figures.Add("setup_seconds", Least(Repeated([&] { g.emplace(surface); })));
-  figures.Add("flip_seconds",
-    Least(Repeated([&] { const IntrinsicTriangulation flipped(*g); })));
+  figures.Add("flip_seconds", Least(Repeated([&] { const IntrinsicTriangulation flipped(*g); })));
   Operators operators;
   figures.Add("assembly_seconds",
     Least(Repeated(
-      [&]
-      {
-        operators = AssembleOperators(*g, g->Mesh.GetComponents().at(0), Degree, 0.0);
-      })));
+      [&] { operators = AssembleOperators(*g, g->Mesh.GetComponents().at(0), Degree, 0.0); })));
   figures.Add("rows", static_cast<double>(operators.Energy.rows()));
   figures.Add("entries", static_cast<double>(operators.Energy.nonZeros()));
 }

@@ -50,7 +50,8 @@ int IndexSum(const Result& result)
 
 /// Angle from direction 0 of a to the nearest direction of b, about the normal: in units of their
 /// period, -0.5 to 0.5 of 2 pi / n, times 2 pi.
-double PhaseBetween(const Result& a, const Result& b, Index pointA, Index pointB, const Eigen::Matrix3d& rotation)
+double PhaseBetween(
+  const Result& a, const Result& b, Index pointA, Index pointB, const Eigen::Matrix3d& rotation)
 {
   const Vector3 x = rotation * a.Direction(pointA, 0);
   const Vector3 y = (rotation * a.Normal[pointA]).cross(x);
@@ -61,8 +62,8 @@ double PhaseBetween(const Result& a, const Result& b, Index pointA, Index pointB
 
 TEST(DirectionField, SphereEigenvaluesConvergeToDegreeTimesOneMinusBias)
 {
-  for (const auto& [degree, bias] : std::vector<std::pair<int, double>>{
-         { 1, 0.0 }, { 2, 0.0 }, { 4, 0.0 }, { 6, 0.0 }, { 4, -1.0 }, { 4, 0.5 }, { 4, 1.0 }, { 1, 1.0 } })
+  for (const auto& [degree, bias] : std::vector<std::pair<int, double>>{ { 1, 0.0 }, { 2, 0.0 },
+         { 4, 0.0 }, { 6, 0.0 }, { 4, -1.0 }, { 4, 0.5 }, { 4, 1.0 }, { 1, 1.0 } })
   {
     std::array<double, 3> error;
     for (int level = 2; level <= 4; ++level)
@@ -134,7 +135,8 @@ TEST(DirectionField, CylinderFieldIsParallel)
   {
     const Vector3 d = result.Direction(i, 0);
     return std::remainder(
-      4.0 * std::atan2(d.dot(Vector3::UnitZ()), d.dot(Vector3::UnitZ().cross(surface.Points[i]))), 2.0 * Pi);
+      4.0 * std::atan2(d.dot(Vector3::UnitZ()), d.dot(Vector3::UnitZ().cross(surface.Points[i]))),
+      2.0 * Pi);
   };
   for (Index i = 0; i < static_cast<Index>(surface.Points.size()); ++i)
   {
@@ -186,7 +188,8 @@ TEST(DirectionField, RigidMotionTurnsTheFieldWithTheSurface)
     for (const double bias : { 0.0, 0.8 })
     {
       const Result a = ComputeSound(surface, degree, bias, 1e-11);
-      const Result b = ComputeSound(Transformed(surface, rotation, { 5, -3, 8 }), degree, bias, 1e-11);
+      const Result b =
+        ComputeSound(Transformed(surface, rotation, { 5, -3, 8 }), degree, bias, 1e-11);
       EXPECT_NEAR(a.Components[0].Eigenvalue / b.Components[0].Eigenvalue, 1.0, 1e-10);
       EXPECT_EQ(a.SingularityIndex, b.SingularityIndex);
       const double phase = PhaseBetween(a, b, 0, 0, rotation);
@@ -250,8 +253,7 @@ TEST(DirectionField, NumberingChangesNothing)
 TEST(DirectionField, EachComponentIsSolvedByItself)
 {
   const Surface large = Jittered(Icosphere(3), 0.01, 4);
-  const Surface small =
-    Transformed(Icosphere(3), 0.01 * ObliqueRotation(0.4), { 1.5, 0.0, 0.0 });
+  const Surface small = Transformed(Icosphere(3), 0.01 * ObliqueRotation(0.4), { 1.5, 0.0, 0.0 });
   const Surface single{ { { 3, 0, 0 }, { 4, 0, 0 }, { 3, 1, 0 } }, { { 0, 1, 2 } } };
   const std::vector<Surface> parts = { large, small, single };
   const Result joined = ComputeSound(Joined(Joined(large, small), single), 4);
@@ -309,8 +311,8 @@ TEST(DirectionField, RepeatedRunsAgreeToTheByte)
   const Result a = ComputeSound(surface, 4);
   const Result b = ComputeSound(surface, 4);
   EXPECT_EQ(0,
-    std::memcmp(a.Representation.data(), b.Representation.data(),
-      a.Representation.size() * sizeof(Complex)));
+    std::memcmp(
+      a.Representation.data(), b.Representation.data(), a.Representation.size() * sizeof(Complex)));
   EXPECT_EQ(a.SingularityIndex, b.SingularityIndex);
   DirectionField field(surface);
   Options other;
@@ -366,8 +368,8 @@ TEST(DirectionField, DegenerateTrianglesGiveAFiniteField)
   Surface surface = Potato(2);
   // One edge collapsed in space, one triangle's corner laid on its opposite side.
   surface.Points[surface.Triangles[10][0]] = surface.Points[surface.Triangles[10][1]];
-  surface.Points[surface.Triangles[200][0]] =
-    0.3 * surface.Points[surface.Triangles[200][1]] + 0.7 * surface.Points[surface.Triangles[200][2]];
+  surface.Points[surface.Triangles[200][0]] = 0.3 * surface.Points[surface.Triangles[200][1]] +
+    0.7 * surface.Points[surface.Triangles[200][2]];
   for (const int degree : { 1, 4 })
   {
     const Result result = ComputeSound(surface, degree);
@@ -447,7 +449,8 @@ TEST(DirectionField, RefusesOptionsOutOfRange)
   DirectionField field(Tetrahedron());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Options> wrong = { { 0 }, { 17 }, { 4, -1.1 }, { 4, 1.1 }, { 4, nan },
-    { 4, 0.0, 0.0 }, { 4, 0.0, 0.2 }, { 4, 0.0, nan }, { 4, 0.0, 1e-6, 0 }, { 4, 0.0, 1e-6, 10001 } };
+    { 4, 0.0, 0.0 }, { 4, 0.0, 0.2 }, { 4, 0.0, nan }, { 4, 0.0, 1e-6, 0 },
+    { 4, 0.0, 1e-6, 10001 } };
   for (const Options& options : wrong)
   {
     EXPECT_THROW(field.Compute(options), std::invalid_argument);

@@ -100,8 +100,8 @@ void ExpectSound(const Surface& surface, const Options& options, const Result& r
   ASSERT_EQ(Flaw(surface, options, result), "");
   for (const ComponentReport& component : result.Components)
   {
-    EXPECT_TRUE(component.Converged) << "residual " << component.Residual << ", system "
-                                     << component.SystemResidual;
+    EXPECT_TRUE(component.Converged)
+      << "residual " << component.Residual << ", system " << component.SystemResidual;
   }
 }
 }

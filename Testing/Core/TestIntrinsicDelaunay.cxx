@@ -78,8 +78,8 @@ TEST(IntrinsicDelaunay, KeepsParallelFieldsOfBadlyTriangulatedPlanes)
 
 TEST(IntrinsicDelaunay, IsTheSameHoweverTheSurfaceIsTriangulated)
 {
-  for (const Surface& surface : { FlatlySubdivided(Jittered(Torus(9, 7), 0.05, 4), 2),
-         FlatlySubdivided(Potato(1), 2) })
+  for (const Surface& surface :
+    { FlatlySubdivided(Jittered(Torus(9, 7), 0.05, 4), 2), FlatlySubdivided(Potato(1), 2) })
   {
     const Surface bad = Scrambled(surface, 8);
     ASSERT_GT(IntrinsicTriangulation(SurfaceGeometry(bad)).NumberOfFlips, 200);
@@ -191,7 +191,6 @@ TEST(IntrinsicDelaunay, DependsOnTheShapeOnlyAndOnNoThreads)
   for (const int threads : { 1, 2, 5 })
   {
     options.NumberOfThreads = threads;
-    EXPECT_EQ(
-      DirectionField(surface).Compute(options).Representation, result.Representation);
+    EXPECT_EQ(DirectionField(surface).Compute(options).Representation, result.Representation);
   }
 }

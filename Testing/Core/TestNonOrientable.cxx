@@ -4,8 +4,8 @@
 #include "Field/Stages.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Sections/DoubleCover.h"
 #include "Sections/Assembly.h"
+#include "Sections/DoubleCover.h"
 #include "Tracing/FieldInterpolation.h"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,8 @@ double LargestTurn(const Surface& surface, const Result& result)
         const Index from = t[c];
         const Index to = t[(c + 1) % 3];
         const Vector3& normal = result.Normal[to];
-        const auto bend = Eigen::Quaterniond::FromTwoVectors(result.Normal[from],
-          normal.dot(result.Normal[from]) < 0.0 ? Vector3(-normal) : normal);
+        const auto bend = Eigen::Quaterniond::FromTwoVectors(
+          result.Normal[from], normal.dot(result.Normal[from]) < 0.0 ? Vector3(-normal) : normal);
         for (int k = 0; k < result.Degree; ++k)
         {
           largest = std::max(largest, Deviation(result, to, bend * result.Direction(from, k)));
@@ -51,8 +51,8 @@ double LargestTurn(const Surface& surface, const Result& result)
 
 TEST(NonOrientable, TheMirrorImageOfASectionHasTheConjugateOperators)
 {
-  for (const Surface& surface :
-    { MoebiusStrip(9, 3), KleinBottle(12, 8), ProjectivePlane(1), Joined(Disk(2), MoebiusStrip(5)) })
+  for (const Surface& surface : { MoebiusStrip(9, 3), KleinBottle(12, 8), ProjectivePlane(1),
+         Joined(Disk(2), MoebiusStrip(5)) })
   {
     const Stages stages(surface);
     const TriangleMesh& mesh = stages.GetMesh();
@@ -109,8 +109,8 @@ TEST(NonOrientable, IndicesSumUpToTheEulerCharacteristic)
         EXPECT_EQ(report.Vertices, static_cast<Index>(surface.Points.size()));
         EXPECT_EQ(report.Triangles, static_cast<Index>(surface.Triangles.size()));
         EXPECT_EQ(report.IndexSum, degree * characteristic) << degree << " " << bias;
-        EXPECT_EQ(std::accumulate(
-                    result.SingularityIndex.begin(), result.SingularityIndex.end(), 0),
+        EXPECT_EQ(
+          std::accumulate(result.SingularityIndex.begin(), result.SingularityIndex.end(), 0),
           degree * characteristic);
         EXPECT_EQ(result.OriginalPoint.size(), surface.Points.size());
         EXPECT_TRUE(result.SplitTriangles.empty());
@@ -197,7 +197,8 @@ TEST(NonOrientable, FollowsConstraintsAndGuidance)
   const Surface strip = MoebiusStrip(80, 8);
   for (const int degree : { 1, 2, 3, 4 })
   {
-    for (const ConstraintSolver solver : { ConstraintSolver::LeastSquares, ConstraintSolver::Energy })
+    for (const ConstraintSolver solver :
+      { ConstraintSolver::LeastSquares, ConstraintSolver::Energy })
     {
       Options options;
       options.Degree = degree;
@@ -279,8 +280,8 @@ TEST(NonOrientable, OtherComponentsAreNotTouched)
   const Result joined = Compute(Joined(potato, MoebiusStrip(20, 3)), 4);
   ASSERT_EQ(joined.Components.size(), 2u);
   EXPECT_EQ(joined.Components[0].Eigenvalue, alone.Components[0].Eigenvalue);
-  EXPECT_TRUE(std::equal(alone.Representation.begin(), alone.Representation.end(),
-    joined.Representation.begin()));
+  EXPECT_TRUE(std::equal(
+    alone.Representation.begin(), alone.Representation.end(), joined.Representation.begin()));
 }
 
 TEST(NonOrientable, GlyphsLieAlongTheFieldWhereCornersMeanDifferentSides)

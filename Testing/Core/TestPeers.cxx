@@ -34,7 +34,8 @@ std::ptrdiff_t Singularities(const Result& result)
 /// Unit directions at all points of triangles, converged, with indices that sum up where they must.
 void ExpectSound(const Surface& surface, const Result& result)
 {
-  for (const Triangle& t : result.SplitTriangles.empty() ? surface.Triangles : result.SplitTriangles)
+  for (const Triangle& t :
+    result.SplitTriangles.empty() ? surface.Triangles : result.SplitTriangles)
   {
     for (const Index i : t)
     {
@@ -219,8 +220,7 @@ TEST(Peers, MillimetresAreAsGoodAsMetres)
 {
   const Surface surface = Potato(3);
   const Result metres = Compute(surface, 4);
-  const Surface scaled =
-    Transformed(surface, 1e-3 * Eigen::Matrix3d::Identity(), Vector3::Zero());
+  const Surface scaled = Transformed(surface, 1e-3 * Eigen::Matrix3d::Identity(), Vector3::Zero());
   const Result millimetres = Compute(scaled, 4);
   EXPECT_EQ(millimetres.SingularityIndex, metres.SingularityIndex);
   for (Index i = 0; i < static_cast<Index>(surface.Points.size()); ++i)

@@ -72,8 +72,7 @@ TEST(Scales, AccuracyIsThatOfTheCoordinates)
     {
       const auto check = [&](const Result& result, double epsilon)
       {
-        SCOPED_TRACE(
-          "size " + std::to_string(size) + " distance " + std::to_string(distance));
+        SCOPED_TRACE("size " + std::to_string(size) + " distance " + std::to_string(distance));
         EXPECT_TRUE(result.Components[0].Converged);
         EXPECT_EQ(result.Components[0].IndexSum, 8);
         const double angle = RoundingAngle(surface, distance, epsilon);
@@ -156,8 +155,8 @@ TEST(Scales, ExtremeSizesGiveFiniteFigures)
     options.Alignment = Alignment::PrincipalCurvature;
     const Result result = DirectionField(surface).Compute(options);
     const ComponentReport& c = result.Components[0];
-    EXPECT_TRUE(std::isfinite(c.Eigenvalue) && std::isfinite(c.Lambda) &&
-      std::isfinite(c.SmoothnessEnergy));
+    EXPECT_TRUE(
+      std::isfinite(c.Eigenvalue) && std::isfinite(c.Lambda) && std::isfinite(c.SmoothnessEnergy));
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
     {
       EXPECT_TRUE(std::isfinite(result.Curvature->Mean[i]));

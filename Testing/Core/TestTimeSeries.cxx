@@ -78,14 +78,14 @@ TEST(TimeSeries, FieldsFollowTheOneBefore)
         std::vector<Vector3> directions;
         for (Index i = 0; i < static_cast<Index>(surface.Points.size()); ++i)
         {
-          directions.push_back(std::abs(previous.Representation[i]) * previous.Direction(i, k % degree));
+          directions.push_back(
+            std::abs(previous.Representation[i]) * previous.Direction(i, k % degree));
         }
         field.SetPhaseReference(directions, degree);
         const Result next = field.Compute(options);
         // Of the half turn that would be the most; the shapes themselves turn by 6 degrees a step.
         EXPECT_LT(std::abs(Turn(previous, next)), 0.15 * Pi) << degree << " " << k;
-        EXPECT_NEAR(
-          next.Components[0].Eigenvalue, byItself.Components[0].Eigenvalue, 1e-12);
+        EXPECT_NEAR(next.Components[0].Eigenvalue, byItself.Components[0].Eigenvalue, 1e-12);
         EXPECT_EQ(next.SingularityIndex, byItself.SingularityIndex);
         alone = std::max(alone, std::abs(Turn(unrelated, byItself)));
         previous = next;

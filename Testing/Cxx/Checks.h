@@ -32,8 +32,8 @@
   {                                                                                                \
     if (!(condition))                                                                              \
     {                                                                                              \
-      std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << std::endl;           \
-      ++Checks::Failures();                                                                    \
+      std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << std::endl;            \
+      ++Checks::Failures();                                                                        \
     }                                                                                              \
   } while (false)
 
@@ -43,8 +43,8 @@
   {                                                                                                \
     if (!(condition))                                                                              \
     {                                                                                              \
-      std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << std::endl;           \
-      ++Checks::Failures();                                                                    \
+      std::cerr << __FILE__ << ":" << __LINE__ << ": failed: " #condition << std::endl;            \
+      ++Checks::Failures();                                                                        \
       return;                                                                                      \
     }                                                                                              \
   } while (false)

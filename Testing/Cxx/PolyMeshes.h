@@ -54,8 +54,8 @@ inline Mesh Icosphere(int levels, int precision = VTK_DOUBLE)
 {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   std::vector<Point> points = { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 },
-    { 0, -1, g }, { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 },
-    { -g, 0, 1 } };
+    { 0, -1, g }, { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 },
+    { -g, 0, -1 }, { -g, 0, 1 } };
   Cells triangles = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 },
     { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
     { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
@@ -130,8 +130,8 @@ inline Mesh QuadTorus(int around, int across)
       points.push_back({ 1.15 * radius * std::cos(u), radius * std::sin(u), 0.35 * std::sin(v) });
       const int nextI = (i + 1) % around;
       const int nextJ = (j + 1) % across;
-      quads.push_back({ i * across + j, nextI * across + j, nextI * across + nextJ,
-        i * across + nextJ });
+      quads.push_back(
+        { i * across + j, nextI * across + j, nextI * across + nextJ, i * across + nextJ });
     }
   }
   return Make(points, quads);
@@ -179,8 +179,7 @@ inline Mesh Moebius(int segments)
     for (const double side : { -0.3, 0.3 })
     {
       const double radius = 1.0 + side * std::cos(u / 2.0);
-      points.push_back(
-        { radius * std::cos(u), radius * std::sin(u), side * std::sin(u / 2.0) });
+      points.push_back({ radius * std::cos(u), radius * std::sin(u), side * std::sin(u / 2.0) });
     }
     const vtkIdType a = 2 * i;
     const bool last = i + 1 == segments;

@@ -27,7 +27,6 @@ int main()
   PRINT(MaximumNumberOfGlyphs);
   PRINT(Scale);
   PRINT(Offset);
-  std::cout << "  \"FollowSurface\": {\"default\": "
-            << filter->GetFollowSurface() << "}\n}\n";
+  std::cout << "  \"FollowSurface\": {\"default\": " << filter->GetFollowSurface() << "}\n}\n";
   return 0;
 }

@@ -85,8 +85,7 @@ void TestSettings()
     { filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE); },
     [](vtkDirectionField* filter) { filter->SetAlignmentStrength(0.8); },
     [](vtkDirectionField* filter) { filter->ConstrainBoundaryOn(); },
-    [](vtkDirectionField* filter)
-    { filter->SetConstraintSolver(vtkDirectionField::ENERGY); },
+    [](vtkDirectionField* filter) { filter->SetConstraintSolver(vtkDirectionField::ENERGY); },
     [](vtkDirectionField* filter) { filter->SetDegree(2); },
     [](vtkDirectionField* filter)
     { filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE); },
@@ -197,8 +196,8 @@ void TestInput()
     vtkNew<vtkDoubleArray> before;
     before->DeepCopy(filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude"));
     filter->Update();
-    CHECK(!IsSame(
-      before, filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude")));
+    CHECK(
+      !IsSame(before, filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude")));
     CheckAsNew(filter, mesh);
   };
   filter->Update();
@@ -364,8 +363,9 @@ void TestCurvature()
       double p[3];
       mesh->GetPoint(ids->GetId(k), p);
       const auto twin = twins.find(ids->GetId(k));
-      ids->SetId(k, twin != twins.end() ? twin->second
-          : (twins[ids->GetId(k)] = mesh->GetPoints()->InsertNextPoint(p)));
+      ids->SetId(k,
+        twin != twins.end() ? twin->second
+                            : (twins[ids->GetId(k)] = mesh->GetPoints()->InsertNextPoint(p)));
     }
     polys->InsertNextCell(ids);
   }

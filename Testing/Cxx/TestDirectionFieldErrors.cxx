@@ -64,8 +64,7 @@ vtkSmartPointer<vtkPolyData> TestWarning(
   CHECK(messages->IsOneWarning(words));
   vtkPolyData* field = filter->GetOutput();
   // The field data says the same.
-  auto texts =
-    vtkStringArray::SafeDownCast(field->GetFieldData()->GetAbstractArray("Warnings"));
+  auto texts = vtkStringArray::SafeDownCast(field->GetFieldData()->GetAbstractArray("Warnings"));
   CHECK(texts && texts->GetNumberOfTuples() == 1);
   CHECK(texts && messages->Warnings[0].find(texts->GetValue(0)) != std::string::npos);
   CHECK(field->GetNumberOfPoints() == mesh->GetNumberOfPoints());
@@ -100,9 +99,9 @@ vtkSmartPointer<vtkPolyData> TestWarningOfSplit()
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  filter->SetInputData(PolyMeshes::Make(
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
-    { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }));
+  filter->SetInputData(
+    PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
+      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }));
   filter->Update();
   CHECK(messages->IsOneWarning({ "1 edge of more than two triangles", "2 points where" }));
   return filter->GetOutput();
@@ -150,9 +149,9 @@ void TestWarnings()
 
   const auto a = corners(3);
   const auto b = corners(40);
-  auto flipped = TestWarning(
-    Changed({ { 3, { a[0], a[2], a[1] } }, { 40, { b[0], b[2], b[1] } } }, {}),
-    { "2 triangles wound against the majority" });
+  auto flipped =
+    TestWarning(Changed({ { 3, { a[0], a[2], a[1] } }, { 40, { b[0], b[2], b[1] } } }, {}),
+      { "2 triangles wound against the majority" });
   CHECK(LargestAngle(flipped, clean->GetOutput(), 4) < 1e-3);
   CHECK(RepairCount(flipped, "ReversedTriangles") == 2);
   CHECK(SumOfIndices(flipped->GetCellData()) == 8);
@@ -172,7 +171,8 @@ void TestWarnings()
   CHECK(RepairCount(both, "CollapsedTriangles") == 1);
   CHECK(RepairCount(both, "ReversedTriangles") == 0);
 
-  auto strip = TestWarning(PolyMeshes::Moebius(20), { "1 connected component that cannot be oriented" });
+  auto strip =
+    TestWarning(PolyMeshes::Moebius(20), { "1 connected component that cannot be oriented" });
   CHECK(FieldValue(strip, "EulerCharacteristic") == 0);
   CHECK(RepairCount(strip, "NonOrientableComponents") == 1);
   CHECK(strip->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);

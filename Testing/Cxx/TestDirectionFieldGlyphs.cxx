@@ -139,8 +139,7 @@ void TestAllPoints()
       const double* expected = Direction(field, branch)->GetTuple3(point);
       worst = std::max(worst, vtkMath::AngleBetweenVectors(expected, direction));
       worstNormal = std::max(worstNormal,
-        std::abs(vtkMath::AngleBetweenVectors(
-          normals[static_cast<size_t>(point)].data(),
+        std::abs(vtkMath::AngleBetweenVectors(normals[static_cast<size_t>(point)].data(),
           glyphs->GetPointData()->GetNormals()->GetTuple3(ids->GetId(0)))));
     }
     CHECK(worst < 1e-6);

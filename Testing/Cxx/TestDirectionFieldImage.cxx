@@ -217,8 +217,7 @@ void Add(vtkRenderer* renderer, vtkPolyData* shape, double gray, bool lit)
   renderer->AddActor(actor);
 }
 
-vtkSmartPointer<vtkImageData> Draw(
-  const Scene& scene, vtkDirectionField* filter, double turn)
+vtkSmartPointer<vtkImageData> Draw(const Scene& scene, vtkDirectionField* filter, double turn)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.45, 0.5, 0.6);

@@ -78,12 +78,13 @@ void TestParameters()
   filter->Print(text);
   for (const char* line :
     { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
-      " Solver: 2\n", " NumberOfThreads: 5\n", " KeepStages: 0\n", " MergePoints: 1\n", " IntrinsicDelaunay: 1\n", " Alignment: 2\n",
-      " CurvatureDirection: 1\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n",
-      " Shift: 12.5\n", " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n",
-      " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n",
-      " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",
-      " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n", " ConstraintSolver: 1\n" })
+      " Solver: 2\n", " NumberOfThreads: 5\n", " KeepStages: 0\n", " MergePoints: 1\n",
+      " IntrinsicDelaunay: 1\n", " Alignment: 2\n", " CurvatureDirection: 1\n",
+      " AlignmentStrength: 0.75\n", " UseShift: 1\n", " Shift: 12.5\n", " GuidanceVectors: wind\n",
+      " GuidanceWeights: (none)\n", " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n",
+      " FeatureAngle: 40\n", " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n",
+      " ConsistencyAngle: 25\n", " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n",
+      " ConstraintSolver: 1\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -223,8 +224,8 @@ void TestRepetition()
   }
   CHECK(IsSame(one->GetOutput()->GetCellData(), other->GetOutput()->GetCellData()));
   CHECK(IsSame(one->GetOutput()->GetFieldData(), other->GetOutput()->GetFieldData()));
-  CHECK(IsSame(
-    one->GetOutput(1)->GetPoints()->GetData(), other->GetOutput(1)->GetPoints()->GetData()));
+  CHECK(
+    IsSame(one->GetOutput(1)->GetPoints()->GetData(), other->GetOutput(1)->GetPoints()->GetData()));
 
   // The comparison tells another field from this one.
   other->SetEnergyBias(0.5);

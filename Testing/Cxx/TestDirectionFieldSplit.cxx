@@ -306,8 +306,8 @@ void TestBowTie()
 /// A quad with two triangles more on its diagonal: it stays whole, on the points of one half.
 void TestTornPolygon()
 {
-  auto mesh = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-                                 { 0.5, 0.5, 1 }, { 0.5, 0.5, -1 } },
+  auto mesh = PolyMeshes::Make(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 1 }, { 0.5, 0.5, -1 } },
     { { 0, 1, 2, 3 }, { 0, 2, 4 }, { 2, 0, 5 }, { 1, 3, 4 }, { 3, 1, 5 } });
   // Whichever diagonal it is cut by, that one has two triangles more.
   auto field = SplitFieldOf(mesh, { "1 edge" });
@@ -328,8 +328,8 @@ void TestTornPolygon()
 void TestUnusedPoints()
 {
   vtkNew<vtkPoints> points;
-  for (const auto& p : { std::array<double, 3>{ 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-         { 0.5, 0.5, 1 } })
+  for (const auto& p :
+    { std::array<double, 3>{ 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 1 } })
   {
     points->InsertNextPoint(p.data());
   }
@@ -379,8 +379,8 @@ void TestLinks()
 /// Three triangles and their ends: the singularity of the one in the middle faces its own side.
 void TestSingularityNormals()
 {
-  auto mesh = PolyMeshes::Make({ { 1, 0, 0 }, { -0.5, 0.8, 0 }, { -0.5, -0.8, 0 }, { 0, 0, -1 },
-                                 { 0, 0, 1 } },
+  auto mesh = PolyMeshes::Make(
+    { { 1, 0, 0 }, { -0.5, 0.8, 0 }, { -0.5, -0.8, 0 }, { 0, 0, -1 }, { 0, 0, 1 } },
     { { 1, 0, 3 }, { 2, 1, 3 }, { 0, 2, 3 }, { 0, 1, 2 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 0, 4 } });
   vtkNew<vtkDirectionField> filter;
   vtkNew<Messages> messages;

@@ -75,10 +75,11 @@ void TestCellArrays()
   // Where the surface is split, its new cells are there in either storage, too.
   for (const bool is64 : { false, true })
   {
-    auto book = PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
-      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
-    CHECK(is64 ? book->GetPolys()->ConvertTo64BitStorage()
-               : book->GetPolys()->ConvertTo32BitStorage());
+    auto book =
+      PolyMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
+        { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
+    CHECK(
+      is64 ? book->GetPolys()->ConvertTo64BitStorage() : book->GetPolys()->ConvertTo32BitStorage());
     vtkNew<vtkDirectionField> filter;
     vtkNew<Messages> messages;
     messages->Observe(filter);

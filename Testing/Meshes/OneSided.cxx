@@ -50,7 +50,8 @@ Surface MoebiusStrip(int segments, int across)
       s.Points.push_back(OnMoebiusStrip(2.0 * Pi * i / segments, 2.0 * j / across - 1.0));
     }
   }
-  AddGrid(segments, across,
+  AddGrid(
+    segments, across,
     [&](int i, int j) { return i == segments ? across - j : i * (across + 1) + j; }, s);
   return s;
 }
@@ -65,7 +66,8 @@ Surface TwiceAroundMoebiusStrip(int segments, int across)
   // The diagonals of the quads are the same on both rounds.
   for (const int round : { 0, 1 })
   {
-    AddGrid(segments, across,
+    AddGrid(
+      segments, across,
       [&](int i, int j)
       {
         const Index here = i == segments ? across - j : i * (across + 1) + j;
@@ -92,14 +94,13 @@ Surface KleinBottle(int around, int across)
       const double p = 0.5 * std::sin(v);
       const double q = 0.5 * std::sin(2.0 * v);
       const double radius = 2.0 + std::cos(0.5 * u) * p - std::sin(0.5 * u) * q;
-      s.Points.emplace_back(radius * std::cos(u), radius * std::sin(u),
-        std::sin(0.5 * u) * p + std::cos(0.5 * u) * q);
+      s.Points.emplace_back(
+        radius * std::cos(u), radius * std::sin(u), std::sin(0.5 * u) * p + std::cos(0.5 * u) * q);
     }
   }
-  AddGrid(around, across,
-    [&](int i, int j)
-    { return i == around ? (across - j) % across : i * across + j % across; },
-    s);
+  AddGrid(
+    around, across,
+    [&](int i, int j) { return i == around ? (across - j) % across : i * across + j % across; }, s);
   return s;
 }
 
@@ -122,8 +123,8 @@ Surface ProjectivePlane(int levels)
       number[i] = static_cast<Index>(s.Points.size());
       const Vector3& p = sphere.Points[i];
       // The Roman surface, bent so that it has no symmetry.
-      s.Points.emplace_back(p.y() * p.z() + 0.2 * p.x() * p.x(), p.x() * p.z() - 0.1 * p.y() * p.x(),
-        p.x() * p.y() + 0.3 * p.z() * p.z());
+      s.Points.emplace_back(p.y() * p.z() + 0.2 * p.x() * p.x(),
+        p.x() * p.z() - 0.1 * p.y() * p.x(), p.x() * p.y() + 0.3 * p.z() * p.z());
     }
   }
   std::vector<Vector3> middles;

@@ -16,8 +16,7 @@ Surface DoubleTorus()
 {
   // The boundary of a plate of 7 x 3 unit blocks with two blocks left out.
   Surface s;
-  const auto solid = [](int x, int y, int z)
-  {
+  const auto solid = [](int x, int y, int z) {
     return x >= 0 && x < 7 && y >= 0 && y < 3 && z == 0 && !(y == 1 && (x == 1 || x == 5)) ? 1 : 0;
   };
   std::map<std::array<int, 3>, Index> numbers;

@@ -105,12 +105,13 @@ Surface Octahedron()
 Surface Icosahedron()
 {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
-  Surface s{ { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
-               { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
+  Surface s{
+    { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
+      { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
     { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 },
-      { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
-      { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
-      { 9, 8, 1 } } };
+      { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 },
+      { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } }
+  };
   for (Vector3& p : s.Points)
   {
     p.normalize();
@@ -193,7 +194,8 @@ Surface Disk(int rings)
       {
         const int outer = sector * ring + k;
         const int inner = sector * (ring - 1) + k;
-        s.Triangles.push_back({ number(ring - 1, inner), number(ring, outer), number(ring, outer + 1) });
+        s.Triangles.push_back(
+          { number(ring - 1, inner), number(ring, outer), number(ring, outer + 1) });
         if (k + 1 < ring)
         {
           s.Triangles.push_back(
@@ -242,8 +244,8 @@ Surface Potato(int levels)
   Surface s = Icosphere(levels);
   for (Vector3& p : s.Points)
   {
-    const double radius = 1.0 + 0.15 * std::sin(2.0 * p.x() + 0.5) + 0.1 * std::sin(3.0 * p.y() + p.x()) +
-      0.12 * std::cos(2.5 * p.z() - p.y() + 0.3);
+    const double radius = 1.0 + 0.15 * std::sin(2.0 * p.x() + 0.5) +
+      0.1 * std::sin(3.0 * p.y() + p.x()) + 0.12 * std::cos(2.5 * p.z() - p.y() + 0.3);
     p = radius * p.cwiseProduct(Vector3(1.4, 1.0, 0.8));
   }
   return s;

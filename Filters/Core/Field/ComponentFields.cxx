@@ -11,8 +11,8 @@
 namespace DirectionFields::Internal
 {
 ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
-  const std::vector<Complex>& phaseReference, const Options& options,
-  bool othersFollow, const Progress& progress)
+  const std::vector<Complex>& phaseReference, const Options& options, bool othersFollow,
+  const Progress& progress)
 {
   const TriangleMesh& mesh = stages.GetMesh();
   ComponentFields fields;
@@ -27,8 +27,7 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
     }
     const ComponentGuide own = guide.Of(component);
     energy.Components[c].SetOthersFollow(othersFollow);
-    ComplexVector u =
-      energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
+    ComplexVector u = energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
     if (!phaseReference.empty() && own.Given.Vertices.empty() && own.Guidance.isZero(0.0))
     {
       TurnTowards(Eigen::Map<const ComplexVector>(

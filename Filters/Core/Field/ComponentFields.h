@@ -28,8 +28,8 @@ struct ComponentFields
 ///                       of each component open; empty where they stay as they are
 /// @param othersFollow   as in ComponentStage
 ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
-  const std::vector<Complex>& phaseReference, const Options& options,
-  bool othersFollow, const Progress& progress);
+  const std::vector<Complex>& phaseReference, const Options& options, bool othersFollow,
+  const Progress& progress);
 }
 
 #endif

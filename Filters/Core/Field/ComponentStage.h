@@ -78,8 +78,8 @@ private:
   SystemSolution SolveByFactor(const Factors& factors, const GivenValues& given,
     const ComplexVector& rightHandSide, const Options& options, const Progress& progress) const;
   /// Scales the solution and fills in the figures of the report.
-  ComplexVector Finish(SystemSolution solution, double area, const Options& options,
-    ComponentReport& report) const;
+  ComplexVector Finish(
+    SystemSolution solution, double area, const Options& options, ComponentReport& report) const;
 
   Operators Matrices;
   SmallestPairs Smoothest;

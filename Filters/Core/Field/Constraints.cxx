@@ -71,8 +71,8 @@ Constraints::Constraints(
       "CurvatureTolerance with a consistent direction.");
   }
   this->MirrorInterior(input, options);
-  this->Count = static_cast<Index>(this->Kind.size() -
-    std::count(this->Kind.begin(), this->Kind.end(), ConstraintKind::None));
+  this->Count = static_cast<Index>(
+    this->Kind.size() - std::count(this->Kind.begin(), this->Kind.end(), ConstraintKind::None));
   if (!this->Any())
   {
     Free(this->Kind);
@@ -123,7 +123,8 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
     // the mean of their n-th powers a right-angled corner keeps a cross, as a straight boundary
     // keeps any field; where they cancel, one of them stands for both.
     const Complex forward = 1.0;
-    const Complex onward = std::polar(1.0, options.Degree * (input.Geometry.Transport.AngleSum[v] - Pi));
+    const Complex onward =
+      std::polar(1.0, options.Degree * (input.Geometry.Transport.AngleSum[v] - Pi));
     const Complex mean = forward + onward;
     if (useNext && usePrevious)
     {
@@ -142,7 +143,8 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
 void Constraints::MirrorBoundary(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;
-  std::vector<char> decided(mesh.GetRepairs().NonOrientableComponents > 0 ? this->Kind.size() : 0, 0);
+  std::vector<char> decided(
+    mesh.GetRepairs().NonOrientableComponents > 0 ? this->Kind.size() : 0, 0);
   for (std::size_t c = 0; c < mesh.GetComponents().size() && !decided.empty(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
@@ -212,8 +214,9 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
       // the edge in space, and where the edge is sharp the two differ by some degrees.
       const Vector3 edge = (there - here).stableNormalized();
       const Complex projected = input.Geometry.Frames.Tangential(v, edge);
-      const double angle = std::abs(projected) > 1e-9 ? std::arg(projected)
-                                                      : input.Geometry.Transport.EdgeAngle[sharpest];
+      const double angle = std::abs(projected) > 1e-9
+        ? std::arg(projected)
+        : input.Geometry.Transport.EdgeAngle[sharpest];
       this->Set(v, ConstraintKind::SharpEdge,
         std::polar(1.0, options.Degree * (turn ? angle + Pi : angle)));
     }
@@ -274,8 +277,7 @@ void Constraints::DropInconsistent(const Input& input, const Options& options)
 void Constraints::DropAtSingularities(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;
-  const std::vector<int> index =
-    SingularityIndices(input.Geometry, options.Degree, this->Value);
+  const std::vector<int> index = SingularityIndices(input.Geometry, options.Degree, this->Value);
   std::vector<char> drop(this->Kind.size(), 0);
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {

@@ -16,8 +16,7 @@ namespace
 constexpr Index PieceSize = 1 << 12;
 }
 
-Curvature::Curvature(
-  const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles)
+Curvature::Curvature(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles)
   : Hopf(geometry.Mesh.GetNumberOfVertices(), 0.0)
   , Mean(geometry.Mesh.GetNumberOfVertices())
   , Gaussian(geometry.Mesh.GetNumberOfVertices())

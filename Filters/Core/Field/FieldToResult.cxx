@@ -42,8 +42,8 @@ void AddCounts(const TriangleMesh& mesh, const Surface& surface, const Constrain
 }
 
 /// Fills in the triangles' arrays and the index sums. The reports are there already.
-void AddTriangles(const TriangleMesh& mesh, const Surface& surface, const std::vector<int>& indices,
-  Result& result)
+void AddTriangles(
+  const TriangleMesh& mesh, const Surface& surface, const std::vector<int>& indices, Result& result)
 {
   const auto fill = [&](std::vector<Index>& values, Index value)
   {
@@ -103,8 +103,8 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   if (constraints.Any())
   {
     result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
-    result.ConstraintDirection =
-      points.Spread(DirectionsOf(constraints.Value, stages.GetGeometry().Frames, options.Degree), zero);
+    result.ConstraintDirection = points.Spread(
+      DirectionsOf(constraints.Value, stages.GetGeometry().Frames, options.Degree), zero);
   }
   if (UsesCurvature(options))
   {

@@ -59,8 +59,9 @@ std::vector<Complex> CurvatureSection(
     [&](Index begin, Index end)
     {
       std::transform(hopf.begin() + begin, hopf.begin() + end, section.begin() + begin,
-        [&](const Complex& q)
-        { return degree == 4 ? q * q : direction == CurvatureDirection::Minimum ? -q : q; });
+        [&](const Complex& q) {
+          return degree == 4 ? q * q : direction == CurvatureDirection::Minimum ? -q : q;
+        });
     });
   return section;
 }
@@ -71,7 +72,8 @@ void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section)
   {
     if (component.IsCover)
     {
-      std::fill(section.begin() + component.FirstVertex, section.begin() + component.EndVertex, 0.0);
+      std::fill(
+        section.begin() + component.FirstVertex, section.begin() + component.EndVertex, 0.0);
     }
   }
 }

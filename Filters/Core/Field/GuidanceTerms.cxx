@@ -69,7 +69,8 @@ double LargestPart(const ComplexVector& guidance, const Eigen::VectorXd& areas)
         }
       }
       return part;
-    }).Value;
+    })
+    .Value;
 }
 
 /// The guidance scaled to modulus 1 in the mean square over the vertices whose area is not 0; empty
@@ -97,8 +98,8 @@ ComplexVector Normalized(ComplexVector guidance, const Eigen::VectorXd& areas)
         .dot(guidance.segment(begin, end - begin).cwiseAbs2());
     });
   const double factor = std::sqrt(areas.sum() / squares);
-  ForRows(guidance,
-    [&](Index begin, Index end) { guidance.segment(begin, end - begin) *= factor; });
+  ForRows(
+    guidance, [&](Index begin, Index end) { guidance.segment(begin, end - begin) *= factor; });
   return guidance;
 }
 }

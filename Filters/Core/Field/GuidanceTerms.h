@@ -4,8 +4,8 @@
 #ifndef DirectionFields_GuidanceTerms_h
 #define DirectionFields_GuidanceTerms_h
 
-#include "Solvers/Matrices/Operators.h"
 #include "Solvers/Matrices/FreeVertices.h"
+#include "Solvers/Matrices/Operators.h"
 
 #include <vector>
 

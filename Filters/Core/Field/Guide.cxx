@@ -69,8 +69,8 @@ std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
 }
 }
 
-Guide::Guide(Stages& stages, const Options& options, const Guidance& guidance,
-  std::vector<std::string>& notes)
+Guide::Guide(
+  Stages& stages, const Options& options, const Guidance& guidance, std::vector<std::string>& notes)
   : Given(GivenSection(stages, options, guidance))
   , Constrained(ConstraintsOf(stages, options, this->Given, notes))
   , Drawn(DrawnSection(stages, options, this->Given, notes))

@@ -91,10 +91,10 @@ const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport()
   }
   const OutputPoints& points = this->GetOutputPoints();
   const Vector3 zero = Vector3::Zero();
-  this->CurvatureAtPoints = std::make_shared<const CurvatureReport>(CurvatureReport{
-    points.Spread(DirectionsOf(curvature.Hopf, this->Geometry.Frames, 2), zero),
-    points.Spread(DirectionsOf(smaller, this->Geometry.Frames, 2), zero), points.Spread(mean, 0.0),
-    points.Spread(gaussian, 0.0) });
+  this->CurvatureAtPoints = std::make_shared<const CurvatureReport>(
+    CurvatureReport{ points.Spread(DirectionsOf(curvature.Hopf, this->Geometry.Frames, 2), zero),
+      points.Spread(DirectionsOf(smaller, this->Geometry.Frames, 2), zero),
+      points.Spread(mean, 0.0), points.Spread(gaussian, 0.0) });
   return this->CurvatureAtPoints;
 }
 

@@ -204,7 +204,8 @@ double TriangleArea(const std::array<double, 3>& length)
   const double a = std::max(high, length[2]);
   const double c = std::min(low, length[2]);
   const double b = std::max(low, std::min(high, length[2]));
-  return 0.25 * std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
+  return 0.25 *
+    std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
 }
 
 std::array<double, 3> TriangleAngles(const std::array<double, 3>& length, double area)
@@ -219,10 +220,8 @@ std::array<double, 3> TriangleAngles(const std::array<double, 3>& length, double
   // tan(angle / 2) = area / (s (s - opposite)), s half the sum of the lengths. The two smaller
   // angles come without cancellation, and the largest one is what they leave.
   const std::array<double, 2> tangents = {
-    8.0 * area /
-      (twiceSum * (opposite[third] + (longest - opposite[second]))),
-    8.0 * area /
-      (twiceSum * (opposite[second] + (longest - opposite[third]))),
+    8.0 * area / (twiceSum * (opposite[third] + (longest - opposite[second]))),
+    8.0 * area / (twiceSum * (opposite[second] + (longest - opposite[third]))),
   };
   std::array<double, 2> halves;
   Arctangents(tangents.data(), 2, halves.data());

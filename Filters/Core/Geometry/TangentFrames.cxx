@@ -32,8 +32,8 @@ Vector3 UnitNormal(const Vector3& a, const Vector3& b)
 }
 }
 
-TangentFrames::TangentFrames(const TriangleMesh& mesh, const Connection& connection,
-  const std::vector<Vector3>& positions)
+TangentFrames::TangentFrames(
+  const TriangleMesh& mesh, const Connection& connection, const std::vector<Vector3>& positions)
   : Normal(mesh.GetNumberOfVertices())
   , X(mesh.GetNumberOfVertices())
 {
@@ -63,7 +63,8 @@ TangentFrames::TangentFrames(const TriangleMesh& mesh, const Connection& connect
         const bool boundary = mesh.IsBoundary(v);
         if (boundary)
         {
-          edges.emplace_back(positions[mesh.Tail(TriangleMesh::Previous(fan.back()))] - positions[v]);
+          edges.emplace_back(
+            positions[mesh.Tail(TriangleMesh::Previous(fan.back()))] - positions[v]);
           angles.push_back(connection.AngleSum[v]);
         }
         Vector3 sum = Vector3::Zero();

@@ -14,8 +14,8 @@ namespace DirectionFields
 struct TangentFrames
 {
   /// @param positions of the vertices
-  TangentFrames(const TriangleMesh& mesh, const Connection& connection,
-    const std::vector<Vector3>& positions);
+  TangentFrames(
+    const TriangleMesh& mesh, const Connection& connection, const std::vector<Vector3>& positions);
 
   /// Unit normal of each vertex: mean of the triangles' normals, weighted by corner angle. Any unit
   /// vector where that vanishes.

@@ -41,8 +41,8 @@ void GlyphShapes::MakeProfile(GlyphType type, int degree)
     {
       this->Profile.push_back({ tail, 0.0 });
     }
-    this->Profile.insert(this->Profile.end(),
-      { { tail, half }, { 0.1, half }, { 0.1, 3.0 * half }, { 1.0, 0.0 } });
+    this->Profile.insert(
+      this->Profile.end(), { { tail, half }, { 0.1, half }, { 0.1, 3.0 * half }, { 1.0, 0.0 } });
     return;
   }
   // Neighbouring arms leave some of the surface to be seen between them.
@@ -62,8 +62,7 @@ void GlyphShapes::MakeProfile(GlyphType type, int degree)
   if (type == GlyphType::Arrows)
   {
     const double head = std::min(0.24, 0.55 * gap);
-    this->Profile.insert(
-      this->Profile.end(), { { 0.58, half }, { 0.58, head }, { 1.0, 0.0 } });
+    this->Profile.insert(this->Profile.end(), { { 0.58, half }, { 0.58, head }, { 1.0, 0.0 } });
   }
   else
   {
@@ -110,8 +109,7 @@ void GlyphShapes::DrawLines(const SurfacePath& path, double length, double heigh
   for (const double distance : this->Stations)
   {
     const auto at = path.At(distance);
-    this->Mesh.Connectivity.push_back(
-      this->AddPoint(at.Position + height * at.Normal, at.Normal));
+    this->Mesh.Connectivity.push_back(this->AddPoint(at.Position + height * at.Normal, at.Normal));
   }
   this->EndCell();
   if (this->Degree == 1)
@@ -142,8 +140,8 @@ void GlyphShapes::DrawBand(const SurfacePath& path, double length, double height
     {
       const double distance = this->Stations[k];
       const double part = (distance / length - a.Distance) / (b.Distance - a.Distance);
-      const double half = k + 1 == this->Stations.size() ? b.Half
-                                                         : a.Half + part * (b.Half - a.Half);
+      const double half =
+        k + 1 == this->Stations.size() ? b.Half : a.Half + part * (b.Half - a.Half);
       const auto at = path.At(distance);
       const Vector3 middle = at.Position + height * at.Normal;
       std::int64_t right, left;
@@ -206,8 +204,7 @@ void GlyphShapes::DrawTube(const SurfacePath& path, double length, double height
       {
         const double angle = 2.0 * Pi * s / Sides;
         const Vector3 outward = std::cos(angle) * left + std::sin(angle) * up;
-        this->AddPoint(
-          middle + radius * outward, (run * outward - rise * heading) / slope);
+        this->AddPoint(middle + radius * outward, (run * outward - rise * heading) / slope);
       }
       for (int s = 0; s < Sides && k > 0; ++s)
       {

@@ -52,8 +52,7 @@ public:
   /// Draws the branch of a glyph along a path from its centre to its tip; for one direction from
   /// tail to tip, the centre at distance 0. length: from centre to tip.
   /// height: above the path, along its normals.
-  void Draw(
-    Index glyph, int branch, const SurfacePath& path, double length, double height);
+  void Draw(Index glyph, int branch, const SurfacePath& path, double length, double height);
 
 private:
   /// Half the width of the shape at a distance from the centre, both as parts of the length. It

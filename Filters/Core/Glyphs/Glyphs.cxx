@@ -53,8 +53,7 @@ public:
     }
     for (int k = 0; k < this->Degree; ++k)
     {
-      this->Shapes.Draw(
-        glyph, k, SimplifiedPath(this->Paths[k], ArmStations), length, height);
+      this->Shapes.Draw(glyph, k, SimplifiedPath(this->Paths[k], ArmStations), length, height);
     }
     this->Result.Point.push_back(at.Point);
     this->Result.Magnitude.push_back(at.Magnitude);
@@ -77,9 +76,8 @@ private:
     const Index point = triangle == None ? at.Point : None;
     const PathStart start = { at.Position, at.Normal, triangle, point };
     const SurfacePath forward = TracePath(this->Surface, start, direction, length);
-    return this->Degree > 1
-      ? forward
-      : Joined(TracePath(this->Surface, start, -direction, length), forward);
+    return this->Degree > 1 ? forward
+                            : Joined(TracePath(this->Surface, start, -direction, length), forward);
   }
 
   /// Lays the paths into the tangent plane. Returns how high the surface rises above that.

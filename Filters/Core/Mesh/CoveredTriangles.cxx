@@ -20,8 +20,9 @@ CoveredTriangles::CoveredTriangles(
       this->Mirrors.push_back(t);
       if (this->Mirrors.size() > std::numeric_limits<Index>::max() / 3)
       {
-        throw std::length_error("The two sides of a surface that cannot be oriented have more "
-                                "triangles than can be numbered. Decimate it or process it in parts.");
+        throw std::length_error(
+          "The two sides of a surface that cannot be oriented have more "
+          "triangles than can be numbered. Decimate it or process it in parts.");
       }
       const Triangle other = { corners[3 * t], corners[3 * t + 2], corners[3 * t + 1] };
       corners.insert(corners.end(), other.begin(), other.end());

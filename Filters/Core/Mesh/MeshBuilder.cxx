@@ -153,15 +153,14 @@ Index MeshBuilder::TurnMinority(
   const std::vector<Index>& members, std::vector<char>& isTurned) const
 {
   const auto size = static_cast<Index>(members.size());
-  const auto turned = static_cast<Index>(std::count_if(
-    members.begin(), members.end(), [&](Index t) { return isTurned[t] != 0; }));
+  const auto turned = static_cast<Index>(
+    std::count_if(members.begin(), members.end(), [&](Index t) { return isTurned[t] != 0; }));
   const auto twice = 2 * static_cast<std::int64_t>(turned);
   const auto isEarlier = [this](Index a, Index b)
   { return this->Mesh.TriangleInput[a] < this->Mesh.TriangleInput[b]; };
   // Where there is no majority, the first triangle of the input decides.
   if (twice < size ||
-    (twice == size &&
-      isTurned[*std::min_element(members.begin(), members.end(), isEarlier)] == 0))
+    (twice == size && isTurned[*std::min_element(members.begin(), members.end(), isEarlier)] == 0))
   {
     return turned;
   }
@@ -355,8 +354,8 @@ void MeshBuilder::ChooseFrontVertices()
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     const Index mirror = mesh.MirrorVertex(v);
-    mesh.IsBackVertex[v] = mirror != None &&
-      (onFront[v] != onFront[mirror] ? onFront[v] < onFront[mirror] : v > mirror);
+    mesh.IsBackVertex[v] =
+      mirror != None && (onFront[v] != onFront[mirror] ? onFront[v] < onFront[mirror] : v > mirror);
   }
 }
 }

@@ -20,8 +20,7 @@ public:
   /// @param mesh    of the surface, or of what came of it when points were merged
   /// @param surface as it came in
   /// @param merged  for each point the one that stands for it in the mesh; empty if none was merged
-  OutputPoints(
-    const TriangleMesh& mesh, const Surface& surface, const std::vector<Index>& merged);
+  OutputPoints(const TriangleMesh& mesh, const Surface& surface, const std::vector<Index>& merged);
 
   /// Values over the vertices as an array over the output points, zero where there is no vertex.
   template <typename T>

@@ -26,7 +26,8 @@ OwnedParts::OwnedParts(const TriangleMesh& mesh, const Surface& surface)
 {
   for (const TriangleMesh::Component& component : mesh.GetComponents())
   {
-    this->Components.push_back({ component.Vertices(), component.Edges(), component.Triangles(), 0 });
+    this->Components.push_back(
+      { component.Vertices(), component.Edges(), component.Triangles(), 0 });
   }
   if (!surface.Ghost.empty())
   {
@@ -67,8 +68,8 @@ void OwnedParts::LeaveOutGhosts(const TriangleMesh& mesh, const Surface& surface
     {
       const Index h = mesh.HalfEdge(e);
       const Index twin = mesh.Twin(h);
-      const bool useTwin = twin != None && isGhost(twin / 3) != isGhost(h / 3) &&
-        isBefore(twin / 3, h / 3);
+      const bool useTwin =
+        twin != None && isGhost(twin / 3) != isGhost(h / 3) && isBefore(twin / 3, h / 3);
       counts.Edges -= isGhost((useTwin ? twin : h) / 3);
     }
     for (Index v = component.FirstVertex; v < component.EndVertex; ++v)

@@ -60,27 +60,28 @@ std::vector<std::atomic<char>> UsedPoints(const Surface& surface)
   const auto points = static_cast<Index>(surface.Points.size());
   // Several threads may mark a point at once.
   std::vector<std::atomic<char>> used(points);
-  const Found invalid = ParallelSum(static_cast<Index>(surface.Triangles.size()), LightPiece, Found{},
-    [&](Index begin, Index end)
-    {
-      Found found;
-      for (Index t = begin; t < end; ++t)
+  const Found invalid =
+    ParallelSum(static_cast<Index>(surface.Triangles.size()), LightPiece, Found{},
+      [&](Index begin, Index end)
       {
-        const Triangle& triangle = surface.Triangles[t];
-        if (!IsValid(triangle, points))
+        Found found;
+        for (Index t = begin; t < end; ++t)
         {
-          found.Add(t);
-        }
-        else if (!IsCollapsed(triangle))
-        {
-          for (const Index point : triangle)
+          const Triangle& triangle = surface.Triangles[t];
+          if (!IsValid(triangle, points))
           {
-            used[point].store(1, std::memory_order_relaxed);
+            found.Add(t);
+          }
+          else if (!IsCollapsed(triangle))
+          {
+            for (const Index point : triangle)
+            {
+              used[point].store(1, std::memory_order_relaxed);
+            }
           }
         }
-      }
-      return found;
-    });
+        return found;
+      });
   if (invalid.Count > 0)
   {
     const Triangle& triangle = surface.Triangles[invalid.First];
@@ -94,8 +95,7 @@ std::vector<std::atomic<char>> UsedPoints(const Surface& surface)
 }
 
 /// The ids of the points that are used. Throws MeshError for non-finite coordinates.
-LargeArray<Index> FinitePoints(
-  const Surface& surface, const std::vector<std::atomic<char>>& used)
+LargeArray<Index> FinitePoints(const Surface& surface, const std::vector<std::atomic<char>>& used)
 {
   LargeArray<Index> members;
   members.reserve(used.size());

@@ -72,7 +72,10 @@ public:
   Index Twin(Index h) const { return this->Twins[h]; }
   Index Edge(Index h) const { return this->Edges[h]; }
   /// The edge was split because more than two triangles share it.
-  bool IsNonManifold(Index h) const { return !this->NonManifold.empty() && this->NonManifold[h] != 0; }
+  bool IsNonManifold(Index h) const
+  {
+    return !this->NonManifold.empty() && this->NonManifold[h] != 0;
+  }
   /// Several edges may join the same vertices: along slits, and after flips.
   bool MayRepeatNeighbours() const { return !this->NonManifold.empty() || this->Flipped; }
   /// The half-edge that gives an edge its direction.

@@ -45,10 +45,7 @@ struct Largest
   double Value = -1.0;
   Index Vertex = 0;
 
-  void operator+=(const Largest& other)
-  {
-    *this = other.Value > this->Value ? other : *this;
-  }
+  void operator+=(const Largest& other) { *this = other.Value > this->Value ? other : *this; }
 };
 }
 
@@ -116,8 +113,8 @@ void ReferenceSection::FixPhase(ComplexVector& u) const
   const auto count = static_cast<Index>(u.size());
   const auto turn = [&](const Complex& phase)
   {
-    ParallelFor(count, MediumPiece,
-      [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
+    ParallelFor(
+      count, MediumPiece, [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
   };
   for (int axis = 0; axis < 3; ++axis)
   {

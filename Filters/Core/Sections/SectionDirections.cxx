@@ -44,9 +44,8 @@ std::vector<Vector3> DirectionsOf(
       {
         if (section[v] != 0.0)
         {
-          const Complex direction = degree == 2
-            ? HalfTurned(section[v])
-            : std::polar(1.0, std::arg(section[v]) / degree);
+          const Complex direction =
+            degree == 2 ? HalfTurned(section[v]) : std::polar(1.0, std::arg(section[v]) / degree);
           vectors[v] = direction.real() * frames.X[v] + direction.imag() * frames.Y(v);
         }
       }

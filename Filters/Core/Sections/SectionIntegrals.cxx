@@ -60,9 +60,9 @@ SectionIntegrals SectionIntegrals::At(double omega)
 {
   // The first term of F2 that is left out is less than 1e-15.
   const double size = std::abs(omega);
-  return size < 0.01 ? Sum<6>(omega)
-    : size < 0.06    ? Sum<8>(omega)
-    : size < 0.3     ? Sum<12>(omega)
+  return size < 0.01        ? Sum<6>(omega)
+    : size < 0.06           ? Sum<8>(omega)
+    : size < 0.3            ? Sum<12>(omega)
     : size < SwitchHolonomy ? Series(omega)
                             : ClosedForm(omega);
 }

@@ -41,8 +41,8 @@ public:
   /// @param area          area of the triangle
   /// @param omega         its holonomy, not wrapped
   /// @param energyBias    s
-  LocalIntegrals(const std::array<double, 3>& squaredLength, double area, double omega,
-    double energyBias)
+  LocalIntegrals(
+    const std::array<double, 3>& squaredLength, double area, double omega, double energyBias)
     : Functions(SectionIntegrals::At(omega))
     , SquaredLength(squaredLength)
     , Area(area)

@@ -49,8 +49,7 @@ DiskGrid::Cell DiskGrid::CellOf(const Vector3& scaled)
   Cell cell;
   for (int c = 0; c < 3; ++c)
   {
-    cell[c] =
-      static_cast<std::int64_t>(std::floor(std::clamp(scaled[c], -MostCells, MostCells)));
+    cell[c] = static_cast<std::int64_t>(std::floor(std::clamp(scaled[c], -MostCells, MostCells)));
   }
   return cell;
 }
@@ -126,11 +125,10 @@ bool DiskGrid::Search(const Vector3& scaled, const Visit& visit) const
   return false;
 }
 
-bool DiskGrid::IsFree(
-  const Vector3& position, const Eigen::Vector3f& normal, Index except) const
+bool DiskGrid::IsFree(const Vector3& position, const Eigen::Vector3f& normal, Index except) const
 {
-  return !this->Search((position - this->Origin) / this->Spacing, [&](Index i, double)
-    { return i != except && IsSameSide(this->Places[i].Normal, normal); });
+  return !this->Search((position - this->Origin) / this->Spacing,
+    [&](Index i, double) { return i != except && IsSameSide(this->Places[i].Normal, normal); });
 }
 
 bool DiskGrid::IsEmptyAround(const Vector3& position) const
@@ -162,8 +160,8 @@ void DiskGrid::FindAround(const Cell& cell, std::vector<Index>& points) const
   std::sort(points.begin(), points.end());
 }
 
-Index DiskGrid::Nearest(const std::vector<Index>& points, const Vector3& position,
-  const Eigen::Vector3f& normal) const
+Index DiskGrid::Nearest(
+  const std::vector<Index>& points, const Vector3& position, const Eigen::Vector3f& normal) const
 {
   const Vector3 scaled = (position - this->Origin) / this->Spacing;
   Index nearest = None;

@@ -46,8 +46,8 @@ public:
   void FindAround(const Cell& cell, std::vector<Index>& points) const;
   /// The nearest of these that is nearer than the spacing on the same side; None without one. Of
   /// equally near ones the first.
-  Index Nearest(const std::vector<Index>& points, const Vector3& position,
-    const Eigen::Vector3f& normal) const;
+  Index Nearest(
+    const std::vector<Index>& points, const Vector3& position, const Eigen::Vector3f& normal) const;
 
 private:
   /// A point, its position in units of the spacing.

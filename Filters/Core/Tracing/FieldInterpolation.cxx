@@ -98,8 +98,7 @@ struct FieldInterpolation::Corners
 Vector3 DirectionsAt::Turned(int k, int degree) const
 {
   const double angle = 2.0 * Pi * k / degree;
-  return std::cos(angle) * this->Direction +
-    std::sin(angle) * this->Normal.cross(this->Direction);
+  return std::cos(angle) * this->Direction + std::sin(angle) * this->Normal.cross(this->Direction);
 }
 
 FieldInterpolation::FieldInterpolation(

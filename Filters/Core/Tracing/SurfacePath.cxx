@@ -55,8 +55,8 @@ Vector3 SurfacePath::Left(double distance) const
   return length > 1e-6 ? Vector3(left / length) : Vector3::Zero();
 }
 
-SurfacePath TracePath(const SurfaceIncidence& surface, const PathStart& start,
-  const Vector3& direction, double length)
+SurfacePath TracePath(
+  const SurfaceIncidence& surface, const PathStart& start, const Vector3& direction, double length)
 {
   SurfacePath path;
   path.Stations.push_back({ 0.0, start.Position, start.Normal });
@@ -105,8 +105,7 @@ SurfacePoint Moved(
   {
     const Vector3& a = surface.Corner(walk.Triangle(), (c + 1) % 3);
     const Vector3& b = surface.Corner(walk.Triangle(), (c + 2) % 3);
-    const double weight =
-      (a - end).cross(b - end).dot(surface.Normal(walk.Triangle())) / area;
+    const double weight = (a - end).cross(b - end).dot(surface.Normal(walk.Triangle())) / area;
     if (!(weight > -1e-6))
     {
       // The way led out of the triangle at once, from one of its corners.
@@ -129,8 +128,7 @@ SurfacePath Joined(const SurfacePath& backward, const SurfacePath& forward)
   {
     path.Stations.push_back({ -station->Distance, station->Position, station->Normal });
   }
-  path.Stations.insert(
-    path.Stations.end(), forward.Stations.begin() + 1, forward.Stations.end());
+  path.Stations.insert(path.Stations.end(), forward.Stations.begin() + 1, forward.Stations.end());
   return path;
 }
 

@@ -36,8 +36,8 @@ struct SurfacePath
 
 /// Follows a unit tangent vector for a length. On the boundary the path leaves the surface and goes
 /// straight on.
-SurfacePath TracePath(const SurfaceIncidence& surface, const PathStart& start,
-  const Vector3& direction, double length);
+SurfacePath TracePath(
+  const SurfaceIncidence& surface, const PathStart& start, const Vector3& direction, double length);
 
 /// Moves a point along the surface by the part of a vector that is tangent to it; not beyond the
 /// boundary.

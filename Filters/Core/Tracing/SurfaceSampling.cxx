@@ -66,8 +66,8 @@ bool IsIn(const std::vector<char>& set, Index i)
 }
 
 /// Candidates at equal steps of area, triangle by triangle; within one they fill it evenly.
-std::vector<Candidate> SpreadCandidates(const SurfaceIncidence& surface,
-  const std::vector<char>& excluded, double totalArea, Index count)
+std::vector<Candidate> SpreadCandidates(
+  const SurfaceIncidence& surface, const std::vector<char>& excluded, double totalArea, Index count)
 {
   std::vector<Candidate> candidates;
   candidates.reserve(static_cast<std::size_t>(count));
@@ -153,8 +153,7 @@ class Spreading
 public:
   /// @param excluded not 0 for triangles without samples; empty for none
   Spreading(const SurfaceIncidence& surface, const std::vector<char>& excluded,
-    std::vector<Candidate>& candidates, const Vector3& origin, double spacing,
-    const Rounds& rounds)
+    std::vector<Candidate>& candidates, const Vector3& origin, double spacing, const Rounds& rounds)
     : Surface(surface)
     , Excluded(excluded)
     , Candidates(candidates)
@@ -339,8 +338,8 @@ SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<
     [&](double spacing)
     {
       const double wanted = CandidateDensity * area / (spacing * spacing);
-      auto candidates = SpreadCandidates(surface, excluded, area,
-        static_cast<Index>(std::clamp(wanted, FewestCandidates, 1e9)));
+      auto candidates = SpreadCandidates(
+        surface, excluded, area, static_cast<Index>(std::clamp(wanted, FewestCandidates, 1e9)));
       const auto order = ScrambledOrder(candidates.size());
       constexpr int phases = Sweeps + 2;
       Spreading spreading(surface, excluded, candidates, origin, spacing, rounds);

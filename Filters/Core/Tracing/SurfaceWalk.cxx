@@ -14,8 +14,7 @@ namespace
 /// The triangle at a point that a direction in its tangent plane leads into, and the direction
 /// there: the angle keeps its share of the triangle's corner as seen in the tangent plane. None
 /// where the direction leaves the surface.
-Index FirstTriangle(
-  const SurfaceIncidence& surface, const PathStart& start, Vector3& direction)
+Index FirstTriangle(const SurfaceIncidence& surface, const PathStart& start, Vector3& direction)
 {
   const Vector3 y = start.Normal.cross(direction);
   const Index* end = surface.EndTriangles(start.Point);

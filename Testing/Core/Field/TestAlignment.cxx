@@ -214,7 +214,8 @@ TEST(Alignment, EnergiesAreMonotoneInTheStrength)
 
 TEST(Alignment, LambdaFollowsTheDefinition)
 {
-  const Surface surface = Joined(Potato(2), Transformed(Icosphere(2), 0.1 * Eigen::Matrix3d::Identity(), { 5, 0, 0 }));
+  const Surface surface =
+    Joined(Potato(2), Transformed(Icosphere(2), 0.1 * Eigen::Matrix3d::Identity(), { 5, 0, 0 }));
   DirectionField field(surface);
   Options options = CurvatureAligned(4, 0.25);
   const Result result = field.Compute(options);
@@ -314,7 +315,8 @@ TEST(Alignment, WeightsAndLengthsOfTheGuidance)
   bad.Weights[4] = -1.0;
   bad.Weights[5] = std::numeric_limits<double>::infinity();
   without.Weights[3] = without.Weights[4] = without.Weights[5] = 0.0;
-  EXPECT_EQ(field.Compute(options, bad).Representation, field.Compute(options, without).Representation);
+  EXPECT_EQ(
+    field.Compute(options, bad).Representation, field.Compute(options, without).Representation);
 }
 
 TEST(Alignment, ExtremeWeightsAndShiftsTendToTheirLimits)
@@ -427,5 +429,6 @@ TEST(Alignment, ChangingTheStrengthKeepsTheEigenpair)
   const Result other = field.Compute(CurvatureAligned(2, 0.6));
   EXPECT_EQ(other.Degree, 2);
   const Result back = field.Compute(CurvatureAligned(4, 0.6));
-  EXPECT_EQ(back.Representation, DirectionField(Potato(3)).Compute(CurvatureAligned(4, 0.6)).Representation);
+  EXPECT_EQ(back.Representation,
+    DirectionField(Potato(3)).Compute(CurvatureAligned(4, 0.6)).Representation);
 }

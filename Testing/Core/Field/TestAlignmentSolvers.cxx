@@ -91,7 +91,8 @@ TEST(AlignmentSolvers, ConstraintsThatAreZeroLeaveTheSmoothestField)
       EXPECT_EQ(report.SolverUsed, solver);
       EXPECT_NEAR(report.SmoothnessEnergy, smoothest.Value, 1e-9 * smoothest.Value);
       const Complex overlap = smoothest.Vector.dot(system.Matrices.Mass * u);
-      EXPECT_NEAR(std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
+      EXPECT_NEAR(
+        std::abs(overlap), std::sqrt(system.Lengths.ComponentArea[0]), 1e-9 * std::abs(overlap));
     }
   }
 }

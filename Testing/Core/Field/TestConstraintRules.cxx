@@ -29,8 +29,8 @@ TEST(ConstraintRules, PriorityIsGivenBoundarySharpCurvature)
   options.ConstrainCurvature = true;
   options.ConstrainGuidance = true;
   const Vector3 oblique(0.3, 1.0, 0.0);
-  const Result result = DirectionField(fold).Compute(
-    options, GuidanceAt(fold, { { at(4, 4), oblique }, { at(0, 4), oblique }, { at(2, 2), oblique } }));
+  const Result result = DirectionField(fold).Compute(options,
+    GuidanceAt(fold, { { at(4, 4), oblique }, { at(0, 4), oblique }, { at(2, 2), oblique } }));
   EXPECT_EQ(result.Constraint[at(4, 4)], ConstraintKind::Given);
   EXPECT_EQ(result.Constraint[at(0, 4)], ConstraintKind::Given);
   EXPECT_EQ(result.Constraint[at(2, 2)], ConstraintKind::Given);
@@ -46,7 +46,8 @@ TEST(ConstraintRules, PriorityIsGivenBoundarySharpCurvature)
   options.ConstrainBoundary = false;
   options.ConsistencyAngle = 45.0;
   options.CurvatureTolerance = 1.0;
-  const Result curved = DirectionField(fold).Compute(options, GuidanceAt(fold, { { at(2, 2), oblique } }));
+  const Result curved =
+    DirectionField(fold).Compute(options, GuidanceAt(fold, { { at(2, 2), oblique } }));
   EXPECT_EQ(curved.Constraint[at(4, 4)], ConstraintKind::Curvature);
   EXPECT_LT(Deviation(curved, at(4, 4), Vector3::UnitY()), 5.0);
 }

@@ -41,8 +41,8 @@ int DemandedSum(const Surface& surface, int degree)
 {
   const Stages stages(surface);
   const TriangleMesh& mesh = stages.GetMesh();
-  int sum = degree *
-    (mesh.GetNumberOfVertices() - mesh.GetNumberOfEdges() + mesh.GetNumberOfTriangles());
+  int sum =
+    degree * (mesh.GetNumberOfVertices() - mesh.GetNumberOfEdges() + mesh.GetNumberOfTriangles());
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     if (mesh.IsBoundary(v))
@@ -149,7 +149,8 @@ TEST(Constraints, IndexSumIsWhatTheBoundaryDemands)
 
 TEST(Constraints, CurvedBoundariesAreFollowed)
 {
-  for (const Surface& surface : { Cylinder(32, 10, 2.0), Transformed(Disk(9), Vector3(1.3, 1, 1).asDiagonal(), { 0, 0, 1 }) })
+  for (const Surface& surface :
+    { Cylinder(32, 10, 2.0), Transformed(Disk(9), Vector3(1.3, 1, 1).asDiagonal(), { 0, 0, 1 }) })
   {
     for (const int degree : { 1, 2, 4, 6 })
     {
@@ -165,7 +166,8 @@ TEST(Constraints, CurvedBoundariesAreFollowed)
         {
           const bool flat = p.z() == 1.0;
           const Vector3 tangent(-p.y() * (flat ? 1.69 : 1.0), p.x(), 0.0);
-          EXPECT_LT(Deviation(result, i, degree == 1 && p.z() == 2.0 ? Vector3(-tangent) : tangent), 0.7);
+          EXPECT_LT(
+            Deviation(result, i, degree == 1 && p.z() == 2.0 ? Vector3(-tangent) : tangent), 0.7);
         }
       }
     }
@@ -387,7 +389,8 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
     options.Alignment = pick(3) == 0 ? Alignment::PointVectors
       : curvature && pick(2)         ? Alignment::PrincipalCurvature
                                      : Alignment::None;
-    options.CurvatureDirection = pick(2) ? CurvatureDirection::Maximum : CurvatureDirection::Minimum;
+    options.CurvatureDirection =
+      pick(2) ? CurvatureDirection::Maximum : CurvatureDirection::Minimum;
     options.AlignmentStrength = pick(4) == 0 ? static_cast<double>(pick(2)) : fraction();
     options.UseShift = pick(4) == 0;
     options.Shift = std::pow(10.0, 8.0 * fraction() - 4.0);
@@ -412,7 +415,8 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
     for (const ComponentReport& component : result.Components)
     {
       EXPECT_TRUE(std::isfinite(component.SmoothnessEnergy) && std::isfinite(component.Lambda));
-      EXPECT_LE(component.Lambda, component.Eigenvalue + 1e-9 * std::abs(component.Eigenvalue) + 1e-9);
+      EXPECT_LE(
+        component.Lambda, component.Eigenvalue + 1e-9 * std::abs(component.Eigenvalue) + 1e-9);
       EXPECT_LE(component.SystemResidual, 1e-6) << "run " << run;
       if (component.Closed)
       {

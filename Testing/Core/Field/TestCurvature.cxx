@@ -111,7 +111,8 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
     error += area[v] * (computed - invariants).cwiseAbs2();
     size += area[v] * invariants.cwiseAbs2();
   }
-  const Operators operators = AssembleOperators(stages.GetGeometry(), mesh.GetComponents()[0], 2, 0.0);
+  const Operators operators =
+    AssembleOperators(stages.GetGeometry(), mesh.GetComponents()[0], 2, 0.0);
   Factorization factor;
   EXPECT_TRUE(factor.Compute(operators.Energy + unit * unit * operators.Mass));
   const auto weak = [&](const ComplexVector& q)
@@ -229,7 +230,8 @@ TEST(Curvature, SphereIsUmbilic)
 /// formulas of trigonometry.
 TEST(Curvature, IsThatOfItsDefinitions)
 {
-  for (const Surface& surface : { Potato(6), Hemisphere(4), Scrambled(Square(20), 3), Tetrahedron() })
+  for (const Surface& surface :
+    { Potato(6), Hemisphere(4), Scrambled(Square(20), 3), Tetrahedron() })
   {
     const System system(surface, 2, 0.0);
     const std::vector<double> dihedral = DihedralAngles(system);

@@ -75,8 +75,7 @@ TEST(Metric, SameAtAnyScale)
   const Metric metric(mesh, mesh.Positions(s.Points));
   for (const double scale : { 1e-150, 1e-9, 1e9, 1e150 })
   {
-    const Surface scaled =
-      Transformed(s, scale * Eigen::Matrix3d::Identity(), Vector3::Zero());
+    const Surface scaled = Transformed(s, scale * Eigen::Matrix3d::Identity(), Vector3::Zero());
     const Metric other(mesh, mesh.Positions(scaled.Points));
     EXPECT_NEAR(other.Unit[0] / metric.Unit[0] / scale, 1.0, 1e-13);
     for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
@@ -159,8 +158,7 @@ TEST(Connection, FlatPatchStaysFlatUpToItsBoundary)
     const Index j = g.Mesh.Head(g.Mesh.HalfEdge(e));
     const double rho = g.Transport.Rotation[e];
     const Vector3 arrived = std::cos(rho) * g.Frames.X[j] + std::sin(rho) * g.Frames.Y(j);
-    EXPECT_LT((g.Frames.X[i] - arrived).norm(),
-      1e-12);
+    EXPECT_LT((g.Frames.X[i] - arrived).norm(), 1e-12);
   }
 }
 
@@ -290,8 +288,8 @@ TEST(Singularities, IndicesAreThoseOfEachTriangleAlone)
     double sum = degree * g.Transport.Curvature[t];
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
-      const Complex transported = std::polar(1.0, degree * g.Transport.RotationAlong(g.Mesh, h)) *
-        field[g.Mesh.Tail(h)];
+      const Complex transported =
+        std::polar(1.0, degree * g.Transport.RotationAlong(g.Mesh, h)) * field[g.Mesh.Tail(h)];
       sum += std::arg(field[g.Mesh.Head(h)] / transported);
     }
     ASSERT_NEAR(sum / (2.0 * Pi), indices[t], 1e-9) << t;

@@ -127,8 +127,8 @@ void ExpectDelaunay(const Flipped& g)
   }
   const double total =
     std::accumulate(connection.Curvature.begin(), connection.Curvature.end(), 0.0);
-  EXPECT_NEAR(total,
-    std::accumulate(g.Transport.Curvature.begin(), g.Transport.Curvature.end(), 0.0), 1e-7);
+  EXPECT_NEAR(
+    total, std::accumulate(g.Transport.Curvature.begin(), g.Transport.Curvature.end(), 0.0), 1e-7);
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
     double sum = 0.0;
@@ -184,13 +184,12 @@ TEST(IntrinsicTriangulation, EdgesAreDelaunayOnAnySurface)
 {
   Surface fin = BadSquare(4, 1);
   fin.Points.emplace_back(0.5, 0.25, 1.0);
-  fin.Triangles.push_back({ fin.Triangles[7][0], fin.Triangles[7][1],
-    static_cast<Index>(fin.Points.size()) - 1 });
-  for (const Surface& surface : { BadSphere(3, 0.15, 1),
-         Scrambled(FlatlySubdivided(Torus(9, 7), 2), 6), BadSquare(12, 5), fin,
-         Jittered(Hemisphere(3), 0.1, 2), Jittered(DoubleTorus(), 0.1, 3),
-         Joined(BadSphere(2, 0.2, 4), Jittered(Torus(9, 40), 0.03, 5)),
-         Folded(BadSquare(6, 4), 1.0) })
+  fin.Triangles.push_back(
+    { fin.Triangles[7][0], fin.Triangles[7][1], static_cast<Index>(fin.Points.size()) - 1 });
+  for (const Surface& surface :
+    { BadSphere(3, 0.15, 1), Scrambled(FlatlySubdivided(Torus(9, 7), 2), 6), BadSquare(12, 5), fin,
+      Jittered(Hemisphere(3), 0.1, 2), Jittered(DoubleTorus(), 0.1, 3),
+      Joined(BadSphere(2, 0.2, 4), Jittered(Torus(9, 40), 0.03, 5)), Folded(BadSquare(6, 4), 1.0) })
   {
     const Flipped g(surface);
     EXPECT_GT(g.Delaunay.NumberOfFlips, 0);
@@ -287,8 +286,8 @@ TEST(IntrinsicTriangulation, BendingChangesNothing)
     const Edge& other = folded.at(points);
     EXPECT_NEAR(other.SquaredLength / edge.SquaredLength, 1.0, 1e-12);
     EXPECT_NEAR(Wrapped(other.Rotation - edge.Rotation), 0.0, 1e-11);
-    across += (surface.Points[points.first].x() - 0.5) * (surface.Points[points.second].x() - 0.5) <
-      0.0;
+    across +=
+      (surface.Points[points.first].x() - 0.5) * (surface.Points[points.second].x() - 0.5) < 0.0;
   }
   EXPECT_GT(across, 3);
 }
@@ -342,9 +341,8 @@ TEST(IntrinsicTriangulation, EdgesOnAConeAreThoseOfItsDevelopment)
   };
   // Where angle 0 of each vertex points, from the first edge; the surface's own edges say it, too.
   std::vector<double> zero(g.Mesh.GetNumberOfVertices(), 10.0);
-  for (const auto& [mesh, metric, connection] :
-    { std::tie(g.Mesh, g.Lengths, g.Transport),
-      std::tie(g.Delaunay.Mesh, g.Delaunay.Lengths, g.Delaunay.Transport) })
+  for (const auto& [mesh, metric, connection] : { std::tie(g.Mesh, g.Lengths, g.Transport),
+         std::tie(g.Delaunay.Mesh, g.Delaunay.Lengths, g.Delaunay.Transport) })
   {
     int edges = 0;
     for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
@@ -359,8 +357,7 @@ TEST(IntrinsicTriangulation, EdgesOnAConeAreThoseOfItsDevelopment)
       const auto [to, toAngle] = polar(j);
       const double turn = std::remainder(toAngle - fromAngle, whole);
       const auto [length, direction] = developed(from, to, turn);
-      EXPECT_NEAR(
-        std::sqrt(metric.SquaredLength[mesh.Edge(h)]) * g.Lengths.Unit[0], length, 1e-11);
+      EXPECT_NEAR(std::sqrt(metric.SquaredLength[mesh.Edge(h)]) * g.Lengths.Unit[0], length, 1e-11);
       const double from0 = connection.EdgeAngle[h] - direction;
       zero[i] = zero[i] == 10.0 ? from0 : zero[i];
       EXPECT_NEAR(Wrapped(from0 - zero[i]), 0.0, 1e-10);
@@ -417,8 +414,8 @@ TEST(IntrinsicTriangulation, DoublyCoveredTriangle)
 {
   // All curvature is in the three corners. A point close to a side above and one close to another
   // below make slivers.
-  const Surface coarse{
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 0.4, 0.9, 0 }, { 0.5, 0.03, 0 }, { 0.25, 0.5, 0 } },
+  const Surface coarse{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0.4, 0.9, 0 }, { 0.5, 0.03, 0 },
+                          { 0.25, 0.5, 0 } },
     { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 } } };
   for (int level = 0; level < 3; ++level)
   {

@@ -84,8 +84,7 @@ TEST(SurfacePath, UnfoldsTheSurface)
     }
     EXPECT_NEAR(length, 1.0, 1e-9);
 
-    const SurfacePoint moved =
-      Moved(incidence, { 1, { 0.5, 0.1, 0.4 } }, Vector3(0.9, 0.1, 5.0));
+    const SurfacePoint moved = Moved(incidence, { 1, { 0.5, 0.1, 0.4 } }, Vector3(0.9, 0.1, 5.0));
     const Vector3 from = SurfacePoint{ 1, { 0.5, 0.1, 0.4 } }.Position(incidence);
     const double movedX = from.x() + 0.9;
     EXPECT_LT((moved.Position(incidence) -
@@ -118,8 +117,8 @@ TEST(SurfacePath, StartsAtPointsAndLeavesAtTheBoundary)
     outer.Point = incidence.GetNumberOfPoints() - 1;
     outer.Position = disk.Points[outer.Point];
     const Vector3 away = outer.Position.normalized();
-    EXPECT_LT((TracePath(incidence, outer, away, 0.5).Stations.back().Position -
-                outer.Position - 0.5 * away)
+    EXPECT_LT((TracePath(incidence, outer, away, 0.5).Stations.back().Position - outer.Position -
+                0.5 * away)
                 .norm(),
       1e-9);
   }

@@ -86,7 +86,8 @@ TEST(MergePoints, SoupHasTheFieldOfTheConnectedSurface)
 TEST(MergePoints, SplitsPointsThatBelongToSeveralFans)
 {
   // A bow-tie of two squares: one joined by its points, one by places only.
-  Surface squares = Joined(Square(2), Transformed(Square(2), Eigen::Matrix3d::Identity(), { 1, 1, 0 }));
+  Surface squares =
+    Joined(Square(2), Transformed(Square(2), Eigen::Matrix3d::Identity(), { 1, 1, 0 }));
   Surface glued = squares;
   for (Triangle& t : glued.Triangles)
   {
@@ -161,8 +162,8 @@ TEST(MergePoints, GuidanceIsThatOfTheFirstPointThatHasAny)
   EXPECT_NEAR(Deviation(result, later, vector), 0.0, 1e-9);
   EXPECT_NEAR(Deviation(result, first[later], vector), 0.0, 1e-9);
   // The first comes first.
-  const Result both = DirectionField(soup).Compute(options,
-    GuidanceAt(soup, { { later, Vector3(0.3, 1.0, 0.0) }, { first[later], vector } }));
+  const Result both = DirectionField(soup).Compute(
+    options, GuidanceAt(soup, { { later, Vector3(0.3, 1.0, 0.0) }, { first[later], vector } }));
   EXPECT_NEAR(Deviation(both, later, vector), 0.0, 1e-9);
 }
 
@@ -179,8 +180,9 @@ TEST(MergePoints, ANoteTellsSoupFromSurfacesWithABoundary)
   EXPECT_EQ(notes(Soup(Tetrahedron()))[0].rfind("12 of the 12 points", 0), 0u);
   EXPECT_NE(notes(Soup(Tetrahedron()))[0].find("MergePoints"), std::string::npos);
   // Two squares of 16 boundary points each that touch along a side of 5 points, 10 of 32: a seam.
-  EXPECT_TRUE(notes(Joined(Square(4),
-    Transformed(Square(4), Eigen::Matrix3d::Identity(), { 1, 0, 0 }))).empty());
+  EXPECT_TRUE(
+    notes(Joined(Square(4), Transformed(Square(4), Eigen::Matrix3d::Identity(), { 1, 0, 0 })))
+      .empty());
   // Of 2 triangles: 4 of 6.
   EXPECT_EQ(notes(Soup(Square(1))).size(), 1u);
 }

@@ -59,8 +59,8 @@ void ExpectConsistent(const TriangleMesh& mesh)
 TEST(TriangleMesh, CountsOfKnownSurfaces)
 {
   const std::vector<std::pair<Surface, int>> surfaces = { { Tetrahedron(), 2 }, { Octahedron(), 2 },
-    { Cube(), 2 }, { Icosphere(2), 2 }, { Torus(7, 5), 0 }, { DoubleTorus(), -2 },
-    { Disk(4), 1 }, { Cylinder(9, 3, 1.0), 0 }, { Square(3), 1 } };
+    { Cube(), 2 }, { Icosphere(2), 2 }, { Torus(7, 5), 0 }, { DoubleTorus(), -2 }, { Disk(4), 1 },
+    { Cylinder(9, 3, 1.0), 0 }, { Square(3), 1 } };
   for (const auto& [surface, chi] : surfaces)
   {
     const TriangleMesh mesh(surface);
@@ -159,7 +159,8 @@ TEST(TriangleMesh, IgnoresCollapsedAndDuplicateTriangles)
   }
   EXPECT_EQ(kept, std::set<Index>({ 1, 2, 3, 4, 5, 6, 7, 8 }));
 
-  const TriangleMesh pillow(Surface{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 1 } } });
+  const TriangleMesh pillow(
+    Surface{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 1 } } });
   EXPECT_EQ(pillow.GetNumberOfTriangles(), 1);
   EXPECT_EQ(pillow.GetRepairs().DuplicateTriangles, 1);
 }
@@ -257,8 +258,7 @@ TEST(TriangleMesh, CoversNonOrientableSurfaces)
     EXPECT_EQ(component.Closed, closed);
     EXPECT_EQ(component.Triangles(), 2 * static_cast<Index>(surface.Triangles.size()));
     EXPECT_EQ(component.Vertices(), 2 * static_cast<Index>(surface.Points.size()));
-    EXPECT_EQ(
-      component.Vertices() - component.Edges() + component.Triangles(), 2 * characteristic);
+    EXPECT_EQ(component.Vertices() - component.Edges() + component.Triangles(), 2 * characteristic);
     EXPECT_EQ(mesh.GetRepairs().NonOrientableComponents, 1);
     EXPECT_EQ(mesh.GetRepairs().ReversedTriangles, 0);
     EXPECT_EQ(mesh.GetRepairs().NonManifoldPoints, 0);
@@ -328,8 +328,8 @@ TEST(TriangleMesh, NeighboursAreCloseInMemoryWhateverTheOrderOfTheInput)
 {
   std::vector<Index> newPoint;
   std::vector<Index> newTriangle;
-  const Surface parts = Joined(Potato(4), Transformed(Potato(5), Eigen::Matrix3d::Identity(),
-                                            Vector3(0.4, 0.3, 0.2)));
+  const Surface parts =
+    Joined(Potato(4), Transformed(Potato(5), Eigen::Matrix3d::Identity(), Vector3(0.4, 0.3, 0.2)));
   const Surface shuffled = Shuffled(parts, 5, newPoint, newTriangle);
   const TriangleMesh mesh(shuffled);
   ExpectConsistent(mesh);

@@ -93,8 +93,7 @@ public:
       {
         const double u = rule.Nodes[s];
         const double v = rule.Nodes[t];
-        const Vector2 x =
-          (1.0 - u) * this->P[0] + u * ((1.0 - v) * this->P[1] + v * this->P[2]);
+        const Vector2 x = (1.0 - u) * this->P[0] + u * ((1.0 - v) * this->P[1] + v * this->P[2]);
         sum += rule.Weights[s] * rule.Weights[t] * 2.0 * this->Area * u * f(x);
       }
     }
@@ -125,9 +124,9 @@ public:
 
   LocalMatrices Closed(double s) const
   {
-    return LocalMatrices({ (this->P[1] - this->P[0]).squaredNorm(),
-                           (this->P[2] - this->P[1]).squaredNorm(),
-                           (this->P[0] - this->P[2]).squaredNorm() },
+    return LocalMatrices(
+      { (this->P[1] - this->P[0]).squaredNorm(), (this->P[2] - this->P[1]).squaredNorm(),
+        (this->P[0] - this->P[2]).squaredNorm() },
       this->Area, this->B * this->Area,
       { this->Transport(0, 1), this->Transport(1, 2), this->Transport(2, 0) }, s);
   }
@@ -158,7 +157,8 @@ TEST(SectionIntegrals, LocalMatricesEqualQuadratureOfTransportedHatSections)
         for (const double s : { -1.0, 0.0, 0.7 })
         {
           const LocalMatrices local = sections.Closed(s);
-          const double scale = std::abs(sections.Energy(0, 0, 0.0)) + std::abs(sections.Energy(1, 1, 0.0));
+          const double scale =
+            std::abs(sections.Energy(0, 0, 0.0)) + std::abs(sections.Energy(1, 1, 0.0));
           for (int j = 0; j < 3; ++j)
           {
             const int k = (j + 1) % 3;

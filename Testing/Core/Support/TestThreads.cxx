@@ -103,10 +103,7 @@ TEST(Threads, LoopsInsideOfLoopsAndOfSeveralThreadsWork)
     {
       const auto sum = ParallelSum<Index>(10, 1, 0,
         [](Index begin, Index)
-        {
-          return ParallelSum<Index>(
-            begin, 1, 0, [](Index inner, Index) { return inner; });
-        });
+        { return ParallelSum<Index>(begin, 1, 0, [](Index inner, Index) { return inner; }); });
       // Sum over k < 10 of k (k - 1) / 2.
       EXPECT_EQ(sum, 120);
     }

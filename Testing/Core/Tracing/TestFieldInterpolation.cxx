@@ -31,8 +31,7 @@ double Deviation(const DirectionsAt& one, const DirectionsAt& other, int degree)
   for (int k = 0; k < degree; ++k)
   {
     const Vector3 d = other.Turned(k, degree);
-    nearest =
-      std::min(nearest, std::atan2(one.Direction.cross(d).norm(), one.Direction.dot(d)));
+    nearest = std::min(nearest, std::atan2(one.Direction.cross(d).norm(), one.Direction.dot(d)));
   }
   return nearest;
 }
@@ -100,8 +99,8 @@ TEST(FieldInterpolation, EqualsTheFieldAtPoints)
       EXPECT_LT((flat.Normal - incidence.Normal(t)).norm(), 1e-12);
       EXPECT_NEAR(flat.Direction.dot(flat.Normal), 0.0, 1e-12);
       const Vector3 sum = at.Normal + flat.Normal;
-      const Vector3 carried = at.Direction -
-        flat.Normal.dot(at.Direction) / (1.0 + at.Normal.dot(flat.Normal)) * sum;
+      const Vector3 carried =
+        at.Direction - flat.Normal.dot(at.Direction) / (1.0 + at.Normal.dot(flat.Normal)) * sum;
       EXPECT_LT((flat.Direction - carried).norm(), 1e-9);
     }
   }

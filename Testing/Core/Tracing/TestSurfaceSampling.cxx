@@ -19,8 +19,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 struct Sampled
 {
-  explicit Sampled(Surface surface, const SamplingOptions& options = {},
-    const std::vector<char>& excluded = {})
+  explicit Sampled(
+    Surface surface, const SamplingOptions& options = {}, const std::vector<char>& excluded = {})
     : Mesh(std::move(surface))
     , Incidence(Mesh)
     , Samples(SampleSurface(Incidence, excluded, options))
@@ -113,9 +113,8 @@ Surface Sheet()
 
 TEST(SurfaceSampling, KeepsItsDistanceAndLeavesNoGap)
 {
-  const Surface meshes[] = { Meshes::Square(40), Meshes::Icosphere(4),
-    Meshes::Torus(60, 30), Meshes::Cube(), Meshes::Cylinder(40, 20, 3.0),
-    Meshes::Potato(4), Meshes::LShape(10), Sheet() };
+  const Surface meshes[] = { Meshes::Square(40), Meshes::Icosphere(4), Meshes::Torus(60, 30),
+    Meshes::Cube(), Meshes::Cylinder(40, 20, 3.0), Meshes::Potato(4), Meshes::LShape(10), Sheet() };
   for (const Surface& surface : meshes)
   {
     for (const double spacing : { 0.35, 0.11 })
@@ -166,8 +165,8 @@ TEST(SurfaceSampling, BothSidesOfASheetHaveSamples)
 
 TEST(SurfaceSampling, AutomaticSpacingComesNearTheNumber)
 {
-  const Surface meshes[] = { Meshes::Icosphere(4), Meshes::Torus(60, 30),
-    Meshes::Square(30), Meshes::Cube(), Meshes::Cylinder(12, 200, 60.0) };
+  const Surface meshes[] = { Meshes::Icosphere(4), Meshes::Torus(60, 30), Meshes::Square(30),
+    Meshes::Cube(), Meshes::Cylinder(12, 200, 60.0) };
   for (const Surface& surface : meshes)
   {
     for (const Index number : { 1, 2, 5, 20, 100, 700, 3000 })
@@ -194,8 +193,7 @@ TEST(SurfaceSampling, SpacingIsEnlargedToKeepTheNumber)
   for (int i = 0; i < 20; ++i)
   {
     stack = Meshes::Joined(stack,
-      Meshes::Transformed(
-        Meshes::Square(10), Eigen::Matrix3d::Identity(), { 0, 0, 1e-4 * i }));
+      Meshes::Transformed(Meshes::Square(10), Eigen::Matrix3d::Identity(), { 0, 0, 1e-4 * i }));
   }
   EXPECT_EQ(Sampled(stack, WithSpacing(0.1, 200)).Samples.Spacing, 0.1);
 }
@@ -226,8 +224,8 @@ TEST(SurfaceSampling, DoesNotDependOnTheUnit)
 {
   for (const double unit : { 1e-7, 1e7 })
   {
-    const Sampled sampled(Meshes::Transformed(Meshes::Torus(40, 20),
-                            unit * Eigen::Matrix3d::Identity(), { 0, 0, 0 }),
+    const Sampled sampled(
+      Meshes::Transformed(Meshes::Torus(40, 20), unit * Eigen::Matrix3d::Identity(), { 0, 0, 0 }),
       WithNumber(400));
     EXPECT_GE(sampled.Samples.Points.size(), 340u);
     EXPECT_GE(sampled.LeastDistance(), sampled.Samples.Spacing * (1.0 - 1e-9));
@@ -246,8 +244,7 @@ TEST(SurfaceSampling, UnsoundAndExcludedTrianglesHaveNoSamples)
   surface.Triangles.push_back({ 5, 5, 6 });
   // Far away and without area, but for rounding.
   const auto first = static_cast<Index>(surface.Points.size());
-  surface.Points.insert(
-    surface.Points.end(), { { 50, 0, 0 }, { 60, 1e-13, 0 }, { 70, 0, 0 } });
+  surface.Points.insert(surface.Points.end(), { { 50, 0, 0 }, { 60, 1e-13, 0 }, { 70, 0, 0 } });
   surface.Triangles.push_back({ first, first + 1, first + 2 });
   std::vector<char> excluded(surface.Triangles.size(), 0);
   std::fill(excluded.begin(), excluded.begin() + count / 2, 1);

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_CombinedMatrix_h
 #define DirectionFields_CombinedMatrix_h
 
-#include "Solvers/Matrices/Operators.h"
 #include "Solvers/Matrices/CompactValues.h"
+#include "Solvers/Matrices/Operators.h"
 
 #include <cstdint>
 #include <vector>

@@ -121,9 +121,9 @@ TEST(CompactValues, OfOneSectionAreThoseOfFour)
     sum.Scale(0.5f);
     return sum.Value();
   };
-  const CompactComplex expected =
-    0.5f * (CompactComplex(0.5f, 2.0f) * CompactComplex(1.5f, -0.25f) -
-             3.0f * CompactComplex(-2.0f, 3.0f));
+  const CompactComplex expected = 0.5f *
+    (CompactComplex(0.5f, 2.0f) * CompactComplex(1.5f, -0.25f) -
+      3.0f * CompactComplex(-2.0f, 3.0f));
   EXPECT_EQ(compute(CompactValues<1>(), one), expected);
   EXPECT_EQ(compute(CompactValues<4>(), four), expected);
 }
