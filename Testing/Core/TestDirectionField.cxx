@@ -435,8 +435,8 @@ TEST(DirectionField, ProgressRisesAndStops)
     for (std::size_t stop = 0; stop < seen.size(); stop += 1 + seen.size() / 12)
     {
       std::size_t calls = 0;
-      const Result aborted =
-        DirectionField(surface).Compute(options, {}, [&](double) { return calls++ < stop; });
+      DirectionField again(surface);
+      const Result aborted = again.Compute(options, {}, [&](double) { return calls++ < stop; });
       EXPECT_TRUE(aborted.Aborted);
       EXPECT_EQ(calls, stop + 1);
       EXPECT_TRUE(aborted.Representation.empty());
