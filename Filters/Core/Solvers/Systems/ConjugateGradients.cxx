@@ -6,8 +6,8 @@
 #include "Solvers/Matrices/CombinedMatrix.h"
 #include "Solvers/Matrices/OperatorProducts.h"
 #include "Solvers/Matrices/VectorOperations.h"
-#include "Solvers/Multigrid/Cycle.h"
 #include "Solvers/Systems/ConjugateGradientLoop.h"
+#include "Solvers/Systems/CyclePreconditioner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,10 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-constexpr int Width = SectionBlock::Width;
 /// After so many steps the iteration also looks at how far rounding lets the residual fall.
 constexpr int ManySteps = 16;
 /// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by that part.
 constexpr double RoundingScale = 1e-6;
-/// V-cycles may lack this part of the inverse on the lowest sections before it is added.
-constexpr double NegligibleLack = 0.1;
-
 /// Each update of a residual in single precision leaves this part of it as an error.
 constexpr double UpdateError = 1e-7;
 /// The residual is computed anew where the errors of its updates have added up to this part of it (H. van
@@ -38,105 +34,11 @@ constexpr double DerivativeTolerance = 0.1;
 /// The squares of this many rows are added up in single precision.
 constexpr Index FewRows = 256;
 
-/// Residuals, directions and their products.
-using CompactVector = LargeArray<CompactComplex>;
-
 /// A piece of a vector as real numbers.
 Eigen::Map<Eigen::ArrayXf> Part(CompactVector& vector, Index begin, Index end)
 {
   return { reinterpret_cast<float*>(vector.data() + begin), 2 * (end - begin) };
 }
-
-/// z = B r, where B is a V-cycle in single precision and what it lacks of the inverse on the lowest sections.
-class Preconditioner
-{
-public:
-  Preconditioner(const Hierarchy& hierarchy, double shift, const LowestSections& lowest)
-    : Cycles(hierarchy, std::max(0.0, shift))
-    , Corrected(hierarchy.GetLevels().front().Rows())
-  {
-    if (lowest.Values.size() == 0 || !(lowest.Values.minCoeff() + shift > 0.0))
-    {
-      return;
-    }
-    const Eigen::ArrayXd value = lowest.Values.array() + shift;
-    const Eigen::ArrayXd lack =
-      1.0 - value / (lowest.Values.array() + this->Cycles.GetCoarsestShift());
-    if (lack.maxCoeff() > NegligibleLack)
-    {
-      this->Lowest = lowest.Vectors.data();
-      this->PerValue = lack / value;
-    }
-  }
-  bool IsUsable() const { return this->Cycles.IsUsable(); }
-
-  /// z, which is put together row by row where it is needed.
-  class Result
-  {
-  public:
-    Complex operator()(Index v) const
-    {
-      Complex z(this->Corrected[v]);
-      if (this->Lowest)
-      {
-        const CompactValues<Width> x(this->Lowest, v);
-        const Numbers re = x.Real.cast<double>();
-        const Numbers im = x.Imaginary.cast<double>();
-        z += Complex((this->Real * re - this->Imaginary * im).sum(),
-          (this->Real * im + this->Imaginary * re).sum());
-      }
-      return z;
-    }
-    /// Re r^* z
-    double Product = 0.0;
-
-  private:
-    friend Preconditioner;
-    using Numbers = Eigen::Array<double, Width, 1>;
-    const CompactComplex* Corrected;
-    const float* Lowest;
-    Numbers Real;
-    Numbers Imaginary;
-  };
-  /// @param r about of unit length
-  Result Apply(const CompactVector& r)
-  {
-    Result result;
-    this->Cycles.Apply<1>(reinterpret_cast<const float*>(r.data()),
-      reinterpret_cast<float*>(this->Corrected.data()), 0, &result.Product);
-    result.Corrected = this->Corrected.data();
-    result.Lowest = this->Lowest;
-    if (!this->Lowest)
-    {
-      return result;
-    }
-    const WideSum products = ParallelSum<WideSum>(static_cast<Index>(r.size()), VectorPiece, {},
-      [lowest = this->Lowest, from = r.data()](Index begin, Index end)
-      {
-        WideSum sum;
-        for (Index v = begin; v < end; ++v)
-        {
-          sum.Add({ lowest, v }, Complex(from[v]));
-        }
-        return sum;
-      });
-    for (int b = 0; b < Width; ++b)
-    {
-      result.Real[b] = this->PerValue[b] * products.Value(b).real();
-      result.Imaginary[b] = this->PerValue[b] * products.Value(b).imag();
-      result.Product += this->PerValue[b] * std::norm(products.Value(b));
-    }
-    return result;
-  }
-
-private:
-  Cycle Cycles;
-  /// The vectors of the lowest sections; null where V-cycles lack little.
-  const float* Lowest = nullptr;
-  /// What is added for each of the lowest sections.
-  Eigen::ArrayXd PerValue;
-  CompactVector Corrected;
-};
 
 /// r -= step q; returns |r|.
 double Update(double step, CompactVector& q, CompactVector& r)
@@ -231,7 +133,7 @@ struct PreconditionedSystem
 {
   const ShiftedSystem& System;
   const CombinedMatrix& Matrix;
-  Preconditioner& Inverse;
+  CyclePreconditioner& Inverse;
 };
 
 struct RightHandSide
@@ -375,7 +277,7 @@ private:
 
   const ShiftedSystem& System;
   const CombinedMatrix& Matrix;
-  Preconditioner& Inverse;
+  CyclePreconditioner& Inverse;
   const RightHandSide Right;
   const int MostSteps;
   int& Steps;
@@ -388,7 +290,7 @@ private:
   double Size;
   CompactVector Residual;
   /// z
-  Preconditioner::Result Corrected;
+  CyclePreconditioner::Result Corrected;
   CompactVector Direction;
   /// K times the direction
   CompactVector Image;
@@ -483,7 +385,7 @@ SystemSolution ConjugateGradients(const ShiftedSystem& system, const Hierarchy& 
 {
   SystemSolution solution;
   const RightHandSide right{ b, Norm(b) };
-  Preconditioner preconditioner(hierarchy, system.Shift(), lowest);
+  CyclePreconditioner preconditioner(hierarchy, system.Shift(), lowest);
   if (!preconditioner.IsUsable() || !(right.Norm > 0.0))
   {
     solution.Vector = ComplexVector::Zero(b.size());
