@@ -33,11 +33,12 @@ using Triangle = std::array<Index, 3>;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// All that the library does not install. It is empty for those who use an installation.
+/// What Core has besides its public interface. The namespace is nearly empty for those who use an
+/// installation; Core's own sources and tests see both namespaces as one.
 namespace Internal
 {
 }
-using namespace Internal;
+using namespace Internal; // NOLINT(google-build-using-namespace)
 }
 
 #endif
