@@ -26,14 +26,17 @@ struct Repairs
 {
   /// Triangles with a corner used twice; ignored, their index is 0.
   Index CollapsedTriangles = 0;
-  /// Triangles with the same three corners as an earlier one; ignored, their index is 0.
+  /// Triangles with the same three corners as an earlier one; ignored, their index is 0. Two of
+  /// opposite windings are no duplicates where each has a neighbour of its own, as in a pillow, whose
+  /// two sheets share the corners of a triangle at the border.
   Index DuplicateTriangles = 0;
   /// Triangles wound against the majority of their component; turned for the computation.
   Index ReversedTriangles = 0;
   /// Triangles (nearly) without area; their shortest edge was lengthened by about a millionth of
   /// their longest edge (mollification, Sharp and Crane 2020).
   Index DegenerateTriangles = 0;
-  /// Edges of more than two triangles; the surface is split into sheets there.
+  /// Edges of more than two triangles; the surface is split into sheets there. An edge that two
+  /// sheets share because of triangles with the same three corners is none.
   Index NonManifoldEdges = 0;
   /// Components that cannot be wound consistently (Möbius strip, Klein bottle); the field is computed
   /// on both of their sides at once.

@@ -3,47 +3,13 @@
 
 #include "Mesh/ConnectedTriangles.h"
 
+#include "Mesh/JoinedSets.h"
 #include "Support/Threads.h"
 
-#include <algorithm>
-#include <numeric>
+#include <vector>
 
 namespace DirectionFields::Internal
 {
-namespace
-{
-/// Sets of numbers that are joined, each named by its least member.
-class JoinedSets
-{
-public:
-  explicit JoinedSets(Index count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-
-  Index Find(Index k)
-  {
-    while (this->Parent[k] != k)
-    {
-      this->Parent[k] = this->Parent[this->Parent[k]];
-      k = this->Parent[k];
-    }
-    return k;
-  }
-
-  void Join(Index a, Index b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  LargeArray<Index> Parent;
-};
-}
-
 ConnectedTriangles::ConnectedTriangles(const LargeArray<Index>& twins)
   : Component(twins.size() / 3)
 {

@@ -7,6 +7,7 @@
 #include "Support/Threads.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace DirectionFields::Internal
@@ -43,6 +44,36 @@ struct Side
     return this->Far != other.Far ? this->Far < other.Far : this->HalfEdge < other.HalfEdge;
   }
 };
+
+/// Matches four half-edges of the same vertices so that each triangle has a neighbour of the opposite
+/// direction that is not itself seen from behind. False where that does not say which.
+bool MatchFour(const LargeArray<Index>& corners, const Side* sides, LargeArray<Index>& twins)
+{
+  std::array<Index, 4> halfEdges;
+  std::transform(sides, sides + 4, halfEdges.begin(), [](const Side& s) { return s.HalfEdge; });
+  const auto down = std::stable_partition(
+    halfEdges.begin(), halfEdges.end(), [&](Index h) { return corners[h] < corners[Next(h)]; });
+  if (down != halfEdges.begin() + 2)
+  {
+    return false;
+  }
+  const auto isFolded = [&](int up, int other)
+  { return Opposite(corners, halfEdges[up]) == Opposite(corners, halfEdges[2 + other]); };
+  const bool straight = isFolded(0, 0) || isFolded(1, 1);
+  const bool crossed = isFolded(0, 1) || isFolded(1, 0);
+  if (straight == crossed)
+  {
+    return false;
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    const Index g = halfEdges[k];
+    const Index h = halfEdges[straight ? 3 - k : 2 + k];
+    twins[g] = h;
+    twins[h] = g;
+  }
+  return true;
+}
 
 /// Numbers from 0 on in groups: Members[Begin[k]] to Members[Begin[k + 1]], in ascending order.
 struct Groups
@@ -131,6 +162,10 @@ EdgeMatching::EdgeMatching(const LargeArray<Index>& corners, Index vertices)
             found.Reversed += corners[g] == corners[h];
             found.Duplicate += Opposite(corners, g) == Opposite(corners, h);
           }
+          else if (next - k == 4 && MatchFour(corners, &sides[k], this->Twins))
+          {
+            ++found.Shared;
+          }
           else if (next - k > 2)
           {
             ++found.NonManifold;
@@ -145,7 +180,7 @@ EdgeMatching::EdgeMatching(const LargeArray<Index>& corners, Index vertices)
       return found;
     });
   this->Edges = counts;
-  if (counts.NonManifold > 0)
+  if (counts.NonManifold > 0 || counts.Shared > 0)
   {
     this->IsNonManifold.assign(corners.size(), 0);
     for (const std::vector<Index>& halfEdges : nonManifold)

@@ -17,8 +17,11 @@ struct EdgeMatching
 {
   struct Counts
   {
-    /// Edges of more than two triangles.
+    /// Edges of more than two triangles, those apart that are shared by two sheets.
     Index NonManifold = 0;
+    /// Edges of four triangles, two of which have the same corners and opposite windings. Each of
+    /// these goes on in one of the others: there are two edges at the same place.
+    Index Shared = 0;
     /// Edges whose two triangles have the third corner in common, too.
     Index Duplicate = 0;
     /// Edges whose two triangles are wound against each other.
@@ -27,6 +30,7 @@ struct EdgeMatching
     void operator+=(const Counts& other)
     {
       this->NonManifold += other.NonManifold;
+      this->Shared += other.Shared;
       this->Duplicate += other.Duplicate;
       this->Reversed += other.Reversed;
     }
@@ -39,7 +43,8 @@ struct EdgeMatching
   /// The other side of each half-edge; None on the boundary and where the edge has more than two
   /// triangles.
   LargeArray<Index> Twins;
-  /// Whether the edge of a half-edge has more than two triangles; empty where none has.
+  /// Whether the edge of a half-edge was not matched because it has more than two triangles; empty
+  /// where no edge has.
   std::vector<char> IsNonManifold;
   Counts Edges;
 };

@@ -52,7 +52,7 @@ void MeshBuilder::Collect(const Surface& surface)
   const auto vertices = static_cast<Index>(sorted.Points.size());
   mesh.Repaired.CollapsedTriangles = sorted.Collapsed;
   EdgeMatching matching(sorted.Corners, vertices);
-  if (matching.Edges.NonManifold > 0 || matching.Edges.Duplicate > 0)
+  if (matching.Edges.NonManifold > 0 || matching.Edges.Shared > 0 || matching.Edges.Duplicate > 0)
   {
     // Duplicate triangles are the one harmless cause of edges of more than two.
     mesh.Repaired.DuplicateTriangles = sorted.RemoveDuplicates();

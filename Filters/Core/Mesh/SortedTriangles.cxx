@@ -3,6 +3,7 @@
 
 #include "Mesh/SortedTriangles.h"
 
+#include "Mesh/DuplicateTriangles.h"
 #include "MeshError.h"
 #include "Support/MortonCurve.h"
 #include "Support/RadixSort.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
 #include <string>
 
 namespace DirectionFields::Internal
@@ -182,21 +182,7 @@ void SortedTriangles::Sort(const Surface& surface, const LargeArray<Index>& vert
 Index SortedTriangles::RemoveDuplicates()
 {
   const Index triangles = static_cast<Index>(this->Input.size());
-  LargeArray<Triangle> sorted(triangles);
-  for (Index t = 0; t < triangles; ++t)
-  {
-    std::copy_n(this->Corners.begin() + 3 * t, 3, sorted[t].begin());
-    std::sort(sorted[t].begin(), sorted[t].end());
-  }
-  LargeArray<Index> order(triangles);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
-  std::vector<char> duplicate(triangles, 0);
-  for (Index k = 1; k < triangles; ++k)
-  {
-    duplicate[order[k]] = sorted[order[k]] == sorted[order[k - 1]];
-  }
+  const std::vector<char> duplicate = FindDuplicateTriangles(this->Corners);
   Index kept = 0;
   for (Index t = 0; t < triangles; ++t)
   {

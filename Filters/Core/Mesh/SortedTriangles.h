@@ -16,8 +16,8 @@ struct SortedTriangles
   /// Throws MeshError for invalid ids and non-finite coordinates.
   explicit SortedTriangles(const Surface& surface);
 
-  /// Leaves of the triangles with the same three corners the first one in the input. Returns the
-  /// number of the others.
+  /// Leaves out the triangles that are there too often; of several the first in the input stays.
+  /// Returns their number.
   Index RemoveDuplicates();
 
   /// The points that they use, along a Morton curve.

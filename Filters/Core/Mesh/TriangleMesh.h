@@ -76,7 +76,8 @@ public:
   {
     return !this->NonManifold.empty() && this->NonManifold[h] != 0;
   }
-  /// Several edges may join the same vertices: along slits, and after flips.
+  /// Several edges may join the same vertices: along slits, between sheets that share the corners of
+  /// a triangle, and after flips.
   bool MayRepeatNeighbours() const { return !this->NonManifold.empty() || this->Flipped; }
   /// The half-edge that gives an edge its direction.
   Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
@@ -154,7 +155,7 @@ private:
   LargeArray<Index> Twins;
   LargeArray<Index> Edges;
   LargeArray<Index> EdgeHalfEdge;
-  /// Whether the edge of each half-edge was split; empty where none was.
+  /// Whether the edge of each half-edge was split; empty where none has more than two triangles.
   std::vector<char> NonManifold;
   bool Flipped = false;
   LargeArray<Index> VertexHalfEdge;
