@@ -22,6 +22,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
+#include <stdexcept>
+#include <string>
 
 namespace DirectionFields
 {
@@ -30,10 +32,17 @@ namespace
 /// A dark teal.
 constexpr unsigned char GlyphColor[3] = { 0, 107, 117 };
 
-vtkDataArray* FindDirection(vtkPolyData* polyData, int k)
+/// The point array of a name; null if there is none.
+vtkDataArray* FindArray(vtkPolyData* polyData, const std::string& name, int components)
 {
-  vtkDataArray* array = polyData->GetPointData()->GetArray(ArrayNames::Direction(k).c_str());
-  return array && array->GetNumberOfComponents() == 3 ? array : nullptr;
+  vtkDataArray* array = polyData->GetPointData()->GetArray(name.c_str());
+  if (array && array->GetNumberOfComponents() != components)
+  {
+    throw std::invalid_argument("The point array \"" + name + "\" must have " +
+      std::to_string(components) + (components == 1 ? " component" : " components") +
+      ". Apply Direction Field first and take its first output, or rename the array.");
+  }
+  return array;
 }
 
 vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids)
@@ -110,7 +119,8 @@ PointDirections FindDirections(vtkPolyData* polyData)
 {
   PointDirections field;
   std::vector<vtkDataArray*> arrays;
-  while (vtkDataArray* array = FindDirection(polyData, static_cast<int>(arrays.size())))
+  while (vtkDataArray* array =
+           FindArray(polyData, ArrayNames::Direction(static_cast<int>(arrays.size())), 3))
   {
     arrays.push_back(array);
   }
@@ -121,7 +131,7 @@ PointDirections FindDirections(vtkPolyData* polyData)
     arrays[k]->GetTuple(point, direction.data());
     return direction;
   };
-  vtkDataArray* magnitude = polyData->GetPointData()->GetArray(ArrayNames::RepresentationMagnitude);
+  vtkDataArray* magnitude = FindArray(polyData, ArrayNames::RepresentationMagnitude, 1);
   field.Magnitude = [magnitude](Index point)
   { return magnitude ? magnitude->GetComponent(point, 0) : 1.0; };
   return field;

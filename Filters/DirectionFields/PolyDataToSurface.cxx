@@ -3,6 +3,8 @@
 
 #include "PolyDataToSurface.h"
 
+#include "DuplicatePolygons.h"
+#include "PolyDataCheck.h"
 #include "Support/Threads.h"
 #include "Triangulator.h"
 
@@ -174,8 +176,7 @@ public:
   /// Whether any of some marks is on a point or a cell.
   bool Has(vtkIdType at, int marks) const
   {
-    return this->Array && at < this->Array->GetNumberOfValues() &&
-      (this->Array->GetValue(at) & marks) != 0;
+    return this->Array && (this->Array->GetValue(at) & marks) != 0;
   }
 
 private:
@@ -236,6 +237,8 @@ void CutCells(vtkPolyData* polyData, const GhostMarks& ghosts, TriangulatedPolyD
   const vtkIdType numberOfPolys = polys->GetNumberOfCells();
   const vtkIdType numberOfCells = numberOfPolys + strips->GetNumberOfCells();
   const vtkIdType firstPoly = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  const DuplicatePolygons duplicates(polys,
+    [&](vtkIdType i) { return ghosts.Has(firstPoly + i, vtkDataSetAttributes::HIDDENCELL); });
   Triangulator triangulator(polyData->GetPoints(), result);
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < numberOfCells; ++i)
@@ -249,7 +252,12 @@ void CutCells(vtkPolyData* polyData, const GhostMarks& ghosts, TriangulatedPolyD
     {
       continue;
     }
-    if (i < numberOfPolys)
+    const DuplicatePolygons::Earlier earlier = duplicates.Of(i);
+    if (earlier.Polygon >= 0)
+    {
+      triangulator.AddCopy(cell, firstPoly + earlier.Polygon, earlier.IsReversed);
+    }
+    else if (i < numberOfPolys)
     {
       polys->GetCellAtId(i, ids);
       triangulator.AddPolygon(cell, ids->GetNumberOfIds(), ids->GetPointer(0));
@@ -301,12 +309,20 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& pr
   const vtkIdType numberOfTriangles = LargestNumberOfTriangles(polyData);
   RequireNumberable("points", polyData->GetNumberOfPoints(), MostPoints);
   RequireNumberable("triangles", numberOfTriangles, MostTriangles);
-  if (polyData->GetNumberOfPoints() == 0)
+  RequireNumberable("cells", polyData->GetNumberOfCells(), MostPoints);
+  const vtkIdType points = polyData->GetNumberOfPoints();
+  if (points > 0)
   {
-    return result;
+    CopyAnyPoints(polyData->GetPoints(), result.Mesh.Points);
+    if (CopyAllTriangles(polyData, result))
+    {
+      return result;
+    }
   }
-  CopyAnyPoints(polyData->GetPoints(), result.Mesh.Points);
-  if (CopyAllTriangles(polyData, result))
+  const vtkIdType firstPoly = polyData->GetNumberOfVerts() + polyData->GetNumberOfLines();
+  CheckCorners(polyData->GetPolys(), firstPoly, points);
+  CheckCorners(polyData->GetStrips(), firstPoly + polyData->GetNumberOfPolys(), points);
+  if (points == 0)
   {
     return result;
   }

@@ -5,22 +5,13 @@
 
 #include "vtkCallbackCommand.h"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace DirectionFields
 {
-void RefuseId(vtkIdType cell, vtkIdType id, vtkIdType points)
-{
-  throw std::out_of_range("Cell " + std::to_string(cell) + " uses point " + std::to_string(id) +
-    ", but the input has " + std::to_string(points) +
-    " points, numbered from 0. Correct the connectivity of the mesh.");
-}
-
 Triangulator::Triangulator(vtkPoints* points, TriangulatedPolyData& result)
   : Points(points)
-  , NumberOfPoints(points ? points->GetNumberOfPoints() : 0)
   , Result(result)
 {
   // vtkPolygon warns about each polygon that it cannot cut, but a fan is an answer to those.
@@ -75,15 +66,20 @@ void Triangulator::AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* p
   }
 }
 
+void Triangulator::AddCopy(vtkIdType cell, vtkIdType earlierCell, bool isReversed)
+{
+  const std::vector<vtkIdType>& cells = this->Result.CellOfTriangle;
+  const auto [first, last] = std::equal_range(cells.begin(), cells.end(), earlierCell);
+  for (auto at = first - cells.begin(), end = last - cells.begin(); at < end; ++at)
+  {
+    const Triangle triangle = this->Result.Mesh.Triangles[at];
+    this->AddTriangle(
+      cell, triangle[0], triangle[isReversed ? 2 : 1], triangle[isReversed ? 1 : 2]);
+  }
+}
+
 void Triangulator::AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k)
 {
-  for (const vtkIdType id : { i, j, k })
-  {
-    if (id < 0 || id >= this->NumberOfPoints)
-    {
-      RefuseId(cell, id, this->NumberOfPoints);
-    }
-  }
   this->Result.Mesh.Triangles.push_back(
     { static_cast<Index>(i), static_cast<Index>(j), static_cast<Index>(k) });
   this->Result.CellOfTriangle.push_back(cell);
@@ -118,13 +114,8 @@ bool Triangulator::CutEars()
   this->Polygon->Points->SetNumberOfPoints(corners);
   for (vtkIdType i = 0; i < corners; ++i)
   {
-    const vtkIdType id = this->Corners[i];
-    if (id < 0 || id >= this->Points->GetNumberOfPoints())
-    {
-      return false;
-    }
     double point[3];
-    this->Points->GetPoint(id, point);
+    this->Points->GetPoint(this->Corners[i], point);
     if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
     {
       return false;

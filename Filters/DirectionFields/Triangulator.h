@@ -16,12 +16,8 @@
 
 namespace DirectionFields
 {
-/// Throws std::out_of_range with a sentence for the user: a cell has the id of a point that is not
+/// Cuts cells into triangles, and appends these to a surface. The cells have no points that are not
 /// there.
-[[noreturn]] void RefuseId(vtkIdType cell, vtkIdType id, vtkIdType points);
-
-/// Cuts cells into triangles, and appends these to a surface. Throws std::out_of_range for cells with
-/// points that are not there.
 class Triangulator
 {
 public:
@@ -32,6 +28,9 @@ public:
   void AddStrip(vtkIdType cell, vtkIdType size, const vtkIdType* points);
   /// Cuts a polygon by its ears; one that cannot be cut so becomes a fan.
   void AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* points);
+  /// Cuts a polygon as one that was added before, which has the same corners.
+  /// @param isReversed the polygons run in opposite directions
+  void AddCopy(vtkIdType cell, vtkIdType earlierCell, bool isReversed);
 
 private:
   void AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k);
@@ -41,7 +40,6 @@ private:
   bool CutEars();
 
   vtkPoints* Points;
-  vtkIdType NumberOfPoints;
   TriangulatedPolyData& Result;
   std::vector<vtkIdType> Corners;
   vtkNew<vtkPolygon> Polygon;

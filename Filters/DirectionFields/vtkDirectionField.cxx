@@ -6,6 +6,7 @@
 #include "AlgorithmProgress.h"
 #include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
+#include "PolyDataCheck.h"
 #include "PolyDataToGuidance.h"
 #include "Support/Threads.h"
 #include "Warnings.h"
@@ -219,6 +220,7 @@ void vtkDirectionField::ComputeOutputs(
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
   const DirectionFields::Progress progress(report);
 
+  DirectionFields::CheckPolyData(input);
   this->Last->SetInput(input, TimeOf(request, input), progress.Part(0.0, ProgressRead));
   const DirectionFields::Result field = this->ComputeField(input, options);
   if (field.Aborted || DirectionFields::IsAborted(this))

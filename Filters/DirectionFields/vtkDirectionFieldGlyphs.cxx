@@ -5,6 +5,7 @@
 
 #include "AlgorithmProgress.h"
 #include "GlyphsToPolyData.h"
+#include "PolyDataCheck.h"
 #include "PolyDataToSurface.h"
 
 #include "vtkInformation.h"
@@ -70,6 +71,13 @@ DirectionFields::GlyphOptions vtkDirectionFieldGlyphs::MakeOptions() const
 //------------------------------------------------------------------------------
 void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output)
 {
+  DirectionFields::CheckPolyData(input);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    // Nothing to draw, but cells without points are an error.
+    DirectionFields::PolyDataToSurface(input);
+    return;
+  }
   const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
   if (field.Degree == 0)
   {
@@ -100,11 +108,6 @@ int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-  if (input->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
-
   std::string error;
   try
   {

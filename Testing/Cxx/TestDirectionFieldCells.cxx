@@ -258,6 +258,92 @@ void TestFlatPolygon()
   }
 }
 
+/// A cell that is there once more.
+PolyMeshes::Mesh WithCell(vtkPolyData* mesh, const std::vector<vtkIdType>& cell)
+{
+  auto more = PolyMeshes::Mesh::New();
+  more->DeepCopy(mesh);
+  more->GetPolys()->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+  return more;
+}
+
+/// The field of a mesh of which so many triangles are ignored as duplicates, and nothing else is wrong.
+vtkSmartPointer<vtkPolyData> FieldWithDuplicates(vtkPolyData* mesh, int triangles)
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(mesh);
+  filter->Update();
+  const std::string count = " " + std::to_string(triangles) + " duplicate triangles ignored.";
+  CHECK(messages->IsOneWarning({ count.c_str() }));
+  vtkPolyData* field = filter->GetOutput();
+  CHECK(field->GetNumberOfPoints() == mesh->GetNumberOfPoints());
+  CHECK(field->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
+  return field;
+}
+
+/// A polygon that is there twice, from whichever corner and in whichever direction, is no second sheet.
+void TestDuplicatePolygons()
+{
+  const auto torus = PolyMeshes::QuadTorus(12, 8);
+  const double eigenvalue = FieldValue(FieldOf(torus), "Eigenvalue");
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType polygon : { 0, 41, 95 })
+  {
+    torus->GetPolys()->GetCellAtId(polygon, ids);
+    std::vector<vtkIdType> corners(ids->begin(), ids->end());
+    for (const bool isReversed : { false, true })
+    {
+      if (isReversed)
+      {
+        std::reverse(corners.begin(), corners.end());
+      }
+      for (int k = 0; k < 4; ++k)
+      {
+        std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+        auto field = FieldWithDuplicates(WithCell(torus, corners), 2);
+        CHECK(FieldValue(field, "IndexSum") == 0);
+        CHECK(FieldValue(field, "EulerCharacteristic") == 0);
+        CHECK(FieldValue(field, "Eigenvalue") == eigenvalue);
+      }
+    }
+  }
+
+  // A concave polygon of many corners, back to back with itself, with a corner that is repeated.
+  std::vector<PolyMeshes::Point> points;
+  std::vector<vtkIdType> star, back;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double angle = 2.0 * PolyMeshes::Pi * i / 20;
+    const double radius = i % 2 == 0 ? 1.0 : 0.4;
+    points.push_back({ radius * std::cos(angle), radius * std::sin(angle), 0.0 });
+    star.push_back(i);
+    back.insert(back.begin(), (i + 7) % 20);
+  }
+  back.insert(back.begin() + 3, back[3]);
+  auto field = FieldWithDuplicates(PolyMeshes::Make(points, { star, back }), 18);
+  CHECK(FieldValue(field, "EulerCharacteristic") == 1);
+  CHECK(std::abs(FieldValue(field, "Eigenvalue")) < 1e-9);
+
+  // The first of two polygons may be hidden.
+  auto hidden = WithCell(torus, { 1, 9, 8, 0 });
+  REQUIRE(hidden->GetNumberOfCells() == 97);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName("vtkGhostType");
+  ghosts->SetNumberOfTuples(hidden->GetNumberOfCells());
+  ghosts->FillValue(0);
+  ghosts->SetValue(0, vtkDataSetAttributes::HIDDENCELL);
+  hidden->GetCellData()->AddArray(ghosts);
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(hidden);
+  filter->Update();
+  CHECK(messages->IsOneWarning({ "2 triangles wound against the majority" }));
+  CHECK(FieldValue(filter->GetOutput(), "EulerCharacteristic") == 0);
+}
+
 /// Cells marked as hidden take no part, as if they were absent.
 void TestHiddenCells()
 {
@@ -342,6 +428,7 @@ int TestDirectionFieldCells(int, char*[])
   TestWithoutSurface();
   TestPolygons();
   TestFlatPolygon();
+  TestDuplicatePolygons();
   TestHiddenCells();
   TestGhostCells();
   return Result();
