@@ -122,7 +122,7 @@ public:
   /**
    * Least distance between the centers of glyphs that are spread evenly, in the input's unit of
    * length. 0: as small as MaximumNumberOfGlyphs allows. A spacing that asks for more glyphs than
-   * that is enlarged. Range 0 to VTK_DOUBLE_MAX, default 0.
+   * that is enlarged; one beyond the diagonal of the box around the surface is taken for that. Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Spacing, double);

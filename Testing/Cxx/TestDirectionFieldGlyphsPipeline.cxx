@@ -100,6 +100,23 @@ void TestErrors()
   scalars->Fill(1.0);
   mesh->GetPointData()->AddArray(scalars);
   checkError(mesh);
+
+  // NaN, which no clamp catches.
+  auto field = Field(PolyMeshes::Pebble(1), 4);
+  const auto checkNaN = [&](void (vtkDirectionFieldGlyphs::*set)(double), const char* name)
+  {
+    vtkNew<vtkDirectionFieldGlyphs> filter;
+    vtkNew<Messages> messages;
+    messages->Observe(filter);
+    filter->SetInputData(field);
+    (filter->*set)(std::nan(""));
+    filter->Update();
+    CHECK(messages->IsOneError({ name, " must be " }));
+    CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  };
+  checkNaN(&vtkDirectionFieldGlyphs::SetScale, "Scale");
+  checkNaN(&vtkDirectionFieldGlyphs::SetOffset, "Offset");
+  checkNaN(&vtkDirectionFieldGlyphs::SetSpacing, "Spacing");
 }
 
 /// An input without anything to draw is no error.

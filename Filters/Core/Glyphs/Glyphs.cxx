@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace DirectionFields::Internal
 {
@@ -165,20 +167,94 @@ Glyphs Draw(const SurfaceIncidence& surface, const PointDirections& field,
   }
   return glyphs;
 }
+
+/// Throws std::invalid_argument with a sentence for the user; NaN is in no range.
+void Check(const GlyphOptions& options)
+{
+  const auto require = [](bool condition, const char* message)
+  {
+    if (!condition)
+    {
+      throw std::invalid_argument(message);
+    }
+  };
+  require(options.Spacing >= 0.0, "Spacing must be 0 or more.");
+  require(options.MaximumNumber >= 1 && options.MaximumNumber <= 1000000,
+    "MaximumNumberOfGlyphs must be 1 to 1000000.");
+  require(options.Scale >= 0.01 && options.Scale <= 10.0, "Scale must be 0.01 to 10.");
+  require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
+}
+
+/// The exponent of the power of two above all coordinates of finite points that triangles use.
+int ExponentOf(const Surface& surface)
+{
+  const auto points = static_cast<Index>(surface.Points.size());
+  double largest = 0.0;
+  for (const Triangle& triangle : surface.Triangles)
+  {
+    for (const Index i : triangle)
+    {
+      if (i >= 0 && i < points && surface.Points[i].allFinite())
+      {
+        largest = std::max(largest, surface.Points[i].lpNorm<Eigen::Infinity>());
+      }
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+
+/// A number times a power of two, but finite.
+double Times(double number, int exponent)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  return std::isfinite(number) ? std::clamp(std::ldexp(number, exponent), -most, most) : number;
+}
+
+void Multiply(std::vector<Vector3>& points, int exponent)
+{
+  for (Vector3& point : points)
+  {
+    point = point.unaryExpr([exponent](double number) { return Times(number, exponent); });
+  }
+}
+
+Glyphs MakeGlyphsOf(const SurfaceIncidence& surface, const PointDirections& field,
+  const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
+  const GlyphOptions& options, const Progress& progress)
+{
+  progress.Report(ProgressRead);
+  const SurfaceSamples samples = Places(surface, excludedTriangles, excludedPoints, options,
+    progress.Part(ProgressRead, ProgressSampled));
+  return Draw(surface, field, samples, options, progress.Part(ProgressSampled, 1.0));
+}
 }
 
 Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
   const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
   const GlyphOptions& options, const ProgressFunction& progress)
 {
+  Check(options);
   const Progress steps(progress);
   try
   {
     const SurfaceIncidence incidence(surface);
-    steps.Report(ProgressRead);
-    const SurfaceSamples samples = Places(incidence, excludedTriangles, excludedPoints, options,
-      steps.Part(ProgressRead, ProgressSampled));
-    return Draw(incidence, field, samples, options, steps.Part(ProgressSampled, 1.0));
+    if (incidence.HasUsualSize())
+    {
+      return MakeGlyphsOf(incidence, field, excludedTriangles, excludedPoints, options, steps);
+    }
+    // In another unit of length, a power of two, which rounds nothing.
+    const int exponent = ExponentOf(surface);
+    Surface scaled = surface;
+    Multiply(scaled.Points, -exponent);
+    GlyphOptions scaledOptions = options;
+    scaledOptions.Spacing = Times(options.Spacing, -exponent);
+    Glyphs glyphs = MakeGlyphsOf(
+      SurfaceIncidence(scaled), field, excludedTriangles, excludedPoints, scaledOptions, steps);
+    Multiply(glyphs.Mesh.Points, exponent);
+    glyphs.Spacing = Times(glyphs.Spacing, exponent);
+    return glyphs;
   }
   catch (const Stopped&)
   {

@@ -27,7 +27,8 @@ struct GlyphOptions
 {
   GlyphType Type = GlyphType::Automatic;
   GlyphMode Mode = GlyphMode::SpreadEvenly;
-  /// Least distance between glyphs that are spread evenly; 0: by MaximumNumber.
+  /// Least distance between glyphs that are spread evenly, not negative; 0: by MaximumNumber. What
+  /// exceeds the diagonal of the box around the surface is taken for that.
   double Spacing = 0.0;
   /// Most glyphs, 1 to 1000000.
   Index MaximumNumber = 2000;
@@ -55,6 +56,7 @@ struct Glyphs
 /// Draws all n directions of a field at many places, as one glyph each. Places without directions,
 /// in the middle of a singularity and at points that no triangle uses, have none.
 ///
+/// Throws std::invalid_argument for options out of their ranges.
 /// @param excludedTriangles not 0 for triangles without glyphs; empty for none
 /// @param excludedPoints    not 0 for points without glyphs; empty for none
 /// @param progress          stops the drawing: no glyphs are returned then

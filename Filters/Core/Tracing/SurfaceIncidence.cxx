@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -13,8 +15,14 @@ namespace
 {
 /// A triangle whose area is a smaller part of its longest edge's square has no reliable normal.
 constexpr double LeastFlatness = 1e-10;
+/// Longest edges, squared, between which areas can be squared with a wide margin.
+constexpr double LeastUsual = 1e-100;
+constexpr double MostUsual = 1e130;
+/// Points of more triangles have their normals kept.
+constexpr std::ptrdiff_t LargeFan = 64;
 
-double SoundArea(const Surface& surface, const Triangle& triangle)
+/// @param longestEdge is raised to the square of the triangle's longest edge
+double SoundArea(const Surface& surface, const Triangle& triangle, double& longestEdge)
 {
   const auto size = static_cast<Index>(surface.Points.size());
   for (const Index i : triangle)
@@ -28,6 +36,7 @@ double SoundArea(const Surface& surface, const Triangle& triangle)
   const Vector3 b = surface.Points[triangle[2]] - surface.Points[triangle[0]];
   const double area = 0.5 * a.cross(b).norm();
   const double longest = std::max({ a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm() });
+  longestEdge = std::max(longestEdge, longest);
   return std::isfinite(area) && area > LeastFlatness * longest ? area : 0.0;
 }
 }
@@ -37,9 +46,10 @@ SurfaceIncidence::SurfaceIncidence(const Surface& surface)
   , Areas(surface.Triangles.size())
   , First(surface.Points.size() + 1, 0)
 {
+  double longest = 0.0;
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
-    this->Areas[t] = SoundArea(surface, surface.Triangles[t]);
+    this->Areas[t] = SoundArea(surface, surface.Triangles[t], longest);
     if (this->Areas[t] > 0.0)
     {
       for (const Index i : surface.Triangles[t])
@@ -48,6 +58,7 @@ SurfaceIncidence::SurfaceIncidence(const Surface& surface)
       }
     }
   }
+  this->UsualSize = longest >= LeastUsual && longest <= MostUsual;
   for (std::size_t i = 0; i + 1 < this->First.size(); ++i)
   {
     this->First[i + 1] += this->First[i];
@@ -63,6 +74,13 @@ SurfaceIncidence::SurfaceIncidence(const Surface& surface)
       {
         this->Incident[next[i]++] = static_cast<Index>(t);
       }
+    }
+  }
+  for (Index i = 0; i < this->GetNumberOfPoints(); ++i)
+  {
+    if (this->EndTriangles(i) - this->BeginTriangles(i) > LargeFan)
+    {
+      this->NormalsOfLargeFans[i] = this->MeanNormal(i);
     }
   }
 }
@@ -88,6 +106,15 @@ int SurfaceIncidence::FindCorner(Index triangle, Index point) const
 }
 
 Vector3 SurfaceIncidence::PointNormal(Index point) const
+{
+  if (this->EndTriangles(point) - this->BeginTriangles(point) > LargeFan)
+  {
+    return this->NormalsOfLargeFans.at(point);
+  }
+  return this->MeanNormal(point);
+}
+
+Vector3 SurfaceIncidence::MeanNormal(Index point) const
 {
   Vector3 sum = Vector3::Zero();
   for (const Index* t = this->BeginTriangles(point); t != this->EndTriangles(point); ++t)
@@ -123,8 +150,13 @@ double SurfaceIncidence::ShortestEdge(Index point) const
 Index SurfaceIncidence::Across(Index triangle, int corner) const
 {
   const Triangle& corners = this->Mesh->Triangles[triangle];
-  const Index from = corners[corner];
-  const Index to = corners[(corner + 1) % 3];
+  Index from = corners[corner];
+  Index to = corners[(corner + 1) % 3];
+  // A way around a point of many triangles crosses all of them: it must not look at all each time.
+  if (this->First[to + 1] - this->First[to] < this->First[from + 1] - this->First[from])
+  {
+    std::swap(from, to);
+  }
   Index found = None;
   for (const Index* t = this->BeginTriangles(from); t != this->EndTriangles(from); ++t)
   {

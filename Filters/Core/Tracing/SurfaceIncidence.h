@@ -8,6 +8,7 @@
 #include "Types.h"
 
 #include <array>
+#include <unordered_map>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -25,6 +26,10 @@ public:
   const Surface& GetSurface() const { return *this->Mesh; }
   Index GetNumberOfPoints() const { return static_cast<Index>(this->Mesh->Points.size()); }
   Index GetNumberOfTriangles() const { return static_cast<Index>(this->Areas.size()); }
+
+  /// Whether lengths are far enough from the largest and the least numbers for squares of areas. If not,
+  /// sound triangles may pass for unsound: another unit of length is needed.
+  bool HasUsualSize() const { return this->UsualSize; }
 
   /// 0 for unsound triangles.
   double Area(Index triangle) const { return this->Areas[triangle]; }
@@ -54,11 +59,16 @@ public:
   Index Across(Index triangle, int corner) const;
 
 private:
+  Vector3 MeanNormal(Index point) const;
+
   const Surface* Mesh;
+  bool UsualSize;
   std::vector<double> Areas;
   /// The sound triangles of point i: Incident[First[i]] ... Incident[First[i + 1] - 1].
   std::vector<std::size_t> First;
   std::vector<Index> Incident;
+  /// Normals of points with many triangles: all that is in one of these would add them up anew.
+  std::unordered_map<Index, Vector3> NormalsOfLargeFans;
 };
 
 /// A point of a surface: the mean of a triangle's corners with these weights, which sum up to 1.

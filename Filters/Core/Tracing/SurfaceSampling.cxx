@@ -19,6 +19,9 @@ namespace
 /// Candidates on a square of the spacing: their gaps are about a quarter of it.
 constexpr double CandidateDensity = 12.0;
 constexpr double FewestCandidates = 256.0;
+/// Most candidates for each sample that is wanted. A smooth surface needs 20; where many sheets share
+/// a room, their area asks for far more than there is room for.
+constexpr double MostCandidates = 64.0;
 /// Samples on a square of the spacing, as counted on smooth closed surfaces; and the same among the
 /// vertices of a fine mesh, which are not moved.
 constexpr double SampleDensity = 0.615;
@@ -26,9 +29,11 @@ constexpr double PointDensity = 0.66;
 /// Sweeps of the relaxation, and how far it goes beyond the middle, which it reaches the sooner.
 constexpr int Sweeps = 3;
 constexpr double Overshoot = 1.5;
-/// Rounds in which an automatic spacing is found, and the part of the maximum number of samples
-/// that is near enough to it.
+/// Rounds in which an automatic spacing is found, and the part of the maximum number of samples that
+/// is near enough to it.
 constexpr int MaximumRounds = 10;
+/// The first of them suppose that the number goes by the square of the spacing.
+constexpr int SquareRounds = 3;
 constexpr double GoodPart = 0.93;
 constexpr double WantedPart = 0.97;
 
@@ -264,12 +269,21 @@ private:
   const Rounds& Round;
 };
 
-/// The largest set of at most maximumNumber samples that spread(spacing) gives for some spacing that
-/// is not less than the least. The search starts from a spacing that should do.
-template <typename Spread>
-SurfaceSamples FitSpacing(
-  double spacing, double least, Index maximumNumber, Rounds& rounds, const Spread& spread)
+/// A spacing, and the number of its samples; 0 if none was tried.
+struct Tried
 {
+  double Spacing = 0.0;
+  double Count = 0.0;
+};
+
+/// The largest set of at most maximumNumber samples that spread(spacing) gives for some spacing that
+/// is within bounds. The search starts from a spacing that should do.
+template <typename Spread>
+SurfaceSamples FitSpacing(double spacing, double least, double most, Index maximumNumber,
+  Rounds& rounds, const Spread& spread)
+{
+  Tried tooMany, enough;
+  spacing = std::min(spacing, most);
   SurfaceSamples best;
   for (int round = 0; round < MaximumRounds; ++round)
   {
@@ -277,21 +291,35 @@ SurfaceSamples FitSpacing(
     SurfaceSamples samples = spread(spacing);
     samples.Spacing = spacing;
     const std::size_t count = samples.Points.size();
-    const auto most = static_cast<std::size_t>(maximumNumber);
-    const bool fits = count <= most;
+    const auto wanted = static_cast<std::size_t>(maximumNumber);
+    const bool fits = count <= wanted;
     // Too many are better than none, and are cut off in the end.
-    if (best.Points.empty() || (fits && (best.Points.size() > most || count > best.Points.size())))
+    if (best.Points.empty() ||
+      (fits && (best.Points.size() > wanted || count > best.Points.size())))
     {
       best = std::move(samples);
     }
-    if (fits && (spacing <= least || count >= GoodPart * most))
+    if ((fits && (spacing <= least || count >= GoodPart * wanted)) || (!fits && spacing >= most))
     {
       break;
     }
-    // Few samples change in jumps: approach the aim from a little farther away each time.
-    const double factor = std::sqrt(std::max<double>(count, 1.0) / (WantedPart * most));
-    spacing *= std::clamp(factor, 0.5, 4.0) * (fits ? 1.0 : 1.0 + 0.01 * round);
-    spacing = std::max(spacing, least);
+    (fits ? enough : tooMany) = Tried{ spacing, std::max<double>(count, 1.0) };
+    const double aim = WantedPart * wanted;
+    if (round >= SquareRounds && enough.Count > 0.0 && tooMany.Count > aim &&
+      tooMany.Spacing < enough.Spacing)
+    {
+      // Where sheets crowd a room, other powers of the spacing fit better than the square.
+      const double part = std::log(tooMany.Count / aim) / std::log(tooMany.Count / enough.Count);
+      spacing =
+        tooMany.Spacing * std::pow(enough.Spacing / tooMany.Spacing, std::clamp(part, 0.1, 0.9));
+    }
+    else
+    {
+      // Few samples change in jumps: approach the aim from a little farther away each time.
+      const double factor = std::sqrt(std::max<double>(count, 1.0) / aim);
+      spacing *= std::clamp(factor, 0.5, 4.0) * (fits ? 1.0 : 1.0 + 0.01 * round);
+    }
+    spacing = std::clamp(spacing, least, most);
   }
   if (best.Points.size() > static_cast<std::size_t>(maximumNumber))
   {
@@ -300,19 +328,26 @@ SurfaceSamples FitSpacing(
   return best;
 }
 
-/// A corner of the box around all used points.
-Vector3 LowerCorner(const SurfaceIncidence& surface)
+/// The box around all used points.
+struct Box
 {
-  Vector3 lower = Vector3::Constant(std::numeric_limits<double>::max());
-  for (Index i = 0; i < surface.GetNumberOfPoints(); ++i)
+  Vector3 Lower = Vector3::Constant(std::numeric_limits<double>::max());
+  Vector3 Upper = -Lower;
+
+  explicit Box(const SurfaceIncidence& surface)
   {
-    if (surface.IsUsed(i))
+    for (Index i = 0; i < surface.GetNumberOfPoints(); ++i)
     {
-      lower = lower.cwiseMin(surface.GetSurface().Points[i]);
+      if (surface.IsUsed(i))
+      {
+        this->Lower = this->Lower.cwiseMin(surface.GetSurface().Points[i]);
+        this->Upper = this->Upper.cwiseMax(surface.GetSurface().Points[i]);
+      }
     }
   }
-  return lower;
-}
+
+  double Diagonal() const { return (this->Upper - this->Lower).norm(); }
+};
 }
 
 SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<char>& excluded,
@@ -328,21 +363,23 @@ SurfaceSamples SampleSurface(const SurfaceIncidence& surface, const std::vector<
     return {};
   }
 
-  const Vector3 origin = LowerCorner(surface);
+  const Box box(surface);
+  const double most = box.Diagonal();
   const double automatic = std::sqrt(SampleDensity * area / (WantedPart * options.MaximumNumber));
-  const double least = std::max(options.Spacing, 0.0);
+  const double least = std::clamp(options.Spacing, 0.0, most);
   // A spacing that is much less gives too many samples, and takes long.
   const double start = least > 0.6 * automatic ? least : automatic;
   Rounds rounds(progress);
-  return FitSpacing(start, least, options.MaximumNumber, rounds,
+  return FitSpacing(start, least, most, options.MaximumNumber, rounds,
     [&](double spacing)
     {
       const double wanted = CandidateDensity * area / (spacing * spacing);
+      const double few = std::min(wanted, MostCandidates * options.MaximumNumber);
       auto candidates = SpreadCandidates(
-        surface, excluded, area, static_cast<Index>(std::clamp(wanted, FewestCandidates, 1e9)));
+        surface, excluded, area, static_cast<Index>(std::max(few, FewestCandidates)));
       const auto order = ScrambledOrder(candidates.size());
       constexpr int phases = Sweeps + 2;
-      Spreading spreading(surface, excluded, candidates, origin, spacing, rounds);
+      Spreading spreading(surface, excluded, candidates, box.Lower, spacing, rounds);
       spreading.Throw(order, 0, phases);
       for (int sweep = 0; sweep < Sweeps; ++sweep)
       {
@@ -395,16 +432,16 @@ SurfaceSamples SamplePoints(const SurfaceIncidence& surface, const std::vector<c
   {
     area += surface.Area(t);
   }
-  const Vector3 origin = LowerCorner(surface);
+  const Box box(surface);
   const auto order = ScrambledOrder(candidates.size());
   const std::vector<char> none;
   Rounds rounds(progress);
   const double start = std::sqrt(PointDensity * area / (WantedPart * maximumNumber));
-  return FitSpacing(start, 0.0, maximumNumber, rounds,
+  return FitSpacing(start, 0.0, box.Diagonal(), maximumNumber, rounds,
     [&](double spacing)
     {
       SurfaceSamples subset;
-      Spreading spreading(surface, none, candidates, origin, spacing, rounds);
+      Spreading spreading(surface, none, candidates, box.Lower, spacing, rounds);
       spreading.Throw(order, 0, 1);
       for (const Candidate& sample : spreading.Samples)
       {

@@ -15,7 +15,8 @@ namespace DirectionFields::Internal
 struct SamplingOptions
 {
   /// Least distance between two samples, in the unit of the surface. 0: as small as MaximumNumber
-  /// allows. Enlarged where it would give more samples than that.
+  /// allows. Enlarged where it would give more samples than that; no more than the diagonal of the
+  /// box around the surface, beyond which there is nothing to keep a distance from.
   double Spacing = 0.0;
   /// Most samples.
   Index MaximumNumber = 2000;

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
+#include <random>
 
 using namespace DirectionFields;
 using namespace Fields;
@@ -324,4 +326,140 @@ TEST(Glyphs, ArmsDoNotOverlap)
       EXPECT_GT(covered, 400);
     }
   }
+}
+
+TEST(Glyphs, HaveTheSizeOfTheSurfaceAtAnyScale)
+{
+  const Surface surface = Meshes::Potato(2);
+  const Result result = Compute(surface, 4);
+  const PointDirections field = Of(result);
+  for (const GlyphMode mode : { GlyphMode::SpreadEvenly, GlyphMode::AllPoints })
+  {
+    GlyphOptions options;
+    options.Mode = mode;
+    options.MaximumNumber = 100;
+    options.Spacing = mode == GlyphMode::AllPoints ? 0.0 : 0.5;
+    const Glyphs usual = MakeGlyphs(surface, field, {}, {}, options);
+    EXPECT_GT(usual.Point.size(), 20u);
+    for (const int exponent : { -1000, -500, -333, -200, -160, 160, 200, 266, 333, 500, 1000 })
+    {
+      Surface scaled = surface;
+      for (Vector3& point : scaled.Points)
+      {
+        point *= std::ldexp(1.0, exponent);
+      }
+      // The size of the surface is not that of points that no triangle uses.
+      scaled.Points.emplace_back(1.0, 1e200, 0.0);
+      scaled.Points.emplace_back(std::nan(""), 0.0, 0.0);
+      options.Spacing = std::ldexp(mode == GlyphMode::AllPoints ? 0.0 : 0.5, exponent);
+      const Glyphs glyphs = MakeGlyphs(scaled, field, {}, {}, options);
+      EXPECT_EQ(glyphs.Point, usual.Point) << exponent;
+      EXPECT_EQ(glyphs.Spacing, std::ldexp(usual.Spacing, exponent));
+      ASSERT_EQ(glyphs.Mesh.Points.size(), usual.Mesh.Points.size());
+      double difference = 0.0;
+      for (std::size_t i = 0; i < usual.Mesh.Points.size(); ++i)
+      {
+        const Vector3 back = std::ldexp(1.0, -exponent) * glyphs.Mesh.Points[i];
+        difference = std::max(difference, (back - usual.Mesh.Points[i]).norm());
+      }
+      EXPECT_LT(difference, 1e-12) << exponent;
+    }
+  }
+}
+
+TEST(Glyphs, AreNoLargerThanTheSurface)
+{
+  const Surface surface = Meshes::Potato(2);
+  const Result result = Compute(surface, 4);
+  Vector3 lower = surface.Points[0];
+  Vector3 upper = lower;
+  for (const Vector3& point : surface.Points)
+  {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  const double diagonal = (upper - lower).norm();
+  for (const double spacing : { 3.0, 1e8, 1e300, std::numeric_limits<double>::infinity() })
+  {
+    GlyphOptions options;
+    options.Spacing = spacing;
+    const Glyphs glyphs = MakeGlyphs(surface, Of(result), {}, {}, options);
+    EXPECT_GE(glyphs.Point.size(), 1u);
+    EXPECT_LE(glyphs.Spacing, diagonal);
+    EXPECT_GE(glyphs.Spacing, std::min(spacing, 0.999 * diagonal));
+    for (const Vector3& place : glyphs.Mesh.Points)
+    {
+      EXPECT_LT((place - 0.5 * (lower + upper)).norm(), 1.1 * diagonal);
+    }
+  }
+}
+
+TEST(Glyphs, RefuseOptionsOutOfRange)
+{
+  const Surface surface = Meshes::Octahedron();
+  const Result result = Compute(surface, 4);
+  const double bad[] = { std::nan(""), -2.0, 11.0, std::numeric_limits<double>::infinity() };
+  for (const double value : bad)
+  {
+    GlyphOptions options;
+    options.Scale = value;
+    EXPECT_THROW(MakeGlyphs(surface, Of(result), {}, {}, options), std::invalid_argument);
+    options = {};
+    options.Offset = value;
+    EXPECT_THROW(MakeGlyphs(surface, Of(result), {}, {}, options), std::invalid_argument);
+    options = {};
+    options.Spacing = value;
+    if (!(value >= 0.0))
+    {
+      EXPECT_THROW(MakeGlyphs(surface, Of(result), {}, {}, options), std::invalid_argument);
+    }
+  }
+  GlyphOptions none;
+  none.MaximumNumber = 0;
+  EXPECT_THROW(MakeGlyphs(surface, Of(result), {}, {}, none), std::invalid_argument);
+}
+
+namespace
+{
+/// The processor time in seconds that glyphs with any directions take.
+double TimeOfGlyphs(const Surface& surface, int degree)
+{
+  const PointDirections field = PlanarField(surface, degree, [](const Vector3&) { return 0.3; });
+  const std::clock_t begin = std::clock();
+  const Glyphs glyphs = MakeGlyphs(surface, field, {}, {}, {});
+  EXPECT_GT(glyphs.Point.size(), 1000u);
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+}
+
+TEST(Glyphs, NeitherManyTrianglesAtAPointNorCrowdsTakeLong)
+{
+  // The factors are generous; they were 400 and more where time was the square of the triangles.
+  const double even = TimeOfGlyphs(Meshes::Square(140), 4);
+  Surface cone;
+  cone.Points.emplace_back(0.0, 0.0, 0.5);
+  constexpr Index around = 40000;
+  for (Index i = 0; i < around; ++i)
+  {
+    const double angle = 2.0 * Pi * i / around;
+    cone.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    cone.Triangles.push_back({ 0, 1 + i, 1 + (i + 1) % around });
+  }
+  EXPECT_LT(TimeOfGlyphs(cone, 4), 40.0 * even);
+  EXPECT_LT(TimeOfGlyphs(cone, 2), 40.0 * even);
+
+  Surface crowd;
+  std::mt19937 engine(1);
+  const auto random = [&engine] { return engine() / 4294967296.0; };
+  for (Index t = 0; t < 8000; ++t)
+  {
+    crowd.Triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
+    for (int c = 0; c < 3; ++c)
+    {
+      const double x = random();
+      const double y = random();
+      crowd.Points.emplace_back(x, y, random());
+    }
+  }
+  EXPECT_LT(TimeOfGlyphs(crowd, 4), 80.0 * even);
 }
