@@ -18,12 +18,12 @@ namespace DirectionFields
 namespace
 {
 /// What looks like a mistake in the surface or the options.
-std::vector<std::string> Hints(const Stages& stages, const Options& options)
+std::vector<std::string> Hints(Stages& stages, const Options& options)
 {
   std::vector<std::string> notes;
-  const BoundaryPoints& boundary = stages.GetBoundaryPoints();
-  if (!options.MergePoints && boundary.LookLikeSoup())
+  if (options.MergePoints == MergePoints::Off && stages.GetBoundaryPoints().LookLikeSoup())
   {
+    const BoundaryPoints& boundary = stages.GetBoundaryPoints();
     notes.emplace_back(std::to_string(boundary.Coincident) + " of the " +
       std::to_string(boundary.Count) +
       " points on the boundary of the surface lie exactly on another one: triangles touch there that "
@@ -73,7 +73,7 @@ std::vector<Complex> DirectionField::PhaseReferenceSection(int degree) const
 
 Stages& DirectionField::StagesFor(const Options& options)
 {
-  if (!this->Kept || this->Kept->MergesPoints() != options.MergePoints)
+  if (!this->Kept || this->Kept->GetMergePoints() != options.MergePoints)
   {
     this->Kept.reset();
     this->Kept = std::make_unique<Stages>(this->Input, options.MergePoints);

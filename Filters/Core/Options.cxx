@@ -36,6 +36,7 @@ void Check(const Options& options)
   Require(options.Shift >= 0.0 && std::isfinite(options.Shift), "Shift must be at least 0.");
   Require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
     "FeatureAngle must be 0 to 180 degrees.");
+  Require(options.MinimumFeatureLength >= 0.0, "MinimumFeatureLength must be at least 0.");
   Require(options.CurvatureTolerance >= 0.0, "CurvatureTolerance must be at least 0.");
   Require(options.ConsistencyAngle >= 0.0 && options.ConsistencyAngle <= 180.0,
     "ConsistencyAngle must be 0 to 180 degrees.");

@@ -33,10 +33,27 @@ enum class CurvatureDirection
 /// How constraints enter.
 enum class ConstraintSolver
 {
-  /// The residual of the whole system A u = b is minimized over the free vertices (POC14).
+  /// The residual of the whole system A u = b is minimized over the free vertices (POC14). It needs a
+  /// sparse factor: components of more than MostLeastSquaresVertices are refused.
   LeastSquares = 0,
-  /// The smoothness energy is minimized over the free vertices.
+  /// The smoothness energy is minimized over the free vertices, in time linear in them.
   Energy = 1
+};
+
+/// Most vertices of a connected component that least squares solve for: at 165 000 they take up to 17 s
+/// and 1 GB, and both grow faster than the component; by energy it takes half a second.
+constexpr Index MostLeastSquaresVertices = 250000;
+
+/// Which points of exactly the same coordinates are one for the computation.
+enum class MergePoints
+{
+  /// None.
+  Off = 0,
+  /// All.
+  On = 1,
+  /// Those at the ends of boundary edges that coincide with exactly one other boundary edge: seams of
+  /// textures, facets of STL files, patches side by side. What only touches stays apart.
+  Automatic = 2
 };
 
 /// How matrices are inverted.
@@ -76,10 +93,10 @@ struct Options
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;
 
-  /// Points of exactly the same coordinates are one for the computation, which connects triangles
+  /// Points of exactly the same coordinates become one for the computation, which connects triangles
   /// that share places but no points; the result is the same at each of them. Their guidance is that
   /// of the first of them that has any.
-  bool MergePoints = false;
+  DirectionFields::MergePoints MergePoints = DirectionFields::MergePoints::Automatic;
 
   DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
   DirectionFields::CurvatureDirection CurvatureDirection =
@@ -101,20 +118,24 @@ struct Options
   /// Angle between the normals of the two triangles of an edge above which it is sharp, degrees.
   /// Range 0 to 180.
   double FeatureAngle = 30.0;
+  /// Chains of sharp edges that end freely or stand alone are dropped as noise where they are shorter
+  /// than this, in parts of the square root of the component's area, and less than twice as sharp as
+  /// FeatureAngle asks for. At least 0, which keeps all.
+  double MinimumFeatureLength = 0.1;
   /// Constrain the vertices of high curvature to their principal directions; degrees 2 and 4 only.
   bool ConstrainCurvature = false;
   /// A vertex is constrained where |H| l or |K| l^2 exceeds this; l is the radius of a sphere with
   /// the area of the component. A sphere has 1 everywhere. At least 0.
   double CurvatureTolerance = 2.0;
   /// A curvature constraint is dropped where it differs by more than this from a neighbouring
-  /// constraint, in degrees, after transport and modulo 2 pi / n. Range 0 to 180.
+  /// constraint, in degrees, after transport and modulo 2 pi / n, and where fewer than two neighbours
+  /// are constrained. Range 0 to 180.
   double ConsistencyAngle = 30.0;
   /// Drop the curvature constraints of triangles around which the constraints wind (POC14).
   bool DropConstraintsAtSingularities = false;
   /// Constrain the vertices where Guidance has positive weight to its vectors.
   bool ConstrainGuidance = false;
-  DirectionFields::ConstraintSolver ConstraintSolver =
-    DirectionFields::ConstraintSolver::LeastSquares;
+  DirectionFields::ConstraintSolver ConstraintSolver = DirectionFields::ConstraintSolver::Energy;
 };
 
 /// Largest relative residual at which an aligned or constrained system counts as solved: Tolerance, but

@@ -43,6 +43,8 @@ struct Repairs
   Index NonOrientableComponents = 0;
   /// Points where several fans of triangles meet; each fan gets a point of its own.
   Index NonManifoldPoints = 0;
+  /// Points that share the place of another one and became one with it (Options::MergePoints).
+  Index MergedPoints = 0;
 };
 }
 

@@ -251,6 +251,7 @@ void AddReport(
     { "NonManifoldEdges", repaired.NonManifoldEdges },
     { "NonManifoldPoints", repaired.NonManifoldPoints },
     { "NonOrientableComponents", repaired.NonOrientableComponents },
+    { "MergedPoints", repaired.MergedPoints },
   };
   auto repairs =
     MakeArray<vtkIntArray>(ArrayNames::Repairs, static_cast<int>(std::size(counts)), 1);

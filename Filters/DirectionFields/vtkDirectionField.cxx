@@ -89,7 +89,7 @@ vtkDirectionField::vtkDirectionField()
   this->Solver = static_cast<int>(defaults.Solver);
   this->NumberOfThreads = defaults.NumberOfThreads;
   this->KeepStages = true;
-  this->MergePoints = defaults.MergePoints;
+  this->MergePoints = static_cast<int>(defaults.MergePoints);
   this->IntrinsicDelaunay = defaults.IntrinsicDelaunay;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
@@ -101,6 +101,7 @@ vtkDirectionField::vtkDirectionField()
   this->ConstrainBoundary = defaults.ConstrainBoundary;
   this->ConstrainSharpEdges = defaults.ConstrainSharpEdges;
   this->FeatureAngle = defaults.FeatureAngle;
+  this->MinimumFeatureLength = defaults.MinimumFeatureLength;
   this->ConstrainCurvature = defaults.ConstrainCurvature;
   this->CurvatureTolerance = defaults.CurvatureTolerance;
   this->ConsistencyAngle = defaults.ConsistencyAngle;
@@ -148,6 +149,7 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstrainBoundary: " << this->ConstrainBoundary << "\n";
   os << indent << "ConstrainSharpEdges: " << this->ConstrainSharpEdges << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "MinimumFeatureLength: " << this->MinimumFeatureLength << "\n";
   os << indent << "ConstrainCurvature: " << this->ConstrainCurvature << "\n";
   os << indent << "CurvatureTolerance: " << this->CurvatureTolerance << "\n";
   os << indent << "ConsistencyAngle: " << this->ConsistencyAngle << "\n";
@@ -167,7 +169,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.MaximumIterations = this->MaximumIterations;
   options.Solver = static_cast<DirectionFields::Solver>(this->Solver);
   options.NumberOfThreads = this->NumberOfThreads > 0 ? this->NumberOfThreads : DefaultThreads();
-  options.MergePoints = this->MergePoints;
+  options.MergePoints = static_cast<DirectionFields::MergePoints>(this->MergePoints);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
   options.CurvatureDirection =
@@ -178,6 +180,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.ConstrainBoundary = this->ConstrainBoundary;
   options.ConstrainSharpEdges = this->ConstrainSharpEdges;
   options.FeatureAngle = this->FeatureAngle;
+  options.MinimumFeatureLength = this->MinimumFeatureLength;
   options.ConstrainCurvature = this->ConstrainCurvature;
   options.CurvatureTolerance = this->CurvatureTolerance;
   options.ConsistencyAngle = this->ConsistencyAngle;

@@ -71,7 +71,8 @@
  *     constrained field; for least squares that of the normal equations. 0 for the smoothest.
  * - field data `Repairs`: int, one tuple. How much had to be mended, by named components:
  *   CollapsedTriangles, DuplicateTriangles, ReversedTriangles, DegenerateTriangles,
- *   NonManifoldEdges, NonManifoldPoints, NonOrientableComponents. 0 for a clean surface.
+ *   NonManifoldEdges, NonManifoldPoints, NonOrientableComponents, MergedPoints. 0 for a clean
+ *   surface.
  *
  * Where there are any, also
  * - field data `Warnings`: string. The warnings of this run, one a tuple.
@@ -134,9 +135,9 @@
  * say) one of several optimal fields is chosen; the same input always gives the same field.
  *
  * @warning
- * Every connected component of the mesh counts: where points are not shared between polygons, as
- * along texture seams or after reading an STL file, switch on MergePoints. A warning says so where at
- * least half of the points on the boundary lie exactly on another one.
+ * Every connected component of the mesh counts. Polygons that share places but no points, as along
+ * texture seams or after reading an STL file, are connected by MergePoints. Where it is off, a
+ * warning says so if at least half of the points on the boundary lie exactly on another one.
  */
 
 #ifndef vtkDirectionField_h
@@ -245,16 +246,26 @@ public:
    */
   void ReleaseStages();
 
+  enum MergePointsType
+  {
+    MERGE_POINTS_OFF = 0,
+    MERGE_POINTS_ON = 1,
+    MERGE_POINTS_AUTOMATIC = 2
+  };
+
   ///@{
   /**
-   * Take points of exactly the same coordinates for one in the computation. Surfaces whose triangles
-   * share places but no points (STL files, texture seams) fall into pieces without it. The output
-   * keeps the input's points; those at the same place have the same directions. Points that are only
-   * close to each other stay apart: vtkCleanPolyData merges these. Default off.
+   * Which points of exactly the same coordinates are one in the computation. Surfaces whose triangles
+   * share places but no points (STL files, texture seams) fall into pieces where none are (0). All
+   * are (1), or those at the ends of boundary edges that coincide with exactly one other boundary
+   * edge (2, default): what merely touches, at a point or along an edge of several surfaces, stays
+   * apart then. The output keeps the input's points; those that are one have the same directions.
+   * Points that are only close to each other stay apart: vtkCleanPolyData merges these. Repairs
+   * counts the points.
    */
-  vtkSetMacro(MergePoints, bool);
-  vtkGetMacro(MergePoints, bool);
-  vtkBooleanMacro(MergePoints, bool);
+  vtkSetClampMacro(MergePoints, int, MERGE_POINTS_OFF, MERGE_POINTS_AUTOMATIC);
+  vtkGetMacro(MergePoints, int);
+  vtkBooleanMacro(MergePoints, int);
   ///@}
 
   ///@{
@@ -371,6 +382,16 @@ public:
 
   ///@{
   /**
+   * Chains of sharp edges that are shorter than this, in parts of the square root of the component's
+   * area, count as noise unless they are very sharp or lead from one feature or boundary to another.
+   * Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.1.
+   */
+  vtkSetClampMacro(MinimumFeatureLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumFeatureLength, double);
+  ///@}
+
+  ///@{
+  /**
    * Constrain the points of high curvature to their principal directions; degrees 2 and 4 only,
    * else an error. Default off.
    */
@@ -421,9 +442,10 @@ public:
 
   ///@{
   /**
-   * How the free points follow the constrained ones: by the least squares of the residual over all
-   * points, as Pellenard et al. have it (0, default), or by the least energy (1), which is several
-   * times faster.
+   * How the free points follow the constrained ones: by the least energy (1, default), or by the
+   * least squares of the residual over all points, as Pellenard et al. have it (0), which takes
+   * longer, mostly makes more singularities, and is refused for components of more than
+   * 250 000 points.
    */
   vtkSetClampMacro(ConstraintSolver, int, LEAST_SQUARES, ENERGY);
   vtkGetMacro(ConstraintSolver, int);
@@ -457,7 +479,7 @@ private:
   int Solver;
   int NumberOfThreads;
   bool KeepStages;
-  bool MergePoints;
+  int MergePoints;
   bool IntrinsicDelaunay;
   int Alignment;
   int CurvatureDirection;
@@ -469,6 +491,7 @@ private:
   bool ConstrainBoundary;
   bool ConstrainSharpEdges;
   double FeatureAngle;
+  double MinimumFeatureLength;
   bool ConstrainCurvature;
   double CurvatureTolerance;
   double ConsistencyAngle;

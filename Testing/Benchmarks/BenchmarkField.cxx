@@ -216,14 +216,6 @@ void ConstrainedEnergyChange(benchmark::State& state, const std::string& mesh)
   Changed(state, mesh, options);
 }
 
-void LeastSquaresChange(benchmark::State& state, const std::string& mesh)
-{
-  Options options;
-  options.ConstrainCurvature = true;
-  options.ConstraintSolver = ConstraintSolver::LeastSquares;
-  Changed(state, mesh, options);
-}
-
 /// From the arrays of the mesh to the aligned field.
 void Aligned(benchmark::State& state, const std::string& mesh)
 {
@@ -300,7 +292,6 @@ int main(int argc, char* argv[])
     { "Aligned", Aligned },
     { "AlignedChange", AlignedChange },
     { "ConstrainedEnergyChange", ConstrainedEnergyChange },
-    { "LeastSquaresChange", LeastSquaresChange },
     { "Filter", Filter },
     { "FilterStrengthChange", FilterStrengthChange },
     { "FilterAndGlyphs", FilterAndGlyphs },

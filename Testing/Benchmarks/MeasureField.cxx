@@ -9,7 +9,7 @@
 //   field        vtkDirectionField from a new filter to its outputs, conversion and arrays included
 //   glyphs       the same and vtkDirectionFieldGlyphs behind it
 //   strength     an aligned field, then other strengths of the alignment on the same filter
-//   constraints  constrained fields on the same filter, by energy and by least squares
+//   constraints  a smoothest field, then constrained ones on the same filter
 //   stages       the Core alone, stage by stage
 //   baseline     ThesisAlgorithm
 //   bandwidth    of the memory; MESH is of no account
@@ -63,6 +63,7 @@ const std::map<std::string, Setter> Properties = {
   { "Solver", [](vtkDirectionField* f, double v) { f->SetSolver(static_cast<int>(v)); } },
   { "NumberOfThreads",
     [](vtkDirectionField* f, double v) { f->SetNumberOfThreads(static_cast<int>(v)); } },
+  { "MergePoints", [](vtkDirectionField* f, double v) { f->SetMergePoints(static_cast<int>(v)); } },
   { "IntrinsicDelaunay",
     [](vtkDirectionField* f, double v) { f->SetIntrinsicDelaunay(v != 0.0); } },
 };
@@ -242,23 +243,18 @@ void MeasureStrength(vtkPolyData* mesh, Figures& figures)
 void MeasureConstraints(vtkPolyData* mesh, Figures& figures)
 {
   const auto filter = NewFilter(mesh);
+  figures.Add("smoothest_seconds", Seconds([&] { filter->Update(); }));
   filter->ConstrainCurvatureOn();
-  filter->SetConstraintSolver(vtkDirectionField::ENERGY);
   filter->Update();
   double angle = filter->GetConsistencyAngle();
-  for (const auto& [solver, name] : { std::pair(vtkDirectionField::ENERGY, "energy_seconds"),
-         std::pair(vtkDirectionField::LEAST_SQUARES, "least_squares_seconds") })
-  {
-    filter->SetConstraintSolver(solver);
-    figures.Add(name,
-      Least(Repeated(
-        [&]
-        {
-          filter->SetConsistencyAngle(angle -= 0.5);
-          filter->Update();
-        },
-        FewestRuns, MostConstrainedRuns)));
-  }
+  figures.Add("seconds",
+    Least(Repeated(
+      [&]
+      {
+        filter->SetConsistencyAngle(angle -= 0.5);
+        filter->Update();
+      },
+      FewestRuns, MostConstrainedRuns)));
   AddResult(filter, figures);
 }
 

@@ -405,6 +405,7 @@ TEST(DirectionField, ProgressRisesAndStops)
   aligned.Alignment = Alignment::PrincipalCurvature;
   Options constrained;
   constrained.ConstrainBoundary = true;
+  constrained.ConstraintSolver = ConstraintSolver::LeastSquares;
   std::vector<Options> all;
   for (const Solver solver : { Solver::Direct, Solver::Multigrid })
   {

@@ -52,7 +52,7 @@ int main()
   PRINT(Solver, ",");
   PRINT(NumberOfThreads, ",");
   PRINT_DEFAULT(KeepStages, ",");
-  PRINT_DEFAULT(MergePoints, ",");
+  PRINT(MergePoints, ",");
   PRINT_DEFAULT(IntrinsicDelaunay, ",");
   PRINT(Alignment, ",");
   PRINT(CurvatureDirection, ",");
@@ -64,6 +64,7 @@ int main()
   PRINT_DEFAULT(ConstrainBoundary, ",");
   PRINT_DEFAULT(ConstrainSharpEdges, ",");
   PRINT(FeatureAngle, ",");
+  PRINT(MinimumFeatureLength, ",");
   PRINT_DEFAULT(ConstrainCurvature, ",");
   PRINT(CurvatureTolerance, ",");
   PRINT(ConsistencyAngle, ",");

@@ -222,21 +222,27 @@ void TestSoup()
   vtkNew<Messages> messages;
   messages->Observe(filter);
   filter->SetInputData(soup);
+  filter->MergePointsOff();
   filter->Update();
   CHECK(messages->IsOneWarning({ "240 of the 240 points", "Switch on MergePoints" }));
   CHECK(filter->GetOutput()->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 80);
 
-  messages->Warnings.clear();
-  filter->MergePointsOn();
-  filter->Update();
-  CHECK(messages->IsEmpty());
-  vtkPolyData* field = filter->GetOutput();
-  CHECK(field->GetNumberOfPoints() == 240);
-  CHECK(field->GetPoints() == soup->GetPoints());
-  CHECK(field->GetPolys() == soup->GetPolys());
-  CHECK(field->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
-  CHECK(FieldValue(field, "IndexSum") == 8);
-  CHECK(SumOfIndices(field->GetCellData()) == 8);
+  for (const int merge : { static_cast<int>(vtkDirectionField::MERGE_POINTS_ON),
+         static_cast<int>(vtkDirectionField::MERGE_POINTS_AUTOMATIC) })
+  {
+    messages->Warnings.clear();
+    filter->SetMergePoints(merge);
+    filter->Update();
+    CHECK(messages->IsEmpty());
+    vtkPolyData* field = filter->GetOutput();
+    CHECK(field->GetNumberOfPoints() == 240);
+    CHECK(field->GetPoints() == soup->GetPoints());
+    CHECK(field->GetPolys() == soup->GetPolys());
+    CHECK(field->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 1);
+    CHECK(FieldValue(field, "IndexSum") == 8);
+    CHECK(SumOfIndices(field->GetCellData()) == 8);
+    CHECK(RepairCount(field, "MergedPoints") == 240 - 42);
+  }
 
   filter->MergePointsOff();
   filter->Update();

@@ -29,7 +29,7 @@ void TestParameters()
   CHECK(filter->GetSolver() == vtkDirectionField::SOLVER_AUTOMATIC);
   CHECK(filter->GetNumberOfThreads() == 0);
   CHECK(filter->GetKeepStages());
-  CHECK(!filter->GetMergePoints());
+  CHECK(filter->GetMergePoints() == vtkDirectionField::MERGE_POINTS_AUTOMATIC);
   CHECK(!filter->GetIntrinsicDelaunay());
   CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
   CHECK(filter->GetCurvatureDirection() == vtkDirectionField::MAXIMUM_CURVATURE);
@@ -41,12 +41,13 @@ void TestParameters()
   CHECK(!filter->GetConstrainBoundary());
   CHECK(!filter->GetConstrainSharpEdges());
   CHECK(filter->GetFeatureAngle() == 30.0);
+  CHECK(filter->GetMinimumFeatureLength() == 0.1);
   CHECK(!filter->GetConstrainCurvature());
   CHECK(filter->GetCurvatureTolerance() == 2.0);
   CHECK(filter->GetConsistencyAngle() == 30.0);
   CHECK(!filter->GetDropConstraintsAtSingularities());
   CHECK(!filter->GetConstrainGuidance());
-  CHECK(filter->GetConstraintSolver() == vtkDirectionField::LEAST_SQUARES);
+  CHECK(filter->GetConstraintSolver() == vtkDirectionField::ENERGY);
   CHECK(filter->GetNumberOfInputPorts() == 1);
   CHECK(filter->GetNumberOfOutputPorts() == 2);
 
@@ -68,12 +69,13 @@ void TestParameters()
   filter->ConstrainBoundaryOn();
   filter->ConstrainSharpEdgesOn();
   filter->SetFeatureAngle(40.0);
+  filter->SetMinimumFeatureLength(0.25);
   filter->ConstrainCurvatureOn();
   filter->SetCurvatureTolerance(3.5);
   filter->SetConsistencyAngle(25.0);
   filter->DropConstraintsAtSingularitiesOn();
   filter->ConstrainGuidanceOn();
-  filter->SetConstraintSolver(vtkDirectionField::ENERGY);
+  filter->SetConstraintSolver(vtkDirectionField::LEAST_SQUARES);
   std::ostringstream text;
   filter->Print(text);
   for (const char* line :
@@ -82,9 +84,9 @@ void TestParameters()
       " IntrinsicDelaunay: 1\n", " Alignment: 2\n", " CurvatureDirection: 1\n",
       " AlignmentStrength: 0.75\n", " UseShift: 1\n", " Shift: 12.5\n", " GuidanceVectors: wind\n",
       " GuidanceWeights: (none)\n", " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n",
-      " FeatureAngle: 40\n", " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n",
-      " ConsistencyAngle: 25\n", " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n",
-      " ConstraintSolver: 1\n" })
+      " FeatureAngle: 40\n", " MinimumFeatureLength: 0.25\n", " ConstrainCurvature: 1\n",
+      " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",
+      " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n", " ConstraintSolver: 0\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -134,6 +136,14 @@ void TestParameters()
   }
   filter->SetCurvatureTolerance(-1.0);
   CHECK(filter->GetCurvatureTolerance() == 0.0);
+  filter->SetMinimumFeatureLength(-1.0);
+  CHECK(filter->GetMinimumFeatureLength() == 0.0);
+  filter->SetMergePoints(3);
+  CHECK(filter->GetMergePoints() == 2);
+  filter->MergePointsOff();
+  CHECK(filter->GetMergePoints() == vtkDirectionField::MERGE_POINTS_OFF);
+  filter->SetMergePoints(true);
+  CHECK(filter->GetMergePoints() == vtkDirectionField::MERGE_POINTS_ON);
   filter->SetConstraintSolver(2);
   CHECK(filter->GetConstraintSolver() == 1);
 }

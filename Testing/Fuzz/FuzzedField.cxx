@@ -107,8 +107,9 @@ Options ReadOptions(const Bytes& bytes, std::size_t begin)
   options.ConstrainGuidance = at(17) % 2 != 0;
   options.ConstraintSolver = OneOf<ConstraintSolver>(at(18), 2);
   options.Solver = OneOf<Solver>(at(19), 3);
-  options.MergePoints = at(20) % 2 != 0;
+  options.MergePoints = OneOf<MergePoints>(at(20), 3);
   options.IntrinsicDelaunay = at(21) % 2 != 0;
+  options.MinimumFeatureLength = Real(at(22), options.MinimumFeatureLength, 0.0, 1.0);
   return options;
 }
 
@@ -349,13 +350,13 @@ std::string ComputeFlaw(DirectionField& field, const Surface& surface, const Opt
   }
   catch (const MeshError& error)
   {
-    return ErrorFlaw(expected, error, options.MergePoints);
+    return ErrorFlaw(expected, error, options.MergePoints == MergePoints::On);
   }
   if (!valid)
   {
     return "invalid options were taken";
   }
-  const bool nonFinite = expected.FirstNonFinite != None && !options.MergePoints;
+  const bool nonFinite = expected.FirstNonFinite != None && options.MergePoints != MergePoints::On;
   return !result.Aborted && (expected.InvalidId || nonFinite)
     ? "the surface was not refused"
     : Meshes::Flaw(surface, options, result);

@@ -140,7 +140,8 @@ std::string Flaw(const Surface& surface, const Options& options, const Result& r
   for (Index i = 0; flaw.empty() && i < static_cast<Index>(points); ++i)
   {
     // A point may have the directions of one that it was merged with.
-    const bool merged = options.MergePoints && result.Normal[i] != Vector3::Zero();
+    const bool merged =
+      options.MergePoints != MergePoints::Off && result.Normal[i] != Vector3::Zero();
     flaw = PointFlaw(result, i, used[i] != 0 || merged ? 1.0 : 0.0);
     flaw = flaw.empty() ? flaw : Text("point ", i, ": ", flaw);
   }

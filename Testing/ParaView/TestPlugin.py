@@ -28,6 +28,7 @@ ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
     "CurvatureDirection": ["Maximum", "Minimum"],
     "ConstraintSolver": ["Least Squares", "Energy"],
+    "MergePoints": ["Off", "On", "Automatic"],
     "Solver": ["Automatic", "Multigrid", "Direct"],
 }
 # A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
@@ -163,7 +164,7 @@ def test_panel():
             ({"Alignment": 2, "Degree": 3}, strength | guidance),
             ({"ConstrainGuidance": 1, "Degree": 3}, guidance | solver),
             ({"ConstrainBoundary": 1, "Degree": 3}, solver),
-            ({"ConstrainSharpEdges": 1, "Degree": 3}, {"FeatureAngle"} | solver),
+            ({"ConstrainSharpEdges": 1, "Degree": 3}, {"FeatureAngle", "MinimumFeatureLength"} | solver),
             ({"ConstrainCurvature": 1}, curvature | consistency | solver),
             ({"ConstrainCurvature": 1, "Degree": 2},
              curvature | consistency | solver | {"CurvatureDirection"}),

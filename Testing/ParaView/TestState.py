@@ -16,12 +16,13 @@ if os.path.exists(state):
 values = {
     "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
     "Solver": "Direct", "NumberOfThreads": 3, "KeepStages": 0,
-    "MergePoints": 1, "IntrinsicDelaunay": 1,
+    "MergePoints": "On", "IntrinsicDelaunay": 1,
     "Alignment": "Principal Curvature", "CurvatureDirection": "Minimum", "AlignmentStrength": 0.75,
     "UseShift": 1, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
-    "ConstrainBoundary": 1, "ConstrainSharpEdges": 1, "FeatureAngle": 20.0, "ConstrainCurvature": 1,
+    "ConstrainBoundary": 1, "ConstrainSharpEdges": 1, "FeatureAngle": 20.0,
+    "MinimumFeatureLength": 0.25, "ConstrainCurvature": 1,
     "CurvatureTolerance": 0.5, "ConsistencyAngle": 25.0, "DropConstraintsAtSingularities": 1,
-    "ConstrainGuidance": 1, "ConstraintSolver": "Energy"}
+    "ConstrainGuidance": 1, "ConstraintSolver": "Least Squares"}
 
 
 def figures(field):

@@ -18,12 +18,12 @@ def test_trace():
     config = smtrace.start_trace()
     config.SetFullyTraceSupplementalProxies(False)
     field = DirectionField(registrationName="field", Input=sphere, Degree=3, EnergyBias=-0.25,
-                           ConstraintSolver="Energy")
+                           ConstraintSolver="Least Squares")
     Show(field, view)
     singularities = Show(OutputPort(field, 1), view)
     text = smtrace.stop_trace()
     for line in ("DirectionField(registrationName='field', Input=mesh)", "field.Degree = 3",
-                 "field.EnergyBias = -0.25", "field.ConstraintSolver = 'Energy'",
+                 "field.EnergyBias = -0.25", "field.ConstraintSolver = 'Least Squares'",
                  "Show(OutputPort(field, 1)"):
         assert line in text, (line, text)
     # What was left alone is left out.
@@ -36,7 +36,7 @@ def test_trace():
     CreateRenderView(registrationName="RenderView1")
     exec(compile(text, "trace", "exec"), dict(globals()))
     field = FindSource("field")
-    assert (field.Degree, field.EnergyBias, field.ConstraintSolver) == (3, -0.25, "Energy")
+    assert (field.Degree, field.EnergyBias, field.ConstraintSolver) == (3, -0.25, "Least Squares")
     assert figures(servermanager.Fetch(field), servermanager.Fetch(field, idx=1)) == before
 
 

@@ -7,7 +7,6 @@
 #include "Solvers/Matrices/VectorOperations.h"
 #include "Solvers/Systems/ConjugateGradients.h"
 #include "Solvers/Systems/DirectSystem.h"
-#include "Solvers/Systems/LeastSquares.h"
 #include "Support/Division.h"
 
 #include <algorithm>
@@ -110,9 +109,7 @@ SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const Gi
   {
     this->Free = std::make_unique<FreeSystem>(this->Matrices, given.Vertices, this->Scale);
   }
-  return options.ConstraintSolver == ConstraintSolver::Energy
-    ? MinimizeEnergyByMultigrid(system, *this->Free, rightHandSide, given)
-    : MinimizeResidualByMultigrid(system, *this->Free, rightHandSide, given);
+  return MinimizeEnergyByMultigrid(system, *this->Free, rightHandSide, given);
 }
 
 SystemSolution ComponentStage::SolveByFactor(const Factors& factors, const GivenValues& given,
@@ -133,8 +130,10 @@ SystemSolution ComponentStage::SolveSystem(const Factors& factors, const Compone
   const ComplexVector& rightHandSide, const Options& options, const Progress& progress,
   ComponentReport& report)
 {
+  const bool leastSquares =
+    options.ConstraintSolver == ConstraintSolver::LeastSquares && !guide.Given.Vertices.empty();
   // Multigrid has shown that it works on this component where the smoothest field was found by it.
-  if (this->Smoothest.Hierarchy)
+  if (this->Smoothest.Hierarchy && !leastSquares)
   {
     SystemSolution solution =
       this->SolveByMultigrid(factors, guide.Given, rightHandSide, options, progress);
@@ -143,8 +142,8 @@ SystemSolution ComponentStage::SolveSystem(const Factors& factors, const Compone
       return solution;
     }
     progress.RequireToGoOn();
-    report.SolverUsed = Solver::Direct;
   }
+  report.SolverUsed = Solver::Direct;
   return this->SolveByFactor(factors, guide.Given, rightHandSide, options, progress);
 }
 

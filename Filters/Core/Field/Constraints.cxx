@@ -3,13 +3,15 @@
 
 #include "Field/Constraints.h"
 
+#include "Field/FeatureChains.h"
+#include "Field/FeatureSigns.h"
 #include "Sections/DoubleCover.h"
 #include "Sections/Singularities.h"
 #include "Support/Free.h"
-#include "Support/PointOrder.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace DirectionFields::Internal
 {
@@ -21,6 +23,41 @@ constexpr double EqualSharpness = 1e-9;
 constexpr double Cancelled = 0.6;
 /// The anisotropy |k_max - k_min| l below which a vertex has no principal directions.
 constexpr double Umbilic = 1e-6;
+/// A curvature constraint stays where so many neighbours are constrained, too, and in as many rounds.
+constexpr Index FewestNeighbours = 2;
+constexpr int LonelyRounds = 2;
+/// Angles of a triangle that differ by less than this are equal up to rounding.
+constexpr double EqualAngles = 1e-9;
+
+/// Whether the edge that leaves a boundary vertex weighs more in the energy than the one that arrives: its
+/// cotangent is that of the angle opposite of it. Ties go to the neighbour with the lower point, so that
+/// the winding does not matter.
+bool WeighsMore(const SurfaceGeometry& geometry, Index leaving, Index arriving)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const double there = geometry.Lengths.CornerAngle(mesh, TriangleMesh::Previous(leaving));
+  const double here = geometry.Lengths.CornerAngle(mesh, TriangleMesh::Previous(arriving));
+  return std::abs(there - here) > EqualAngles
+    ? there < here
+    : mesh.Point(mesh.Head(leaving)) < mesh.Point(mesh.Tail(arriving));
+}
+
+/// Least squares need a factor whose time and memory grow faster than the surface.
+void RequireInReach(const TriangleMesh& mesh, const std::vector<ConstraintKind>& kind)
+{
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    if (component.Vertices() > MostLeastSquaresVertices &&
+      std::any_of(kind.begin() + component.FirstVertex, kind.begin() + component.EndVertex,
+        [](ConstraintKind one) { return one != ConstraintKind::None; }))
+    {
+      throw std::invalid_argument(
+        "ConstraintSolver Least Squares takes connected components of up to " +
+        std::to_string(MostLeastSquaresVertices) + " points, and one has " +
+        std::to_string(component.Vertices()) + ": choose Energy.");
+    }
+  }
+}
 }
 
 Constraints::Constraints(
@@ -62,6 +99,10 @@ Constraints::Constraints(
   {
     this->AddCurvature(input, options);
     this->DropInconsistent(input, options);
+    for (int time = 0; time < LonelyRounds; ++time)
+    {
+      this->DropLonely(input);
+    }
     if (options.DropConstraintsAtSingularities)
     {
       this->DropAtSingularities(input, options);
@@ -73,6 +114,10 @@ Constraints::Constraints(
   this->MirrorInterior(input, options);
   this->Count = static_cast<Index>(
     this->Kind.size() - std::count(this->Kind.begin(), this->Kind.end(), ConstraintKind::None));
+  if (this->Any() && options.ConstraintSolver == ConstraintSolver::LeastSquares)
+  {
+    RequireInReach(input.Geometry.Mesh, this->Kind);
+  }
   if (!this->Any())
   {
     Free(this->Kind);
@@ -121,7 +166,7 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
     const bool usePrevious = options.ConstrainBoundary || mesh.IsNonManifold(previous);
     // The directions of the next boundary edge and of the previous one, both with the boundary. In
     // the mean of their n-th powers a right-angled corner keeps a cross, as a straight boundary
-    // keeps any field; where they cancel, one of them stands for both.
+    // keeps any field; where they cancel, the one that weighs more stands for both.
     const Complex forward = 1.0;
     const Complex onward =
       std::polar(1.0, options.Degree * (input.Geometry.Transport.AngleSum[v] - Pi));
@@ -129,7 +174,9 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
     if (useNext && usePrevious)
     {
       this->Set(v, nonManifold ? ConstraintKind::NonManifold : ConstraintKind::Boundary,
-        std::abs(mean) > Cancelled ? mean : forward);
+        std::abs(mean) > Cancelled                     ? mean
+          : WeighsMore(input.Geometry, next, previous) ? forward
+                                                       : onward);
     }
     else if (useNext || usePrevious)
     {
@@ -188,6 +235,8 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;
   const double bound = options.FeatureAngle * Pi / 180.0;
+  const FeatureChains features(
+    input.Geometry, input.DihedralAngles, { bound, options.MinimumFeatureLength });
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     Index sharpest = None;
@@ -197,7 +246,9 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
     {
       const double angle = std::abs(input.DihedralAngles[mesh.Edge(h)]);
       const bool equal = sharpest != None && std::abs(angle - sharpness) <= EqualSharpness;
-      if (equal ? mesh.Point(mesh.Head(h)) < mesh.Point(mesh.Head(sharpest)) : angle > sharpness)
+      const bool sharper =
+        equal ? mesh.Point(mesh.Head(h)) < mesh.Point(mesh.Head(sharpest)) : angle > sharpness;
+      if (features.IsFeature(mesh.Edge(h)) && sharper)
       {
         sharpest = h;
         sharpness = std::max(sharpness, angle);
@@ -206,10 +257,8 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
     } while (h != None && h != mesh.Outgoing(v));
     if (sharpest != None)
     {
-      // For odd degrees both ends of the edge must agree on its direction.
       const Vector3& here = input.Geometry.Positions[v];
       const Vector3& there = input.Geometry.Positions[mesh.Head(sharpest)];
-      const bool turn = LexicographicallyLess(there, here);
       // The angle is that of the edge's projection, not that in the tangent cone: the field is to follow
       // the edge in space, and where the edge is sharp the two differ by some degrees.
       const Vector3 edge = (there - here).stableNormalized();
@@ -217,9 +266,12 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
       const double angle = std::abs(projected) > 1e-9
         ? std::arg(projected)
         : input.Geometry.Transport.EdgeAngle[sharpest];
-      this->Set(v, ConstraintKind::SharpEdge,
-        std::polar(1.0, options.Degree * (turn ? angle + Pi : angle)));
+      this->Set(v, ConstraintKind::SharpEdge, std::polar(1.0, options.Degree * angle));
     }
+  }
+  if (options.Degree % 2 != 0)
+  {
+    ChooseFeatureSigns(input.Geometry, options.Degree, this->Kind, this->Value);
   }
 }
 
@@ -270,6 +322,27 @@ void Constraints::DropInconsistent(const Input& input, const Options& options)
         drop[i] = drop[j] = 1;
       }
     }
+  }
+  this->DropCurvature(drop);
+}
+
+/// Neighbours that disagree are gone by now, so that those which are constrained agree. What stands alone,
+/// or at the end of a line, is noise more often than not.
+void Constraints::DropLonely(const Input& input)
+{
+  const TriangleMesh& mesh = input.Geometry.Mesh;
+  std::vector<Index> neighbours(this->Kind.size(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index i = mesh.Tail(mesh.HalfEdge(e));
+    const Index j = mesh.Head(mesh.HalfEdge(e));
+    neighbours[i] += this->Kind[j] != ConstraintKind::None;
+    neighbours[j] += this->Kind[i] != ConstraintKind::None;
+  }
+  std::vector<char> drop(this->Kind.size());
+  for (std::size_t v = 0; v < drop.size(); ++v)
+  {
+    drop[v] = neighbours[v] < FewestNeighbours;
   }
   this->DropCurvature(drop);
 }

@@ -30,7 +30,9 @@ struct Constraints
     const std::vector<Complex>& Given;
   };
 
-  /// Adds a sentence for each kind that is asked for and constrains nothing.
+  /// Adds a sentence for each kind that is asked for and constrains nothing. Throws
+  /// std::invalid_argument where least squares would have to solve for more than
+  /// MostLeastSquaresVertices.
   Constraints(const Input& input, const Options& options, std::vector<std::string>& notes);
 
   bool Any() const { return this->Count > 0; }
@@ -50,6 +52,7 @@ private:
   void AddSharpEdges(const Input& input, const Options& options);
   void AddCurvature(const Input& input, const Options& options);
   void DropInconsistent(const Input& input, const Options& options);
+  void DropLonely(const Input& input);
   void DropAtSingularities(const Input& input, const Options& options);
   void DropCurvature(const std::vector<char>& drop);
 };

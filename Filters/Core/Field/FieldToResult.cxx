@@ -89,6 +89,7 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   result.Degree = options.Degree;
   result.Repaired = mesh.GetRepairs();
   result.Repaired.DegenerateTriangles = stages.GetGeometry().Lengths.DegenerateTriangles;
+  result.Repaired.MergedPoints = stages.CountMergedPoints();
   result.Notes = std::move(notes);
   result.Components = std::move(fields.Reports);
   AddCounts(mesh, surface, constraints, result.Components);

@@ -19,8 +19,9 @@ std::vector<Complex> GivenSection(
   {
     return {};
   }
-  return GuidanceSection(stages.GetGeometry(),
-    options.MergePoints ? Merged(guidance, stages.GetFirstPoints()) : guidance, options.Degree);
+  const std::vector<Index>& first = stages.GetFirstPoints();
+  return GuidanceSection(
+    stages.GetGeometry(), first.empty() ? guidance : Merged(guidance, first), options.Degree);
 }
 
 Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vector<Complex>& given,

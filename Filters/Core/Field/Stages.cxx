@@ -16,13 +16,33 @@
 
 namespace DirectionFields::Internal
 {
-Stages::Stages(std::shared_ptr<const Surface> surface, bool mergePoints)
+namespace
+{
+MergedMesh MeshOf(const Surface& surface, MergePoints which)
+{
+  switch (which)
+  {
+    case MergePoints::On:
+      return MergedMesh::OfPlaces(surface);
+    case MergePoints::Automatic:
+      return MergedMesh::AcrossSeams(surface);
+    case MergePoints::Off:
+      break;
+  }
+  return MergedMesh::OfPoints(surface);
+}
+}
+
+Stages::Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints)
+  : Stages(surface, mergePoints, MeshOf(*surface, mergePoints))
+{
+}
+
+Stages::Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh)
   : Input(std::move(surface))
   , Merges(mergePoints)
-  , FirstPoint(mergePoints ? FirstAtSamePlace(*this->Input) : std::vector<Index>{})
-  , Geometry(mergePoints ? SurfaceGeometry(Merged(*this->Input, this->FirstPoint))
-                         : SurfaceGeometry(*this->Input))
-  , Boundary(this->Geometry.Mesh, this->Input->Points)
+  , FirstPoint(std::move(mesh.FirstPoint))
+  , Geometry(std::move(mesh.Mesh), *this->Input)
 {
 }
 
@@ -34,6 +54,25 @@ Stages::Stages(const Surface& surface)
 double Stages::GetScale(std::size_t component, int degree) const
 {
   return 2.0 * Pi * degree / this->Geometry.Lengths.ComponentArea[component];
+}
+
+const BoundaryPoints& Stages::GetBoundaryPoints()
+{
+  if (!this->Boundary)
+  {
+    this->Boundary.emplace(this->Geometry.Mesh, this->Input->Points);
+  }
+  return *this->Boundary;
+}
+
+Index Stages::CountMergedPoints() const
+{
+  Index merged = 0;
+  for (Index i = 0; i < static_cast<Index>(this->FirstPoint.size()); ++i)
+  {
+    merged += this->FirstPoint[i] != i;
+  }
+  return merged;
 }
 
 const std::vector<double>& Stages::GetDihedralAngles()

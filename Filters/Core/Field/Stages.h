@@ -41,24 +41,27 @@ class Stages
 public:
   /// Throws MeshError.
   /// @param mergePoints as Options::MergePoints
-  explicit Stages(std::shared_ptr<const Surface> surface, bool mergePoints = false);
+  explicit Stages(
+    std::shared_ptr<const Surface> surface, MergePoints mergePoints = MergePoints::Off);
   explicit Stages(const Surface& surface);
 
   /// The surface as it came in.
   const Surface& GetInput() const { return *this->Input; }
-  bool MergesPoints() const { return this->Merges; }
-  /// For each point of the input the one that stands for it in the mesh; empty where points are not
-  /// merged.
+  MergePoints GetMergePoints() const { return this->Merges; }
+  /// For each point of the input the one that stands for it in the mesh; empty where each stands for
+  /// itself.
   const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
   const SurfaceGeometry& GetGeometry() const { return this->Geometry; }
   const TriangleMesh& GetMesh() const { return this->Geometry.Mesh; }
-  const BoundaryPoints& GetBoundaryPoints() const { return this->Boundary; }
+  /// How many points became one with an earlier one.
+  Index CountMergedPoints() const;
 
   /// The order of magnitude of a component's smallest eigenvalue: 2 pi n / area, in 1 / unit^2.
   double GetScale(std::size_t component, int degree) const;
 
   /// Throws Stopped.
   EnergyStage& GetEnergy(const Options& options, const Progress& progress);
+  const BoundaryPoints& GetBoundaryPoints();
   const std::vector<double>& GetDihedralAngles();
   const Curvature& GetCurvature();
   const OutputPoints& GetOutputPoints();
@@ -66,16 +69,18 @@ public:
   const std::shared_ptr<const CurvatureReport>& GetCurvatureReport();
 
 private:
+  Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh);
+
   /// @param triangulation that the energy is integrated on
   ComponentStage MakeComponent(const Options& options, std::size_t c,
     const IntrinsicGeometry& triangulation, const Progress& progress) const;
 
   std::shared_ptr<const Surface> Input;
-  bool Merges;
+  MergePoints Merges;
   std::vector<Index> FirstPoint;
   SurfaceGeometry Geometry;
-  BoundaryPoints Boundary;
   std::optional<EnergyStage> Energy;
+  std::optional<BoundaryPoints> Boundary;
   std::optional<std::vector<double>> Dihedral;
   std::optional<Curvature> Curved;
   std::optional<OutputPoints> Points;

@@ -18,6 +18,9 @@ struct SurfaceGeometry : IntrinsicGeometry
 {
   /// Takes time linear in the triangles. Throws MeshError for a surface that cannot be processed.
   explicit SurfaceGeometry(const Surface& surface);
+  /// @param mesh    of the surface, or of what came of it when points were merged
+  /// @param surface whose points the mesh has
+  SurfaceGeometry(TriangleMesh&& mesh, const Surface& surface);
 
   /// The position of each vertex, in the surface's own unit.
   std::vector<Vector3> Positions;
@@ -25,7 +28,6 @@ struct SurfaceGeometry : IntrinsicGeometry
 
 private:
   /// The positions are found before the mesh is moved away.
-  SurfaceGeometry(TriangleMesh&& mesh, const Surface& surface);
   SurfaceGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions);
 };
 }

@@ -3,8 +3,15 @@
 
 #include "Mesh/MergePoints.h"
 
+#include "Support/LargeArray.h"
+#include "Support/RadixSort.h"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -69,6 +76,179 @@ private:
   const std::vector<Vector3>& Points;
   std::vector<Index> Slots;
 };
+
+/// Sets of points that grow together; the first point of each stands for it.
+class PointSets
+{
+public:
+  PointSets() = default;
+  explicit PointSets(std::size_t points)
+    : Parent(points)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+
+  Index First(Index point)
+  {
+    while (this->Parent[point] != point)
+    {
+      point = this->Parent[point] = this->Parent[this->Parent[point]];
+    }
+    return point;
+  }
+  void Unite(Index a, Index b)
+  {
+    const auto [first, second] = std::minmax({ this->First(a), this->First(b) });
+    this->Parent[second] = first;
+  }
+
+private:
+  std::vector<Index> Parent;
+};
+
+/// The points of a triangle of the mesh.
+std::array<Index, 3> CornersOf(const TriangleMesh& mesh, Index triangle)
+{
+  return { mesh.Point(mesh.Tail(3 * triangle)), mesh.Point(mesh.Tail(3 * triangle + 1)),
+    mesh.Point(mesh.Tail(3 * triangle + 2)) };
+}
+
+/// The edges of the boundary, and the points that become one across pairs of them.
+class Seams
+{
+public:
+  Seams(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+    : Mesh(mesh)
+    , Points(points)
+  {
+    std::size_t edges = 0;
+    this->ForBoundary([&edges](Index) { ++edges; });
+    this->Place.assign(edges > 0 ? points.size() : 0, None);
+    Places places(points, 2 * edges);
+    this->ForBoundary(
+      [&](Index h)
+      {
+        for (const Index v : { mesh.Tail(h), mesh.Head(h) })
+        {
+          Index& place = this->Place[mesh.Point(v)];
+          place = place == None ? places.Enter(mesh.Point(v)) : place;
+          this->AnyShared = this->AnyShared || place != mesh.Point(v);
+        }
+      });
+  }
+
+  /// Whether several points of the boundary are at the same place.
+  bool MayExist() const { return this->AnyShared; }
+
+  std::vector<Index> Join()
+  {
+    this->Sets = PointSets(this->Points.size());
+    LargeArray<Keyed<std::uint64_t>> edges;
+    const int bits = BitsBelow(static_cast<Index>(this->Points.size()));
+    this->ForBoundary(
+      [&](Index h)
+      {
+        const auto [low, high] =
+          std::minmax({ this->PlaceOf(this->Mesh.Tail(h)), this->PlaceOf(this->Mesh.Head(h)) });
+        if (low != high && !this->Collapses(h / 3))
+        {
+          edges.push_back(
+            { static_cast<std::uint64_t>(low) << bits | static_cast<unsigned>(high), h });
+        }
+      });
+    RadixSort(edges, 2 * bits);
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end)
+    {
+      while (end < edges.size() && edges[end].Value == edges[begin].Value)
+      {
+        ++end;
+      }
+      if (end - begin == 2)
+      {
+        this->JoinEdges(edges[begin].Item, edges[begin + 1].Item);
+      }
+    }
+    std::vector<Index> first(this->Points.size());
+    bool any = false;
+    for (Index i = 0; i < static_cast<Index>(first.size()); ++i)
+    {
+      first[i] = this->Sets.First(i);
+      any = any || first[i] != i;
+    }
+    return any ? first : std::vector<Index>{};
+  }
+
+private:
+  /// Calls body(h) for each half-edge of the boundary, once where covers have it twice.
+  template <typename Body>
+  void ForBoundary(const Body& body) const
+  {
+    for (const TriangleMesh::Component& component : this->Mesh.GetComponents())
+    {
+      for (Index h = 3 * component.FirstTriangle;
+           !component.Closed && h < 3 * component.EndTriangle; ++h)
+      {
+        if (this->Mesh.Twin(h) == None && this->Mesh.IsFront(h / 3))
+        {
+          body(h);
+        }
+      }
+    }
+  }
+
+  Index PlaceOf(Index vertex) const { return this->Place[this->Mesh.Point(vertex)]; }
+
+  /// Makes the corners at the same place of a triangle one where nothing is connected with it. Returns
+  /// whether there are any.
+  bool Collapses(Index triangle)
+  {
+    const std::array<Index, 3> corners = CornersOf(this->Mesh, triangle);
+    bool collapses = false;
+    for (int c = 0; c < 3; ++c)
+    {
+      if (this->Mesh.Twin(3 * triangle + c) != None)
+      {
+        return false;
+      }
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index a = corners[c];
+      const Index b = corners[(c + 1) % 3];
+      if (this->Place[a] == this->Place[b])
+      {
+        this->Sets.Unite(a, b);
+        collapses = true;
+      }
+    }
+    return collapses;
+  }
+
+  void JoinEdges(Index h, Index g)
+  {
+    const Index third = this->Mesh.Point(this->Mesh.Tail(TriangleMesh::Previous(h)));
+    const Index other = this->Mesh.Point(this->Mesh.Tail(TriangleMesh::Previous(g)));
+    if (h / 3 == g / 3 || this->Points[third] == this->Points[other])
+    {
+      return;
+    }
+    Index from = this->Mesh.Tail(g);
+    Index to = this->Mesh.Head(g);
+    if (this->PlaceOf(this->Mesh.Tail(h)) != this->PlaceOf(from))
+    {
+      std::swap(from, to);
+    }
+    this->Sets.Unite(this->Mesh.Point(this->Mesh.Tail(h)), this->Mesh.Point(from));
+    this->Sets.Unite(this->Mesh.Point(this->Mesh.Head(h)), this->Mesh.Point(to));
+  }
+
+  const TriangleMesh& Mesh;
+  const std::vector<Vector3>& Points;
+  PointSets Sets;
+  /// For each point of the boundary the first of these at the same place; None for other points.
+  std::vector<Index> Place;
+  bool AnyShared = false;
+};
 }
 
 std::vector<Index> FirstAtSamePlace(const Surface& surface)
@@ -109,6 +289,41 @@ Surface Merged(const Surface& surface, const std::vector<Index>& first)
     }
   }
   return merged;
+}
+
+std::vector<Index> FirstAcrossSeams(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+{
+  const std::vector<TriangleMesh::Component>& components = mesh.GetComponents();
+  if (std::all_of(components.begin(), components.end(),
+        [](const TriangleMesh::Component& component) { return component.Closed; }))
+  {
+    return {};
+  }
+  Seams seams(mesh, points);
+  return seams.MayExist() ? seams.Join() : std::vector<Index>{};
+}
+
+MergedMesh MergedMesh::OfPoints(const Surface& surface)
+{
+  return { {}, TriangleMesh(surface) };
+}
+
+MergedMesh MergedMesh::OfPlaces(const Surface& surface)
+{
+  std::vector<Index> first = FirstAtSamePlace(surface);
+  TriangleMesh mesh(Merged(surface, first));
+  return { std::move(first), std::move(mesh) };
+}
+
+MergedMesh MergedMesh::AcrossSeams(const Surface& surface)
+{
+  TriangleMesh mesh(surface);
+  std::vector<Index> first = FirstAcrossSeams(mesh, surface.Points);
+  if (!first.empty())
+  {
+    mesh = TriangleMesh(Merged(surface, first));
+  }
+  return { std::move(first), std::move(mesh) };
 }
 
 BoundaryPoints::BoundaryPoints(const TriangleMesh& mesh, const std::vector<Vector3>& points)

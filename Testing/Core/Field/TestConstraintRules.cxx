@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 using namespace DirectionFields;
 using namespace Meshes;
@@ -198,4 +201,52 @@ TEST(ConstraintRules, WhatIsNotThereChangesNothingAndIsSaid)
   EXPECT_EQ(result.Notes.size(), 3u);
   EXPECT_EQ(result.Representation, plain.Representation);
   EXPECT_EQ(result.SingularityIndex, plain.SingularityIndex);
+}
+
+TEST(ConstraintRules, LonelyCurvatureIsDropped)
+{
+  // Noise is curved everywhere, but neighbours seldom agree on how.
+  const Surface noisy = Jittered(Potato(5), 0.012, 3);
+  const auto singular = [](const Result& result)
+  {
+    return static_cast<Index>(result.SingularityIndex.size() -
+      std::count(result.SingularityIndex.begin(), result.SingularityIndex.end(), 0));
+  };
+  Options options;
+  options.ConstrainCurvature = true;
+  const Result result = DirectionField(noisy).Compute(options);
+  EXPECT_GT(Count(result, ConstraintKind::Curvature), 200);
+  EXPECT_LE(singular(result), 60);
+  std::vector<Index> neighbours(noisy.Points.size(), 0);
+  for (const Triangle& t : noisy.Triangles)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      neighbours[t[c]] += result.Constraint[t[(c + 1) % 3]] != ConstraintKind::None;
+    }
+  }
+  Index lonely = 0;
+  for (std::size_t i = 0; i < neighbours.size(); ++i)
+  {
+    lonely += result.Constraint[i] != ConstraintKind::None && neighbours[i] == 0;
+  }
+  EXPECT_LE(lonely, Count(result, ConstraintKind::Curvature) / 50);
+}
+
+TEST(ConstraintRules, LeastSquaresBeyondTheirReachAreRefused)
+{
+  const Surface large = Square(501);
+  ASSERT_GT(large.Points.size(), static_cast<std::size_t>(MostLeastSquaresVertices));
+  Options options;
+  options.ConstrainBoundary = true;
+  options.ConstraintSolver = ConstraintSolver::LeastSquares;
+  try
+  {
+    DirectionField(large).Compute(options);
+    ADD_FAILURE() << "not refused";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("choose Energy"), std::string::npos);
+  }
 }

@@ -397,6 +397,8 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
     options.ConstrainBoundary = pick(2);
     options.ConstrainSharpEdges = pick(2);
     options.FeatureAngle = 90.0 * fraction();
+    options.MinimumFeatureLength = pick(3) ? fraction() : 0.0;
+    options.MergePoints = static_cast<MergePoints>(pick(3));
     options.ConstrainCurvature = curvature && pick(2);
     options.CurvatureTolerance = 3.0 * fraction();
     options.ConsistencyAngle = 60.0 * fraction();

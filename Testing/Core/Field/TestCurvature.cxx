@@ -278,6 +278,7 @@ TEST(Curvature, ResultsOfOneSurfaceShareIt)
   const Surface surface = Soup(Potato(2));
   DirectionField solver(surface);
   Options options;
+  options.MergePoints = MergePoints::Off;
   EXPECT_EQ(solver.Compute(options).Curvature, nullptr);
   options.Alignment = Alignment::PrincipalCurvature;
   const Result pieces = solver.Compute(options);
@@ -289,10 +290,10 @@ TEST(Curvature, ResultsOfOneSurfaceShareIt)
   EXPECT_EQ(solver.Compute(options).Curvature, nullptr);
   options.ConstrainCurvature = true;
   EXPECT_EQ(solver.Compute(options).Curvature, pieces.Curvature);
-  options.MergePoints = true;
+  options.MergePoints = MergePoints::On;
   const Result merged = solver.Compute(options);
   EXPECT_EQ(merged.Curvature->Mean, DirectionField(surface).Compute(options).Curvature->Mean);
   EXPECT_NE(merged.Curvature->Mean, pieces.Curvature->Mean);
-  options.MergePoints = false;
+  options.MergePoints = MergePoints::Off;
   EXPECT_EQ(solver.Compute(options).Curvature->Mean, pieces.Curvature->Mean);
 }

@@ -237,7 +237,8 @@ SystemSolution SolveLeastSquares(
   if (IsNormalMatrixSparse(matrix.Adjoint, DensestCouplings))
   {
     progress.RequireToGoOn();
-    solution = SolveByFactor(matrix.Adjoint * matrix.Columns, matrix.Adjoint * b, progress);
+    solution =
+      SolveByFactor(SparseProduct(matrix.Adjoint, matrix.Columns), matrix.Adjoint * b, progress);
   }
   if (solution.Residual > AcceptedResidual)
   {
