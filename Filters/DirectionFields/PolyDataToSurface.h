@@ -33,7 +33,8 @@ struct TriangulatedPolyData
 };
 
 /// Triangles are taken as they are. Polygons are cut by their ears; one that cannot be cut so
-/// (no area, self-intersecting) becomes a fan. Polygons around the same points are cut alike, so that
+/// (no area, self-intersecting) becomes a fan, or other triangles if it has many corners. Holes that are
+/// joined to the outline by bridges, which are run along twice, stay open. Polygons around the same points are cut alike, so that
 /// their triangles are the same ones. Strips are unrolled with alternating winding.
 /// Vertices, lines and cells marked as hidden in vtkGhostType give no triangle; cells marked as
 /// duplicates give ghosts.

@@ -3,6 +3,8 @@
 
 #include "Triangulator.h"
 
+#include "Mesh/PolygonEars.h"
+
 #include "vtkCallbackCommand.h"
 
 #include <algorithm>
@@ -10,6 +12,14 @@
 
 namespace DirectionFields
 {
+namespace
+{
+/// From this number of corners on VTK takes long, and a fan would have a corner of too many triangles.
+constexpr std::size_t ManyCorners = 256;
+/// A polygon of fewer corners has no two loops.
+constexpr std::size_t FewestWithLoops = 6;
+}
+
 Triangulator::Triangulator(vtkPoints* points, TriangulatedPolyData& result)
   : Points(points)
   , Result(result)
@@ -39,7 +49,7 @@ void Triangulator::AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* p
     return;
   }
   this->SetCorners(size, points);
-  const vtkIdType corners = this->Polygon->PointIds->GetNumberOfIds();
+  const auto corners = static_cast<vtkIdType>(this->Corners.size());
   if (size < 3)
   {
     return;
@@ -49,7 +59,7 @@ void Triangulator::AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* p
     // Nothing but repetitions: one collapsed triangle, so that the cell is counted as such.
     this->AddTriangle(cell, points[0], points[0], points[0]);
   }
-  else if (corners == 3 || !this->CutEars())
+  else if (corners == 3 || !this->Cut())
   {
     for (vtkIdType i = 1; i + 1 < corners; ++i)
     {
@@ -58,10 +68,10 @@ void Triangulator::AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* p
   }
   else
   {
-    for (vtkIdType i = 0; i + 2 < this->Ears->GetNumberOfIds(); i += 3)
+    for (std::size_t i = 0; i + 2 < this->Ears.size(); i += 3)
     {
-      this->AddTriangle(cell, this->Corners[this->Ears->GetId(i)],
-        this->Corners[this->Ears->GetId(i + 1)], this->Corners[this->Ears->GetId(i + 2)]);
+      this->AddTriangle(cell, this->Corners[this->Ears[i]], this->Corners[this->Ears[i + 1]],
+        this->Corners[this->Ears[i + 2]]);
     }
   }
 }
@@ -99,32 +109,58 @@ void Triangulator::SetCorners(vtkIdType size, const vtkIdType* points)
   {
     this->Corners.pop_back();
   }
-  const vtkIdType corners = static_cast<vtkIdType>(this->Corners.size());
-  this->Polygon->PointIds->SetNumberOfIds(corners);
-  for (vtkIdType i = 0; i < corners; ++i)
-  {
-    this->Polygon->PointIds->SetId(i, i);
-  }
 }
 
-bool Triangulator::CutEars()
+bool Triangulator::Cut()
 {
-  const vtkIdType corners = static_cast<vtkIdType>(this->Corners.size());
+  const std::size_t corners = this->Corners.size();
+  this->Places.resize(corners);
+  for (std::size_t i = 0; i < corners; ++i)
+  {
+    this->Points->GetPoint(this->Corners[i], this->Places[i].data());
+    if (!this->Places[i].allFinite())
+    {
+      return false;
+    }
+  }
+  if (corners >= ManyCorners)
+  {
+    return this->CutWithCore(true);
+  }
+  // VTK takes holes that are joined to the outline by bridges for crossings.
+  if (corners >= FewestWithLoops && ReturnsToPlaces(this->Places) && this->CutWithCore(false))
+  {
+    return true;
+  }
+  return this->CutWithVTK() || this->CutWithCore(false);
+}
+
+bool Triangulator::CutWithCore(bool force)
+{
+  const std::vector<Index> ears = Internal::CutEars(this->Places, force);
+  this->Ears.assign(ears.begin(), ears.end());
+  return !this->Ears.empty();
+}
+
+bool Triangulator::CutWithVTK()
+{
+  const auto corners = static_cast<vtkIdType>(this->Corners.size());
+  this->Polygon->PointIds->SetNumberOfIds(corners);
   this->Polygon->Points->SetDataTypeToDouble();
   this->Polygon->Points->SetNumberOfPoints(corners);
   for (vtkIdType i = 0; i < corners; ++i)
   {
-    double point[3];
-    this->Points->GetPoint(this->Corners[i], point);
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-    {
-      return false;
-    }
-    this->Polygon->Points->SetPoint(i, point);
+    this->Polygon->PointIds->SetId(i, i);
+    this->Polygon->Points->SetPoint(i, this->Places[i].data());
   }
   // The one signature that all versions of VTK share; vtkPolygon hides it in some.
   vtkCell* polygon = this->Polygon;
-  return polygon->Triangulate(0, this->Ears, this->EarPoints) != 0 &&
-    this->Ears->GetNumberOfIds() == 3 * (corners - 2);
+  if (polygon->Triangulate(0, this->EarIds, this->EarPoints) == 0 ||
+    this->EarIds->GetNumberOfIds() != 3 * (corners - 2))
+  {
+    return false;
+  }
+  this->Ears.assign(this->EarIds->begin(), this->EarIds->end());
+  return true;
 }
 }

@@ -124,7 +124,8 @@
  * counts them. The output's geometry is the input's all the same.
  *
  * @warning
- * Polygons that are not convex or not planar are cut by their ears. The field on the cut polygons
+ * Polygons that are not convex or not planar are cut by their ears; a hole that is joined to the
+ * outline by a bridge stays open. The field on the cut polygons
  * is that of the triangles, and a singularity may sit in any one of them.
  *
  * @warning

@@ -345,6 +345,75 @@ void TestDuplicatePolygons()
   CHECK(FieldValue(filter->GetOutput(), "EulerCharacteristic") == 0);
 }
 
+/// Polygons that come back to a place: a hole that is joined to the outline by a bridge stays one.
+void TestKeyholes()
+{
+  // A square frame in one polygon, the places of the bridge visited twice by the same points.
+  const std::vector<PolyMeshes::Point> points = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 },
+    { 0, 3, 0 }, { 1, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 }, { 1, 2, 0 } };
+  const std::vector<vtkIdType> frame = { 0, 1, 2, 3, 0, 4, 7, 6, 5, 4 };
+  auto open = FieldOf(PolyMeshes::Make(points, { frame }));
+  CHECK(FieldValue(open, "EulerCharacteristic") == 0);
+  CHECK(FieldValue(open, "IndexSum") == 0);
+  // With the hole filled it is a square without singularities.
+  auto filled = FieldOf(PolyMeshes::Make(points, { frame, { 4, 5, 6, 7 } }));
+  CHECK(FieldValue(filled, "EulerCharacteristic") == 1);
+  CHECK(std::abs(FieldValue(filled, "Eigenvalue")) < 1e-9);
+  // A box whose lid is the frame with the hole filled.
+  auto withBox = points;
+  for (const double x : { 0.0, 3.0 })
+  {
+    withBox.push_back({ x, 0, -2 });
+    withBox.push_back({ x, 3, -2 });
+  }
+  auto box = FieldOf(PolyMeshes::Make(withBox,
+    { frame, { 4, 5, 6, 7 }, { 8, 9, 11, 10 }, { 0, 8, 10, 1 }, { 1, 10, 11, 2 }, { 2, 11, 9, 3 },
+      { 3, 9, 8, 0 } }));
+  CHECK(FieldValue(box, "EulerCharacteristic") == 2);
+  CHECK(FieldValue(box, "IndexSum") == 8);
+
+  // Where the second visits have points of their own the bridge is a slit, which MergePoints closes.
+  auto twice = points;
+  twice.push_back(points[0]);
+  twice.push_back(points[4]);
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(PolyMeshes::Make(twice, { { 0, 1, 2, 3, 8, 9, 7, 6, 5, 4 } }));
+  filter->MergePointsOff();
+  filter->Update();
+  CHECK(FieldValue(filter->GetOutput(), "EulerCharacteristic") == 1);
+  filter->MergePointsOn();
+  filter->Update();
+  CHECK(FieldValue(filter->GetOutput(), "EulerCharacteristic") == 0);
+}
+
+/// Polygons of many corners, simple ones and such that cross themselves, are cut in time nearly linear.
+void TestManyCorners()
+{
+  std::vector<PolyMeshes::Point> points;
+  std::vector<vtkIdType> polygon, tangle;
+  constexpr int corners = 30000;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * PolyMeshes::Pi * i / corners;
+    const double radius = 1.0 + 0.2 * std::sin(9.0 * angle) + 0.0001 * (i % 2);
+    points.push_back({ radius * std::cos(angle), radius * std::sin(angle), 0.0 });
+    polygon.push_back(i);
+    tangle.push_back(static_cast<vtkIdType>(i) * 7919 % corners);
+  }
+  auto field = FieldOf(PolyMeshes::Make(points, { polygon }));
+  CHECK(FieldValue(field, "EulerCharacteristic") == 1);
+  CHECK(FieldValue(field, "IndexSum") == 0);
+  CHECK(field->GetNumberOfCells() == 1);
+  tangle.resize(1000);
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(PolyMeshes::Make(points, { tangle }));
+  filter->Update();
+  CHECK(messages->Errors.empty());
+  CHECK(FieldValue(filter->GetOutput(), "EulerCharacteristic") == 1);
+}
+
 /// Cells marked as hidden take no part, as if they were absent.
 void TestHiddenCells()
 {
@@ -430,6 +499,8 @@ int TestDirectionFieldCells(int, char*[])
   TestPolygons();
   TestFlatPolygon();
   TestDuplicatePolygons();
+  TestKeyholes();
+  TestManyCorners();
   TestHiddenCells();
   TestGhostCells();
   return Result();
