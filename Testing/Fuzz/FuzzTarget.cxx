@@ -3,14 +3,22 @@
 //
 // What libFuzzer calls.
 
+#ifdef DIRECTIONFIELDS_FUZZ_POLYDATA
+#include "FuzzedPolyData.h"
+#else
 #include "FuzzedField.h"
+#endif
 
 #include <cstdlib>
 #include <iostream>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
+#ifdef DIRECTIONFIELDS_FUZZ_POLYDATA
+  const std::string flaw = FuzzedPolyData(data, size);
+#else
   const std::string flaw = FuzzedField(data, size);
+#endif
   if (!flaw.empty())
   {
     std::cerr << flaw << std::endl;

@@ -3,6 +3,7 @@
 
 #include "FuzzedField.h"
 
+#include "Bytes.h"
 #include "Meshes/Soundness.h"
 #include "Meshes/Surfaces.h"
 
@@ -14,39 +15,8 @@ using namespace DirectionFields;
 
 namespace
 {
-/// Bytes of an input; zeros where it ends.
-class Bytes
-{
-public:
-  Bytes(const std::uint8_t* data, std::size_t size)
-    : Data(data)
-    , Size(size)
-  {
-  }
-
-  bool AtEnd() const { return this->Next >= this->Size; }
-  void Skip(std::size_t position) { this->Next = position; }
-  unsigned At(std::size_t i) const { return i < this->Size ? this->Data[i] : 0; }
-  unsigned Take() { return this->At(this->Next++); }
-
-private:
-  const std::uint8_t* Data;
-  std::size_t Size;
-  std::size_t Next = 0;
-};
-
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Largest = std::numeric_limits<double>::max();
-
-/// Numbers that break computations.
-double Special(unsigned byte)
-{
-  constexpr double values[] = { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity,
-    Largest, -Largest, std::numeric_limits<double>::min(),
-    std::numeric_limits<double>::denorm_min(), 1e300, -1e200, 1e155, 1e100, 1e-100, 1e-155, 1e30,
-    1e9, -1e-9 };
-  return values[byte % 16];
-}
 
 constexpr unsigned FirstInvalid = 250;
 
@@ -113,31 +83,51 @@ Options ReadOptions(const Bytes& bytes, std::size_t begin)
   return options;
 }
 
-/// Mostly small numbers, so that points meet.
-double ReadNumber(Bytes& bytes)
+/// Surfaces that have hardly any shape but that of noise, as scans and what was turned in space do.
+Surface ReadNoisy(unsigned kind, Bytes& bytes)
 {
-  const unsigned byte = bytes.Take();
-  if (byte < 240)
+  using namespace Meshes;
+  // From what rounding leaves to several edges.
+  const double noise = std::pow(10.0, bytes.Take() / 15.0 - 16.0);
+  const unsigned seed = bytes.Take();
+  const Eigen::Matrix3d turn = ObliqueRotation(0.1 * seed);
+  const Surface flat = Jittered(Transformed(Square(5), turn, Vector3::Zero()), noise, seed);
+  switch (kind % 5)
   {
-    return (static_cast<int>(byte) - 120) / 16.0;
+    case 0:
+      return Jittered(Potato(2), noise, seed);
+    case 1:
+      return Jittered(Disk(5), noise, seed);
+    case 2:
+      return flat;
+    case 3:
+      return Joined(flat, Potato(1));
+    default:
+    {
+      // As single precision has it.
+      Surface rounded = Transformed(LShape(4), turn, Vector3::Constant(noise * 1e16));
+      for (Vector3& point : rounded.Points)
+      {
+        point = point.cast<float>().cast<double>();
+      }
+      return rounded;
+    }
   }
-  return byte < 248 ? Special(bytes.Take()) : (bytes.Take() - 128.0) * std::pow(4.0, byte - 256.0);
 }
 
-Vector3 ReadVector(Bytes& bytes)
-{
-  const double x = ReadNumber(bytes);
-  const double y = ReadNumber(bytes);
-  return { x, y, ReadNumber(bytes) };
-}
+constexpr unsigned FirstNoisy = 230;
 
-Surface ReadBase(unsigned byte)
+Surface ReadBase(unsigned byte, Bytes& bytes)
 {
   using namespace Meshes;
   if (byte >= FirstInvalid)
   {
     // Enough vertices for multigrid.
     return byte % 2 != 0 ? Potato(3) : Disk(12);
+  }
+  if (byte >= FirstNoisy)
+  {
+    return ReadNoisy(byte, bytes);
   }
   switch (byte % 12)
   {
@@ -383,7 +373,8 @@ std::string FuzzedField(const std::uint8_t* data, std::size_t size)
   const unsigned again = bytes.Take();
   const unsigned progressCalls = bytes.Take();
   const unsigned guidanceKind = bytes.Take();
-  Surface surface = ReadBase(bytes.Take());
+  const unsigned base = bytes.Take();
+  Surface surface = ReadBase(base, bytes);
   const unsigned scale = bytes.Take();
   const Vector3 shift = scale >= 128 ? ReadVector(bytes) : Vector3::Zero();
   const unsigned edits = bytes.Take();
