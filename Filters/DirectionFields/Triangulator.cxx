@@ -8,7 +8,7 @@
 #include "vtkCallbackCommand.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 namespace DirectionFields
 {
@@ -24,6 +24,7 @@ Triangulator::Triangulator(vtkPoints* points, TriangulatedPolyData& result)
   : Points(points)
   , Result(result)
 {
+  this->Polygon->Points->SetDataTypeToDouble();
   // vtkPolygon warns about each polygon that it cannot cut, but a fan is an answer to those.
   // An observer keeps the warnings from the screen.
   vtkNew<vtkCallbackCommand> silence;
@@ -145,12 +146,14 @@ bool Triangulator::CutWithCore(bool force)
 bool Triangulator::CutWithVTK()
 {
   const auto corners = static_cast<vtkIdType>(this->Corners.size());
-  this->Polygon->PointIds->SetNumberOfIds(corners);
-  this->Polygon->Points->SetDataTypeToDouble();
-  this->Polygon->Points->SetNumberOfPoints(corners);
+  if (this->Polygon->PointIds->GetNumberOfIds() != corners)
+  {
+    this->Polygon->PointIds->SetNumberOfIds(corners);
+    std::iota(this->Polygon->PointIds->begin(), this->Polygon->PointIds->end(), vtkIdType(0));
+    this->Polygon->Points->SetNumberOfPoints(corners);
+  }
   for (vtkIdType i = 0; i < corners; ++i)
   {
-    this->Polygon->PointIds->SetId(i, i);
     this->Polygon->Points->SetPoint(i, this->Places[i].data());
   }
   // The one signature that all versions of VTK share; vtkPolygon hides it in some.
