@@ -3,7 +3,7 @@
 
 #include "Mesh/PolygonEars.h"
 
-#include "Support/VectorMath.h"
+#include "Mesh/CutPolygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,38 +15,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Coordinates are integers up to this size, so that differences are exact.
-constexpr double LargestCoordinate = 1125899906842624.0;
-/// The measure of what is no ear.
-constexpr double Worst = 1e300;
 /// Most cells of the grid along an axis.
 constexpr double MostCells = 1024.0;
-
-struct Place
-{
-  double X;
-  double Y;
-  bool operator==(const Place& other) const { return this->X == other.X && this->Y == other.Y; }
-};
-
-/// The sign of the area of a triangle, exactly: 1 if it is wound counter-clockwise.
-int Turn(const Place& a, const Place& b, const Place& c)
-{
-  const double p = b.X - a.X;
-  const double q = c.Y - a.Y;
-  const double r = b.Y - a.Y;
-  const double s = c.X - a.X;
-  // Rounding is monotone: products that are different rounded are different in the same way.
-  const double one = p * q;
-  const double other = r * s;
-  if (one != other)
-  {
-    return one > other ? 1 : -1;
-  }
-  const double oneRest = std::fma(p, q, -one);
-  const double otherRest = std::fma(r, s, -other);
-  return oneRest > otherRest ? 1 : (oneRest < otherRest ? -1 : 0);
-}
 
 /// The corners moved and scaled into the cube from -1 to 1.
 std::vector<Vector3> Normalized(const std::vector<Vector3>& corners)
@@ -60,15 +30,17 @@ std::vector<Vector3> Normalized(const std::vector<Vector3>& corners)
   }
   // Halves, for the difference of the largest numbers is none.
   const Vector3 half = 0.5 * upper - 0.5 * lower;
-  const double size = half.maxCoeff();
-  std::vector<Vector3> normalized(corners.size());
-  for (std::size_t i = 0; i < corners.size() && size > 0.0; ++i)
+  std::vector<Vector3> normalized(corners.size(), Vector3(Vector3::Zero()));
+  if (half.maxCoeff() > 0.0)
   {
-    normalized[i] = (0.5 * corners[i] - 0.5 * lower - 0.5 * half) / (0.5 * size);
-  }
-  if (!(size > 0.0))
-  {
-    std::fill(normalized.begin(), normalized.end(), Vector3(Vector3::Zero()));
+    // A power of two, which rounds nothing: what is on one line stays there.
+    int exponent = 0;
+    std::frexp(half.maxCoeff(), &exponent);
+    const double halfSize = std::ldexp(0.5, std::max(exponent, -1021));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      normalized[i] = (0.5 * corners[i] - 0.5 * lower - 0.5 * half) / halfSize;
+    }
   }
   return normalized;
 }
@@ -86,111 +58,11 @@ Vector3 NormalOf(const std::vector<Vector3>& corners)
   return length > 1e-14 ? Vector3(sum / length) : Vector3::Zero();
 }
 
-/// What is left of a polygon while ears are cut off.
-class Polygon
-{
-public:
-  Polygon(const std::vector<Vector3>& corners, const Vector3& normal)
-    : Corners(corners)
-    , Places(corners.size())
-    , PreviousOf(corners.size())
-    , NextOf(corners.size())
-    , Remaining(static_cast<Index>(corners.size()))
-  {
-    const Vector3 x = AnyOrthogonal(normal);
-    const Vector3 y = normal.cross(x);
-    for (Index i = 0; i < this->Remaining; ++i)
-    {
-      this->Places[i] = { std::round(0.5 * LargestCoordinate * corners[i].dot(x)),
-        std::round(0.5 * LargestCoordinate * corners[i].dot(y)) };
-      this->PreviousOf[i] = i > 0 ? i - 1 : this->Remaining - 1;
-      this->NextOf[i] = i + 1 < this->Remaining ? i + 1 : 0;
-    }
-  }
-
-  Index Previous(Index i) const { return this->PreviousOf[i]; }
-  Index Next(Index i) const { return this->NextOf[i]; }
-  Index GetRemaining() const { return this->Remaining; }
-  bool IsThere(Index i) const { return this->NextOf[i] != None; }
-  const Place& At(Index i) const { return this->Places[i]; }
-  int Turn(Index a, Index b, Index c) const
-  {
-    return Internal::Turn(this->Places[a], this->Places[b], this->Places[c]);
-  }
-  /// Whether the inner angle of a corner is less than half a turn.
-  bool IsConvex(Index i) const { return this->Turn(this->Previous(i), i, this->Next(i)) > 0; }
-
-  void Remove(Index i)
-  {
-    this->NextOf[this->PreviousOf[i]] = this->NextOf[i];
-    this->PreviousOf[this->NextOf[i]] = this->PreviousOf[i];
-    this->NextOf[i] = None;
-    --this->Remaining;
-  }
-
-  /// The square of the perimeter of a corner's triangle over its area: the less, the better.
-  double Measure(Index i) const
-  {
-    const Vector3& a = this->Corners[this->Previous(i)];
-    const Vector3& b = this->Corners[i];
-    const Vector3& c = this->Corners[this->Next(i)];
-    const double area = (b - a).cross(c - a).norm();
-    const double perimeter = (b - a).norm() + (c - b).norm() + (a - c).norm();
-    return area > 0.0 ? std::min(perimeter * perimeter / area, 0.5 * Worst) : 0.5 * Worst;
-  }
-
-  /// Whether the diagonal from an end of an ear to the other runs into the polygon there.
-  bool OpensInwards(Index i) const
-  {
-    const Index a = this->Previous(i);
-    const Index c = this->Next(i);
-    const Index before = this->Previous(a);
-    const Index after = this->Next(c);
-    // A loop may be closed, which leaves nothing behind it.
-    return (!this->IsConvex(a) || this->At(before) == this->At(c) ||
-             this->Turn(a, c, before) > 0) &&
-      (!this->IsConvex(c) || this->At(after) == this->At(a) || this->Turn(c, after, a) > 0);
-  }
-
-  /// Whether a corner is in the way of the ear of another one.
-  bool Blocks(Index blocker, Index ear) const
-  {
-    const Index a = this->Previous(ear);
-    const Index c = this->Next(ear);
-    const Place& at = this->At(blocker);
-    // Around a place that is visited several times each visit keeps to its own side.
-    if (at == this->At(a) || at == this->At(ear) || at == this->At(c))
-    {
-      return false;
-    }
-    const int first = this->Turn(a, ear, blocker);
-    const int second = this->Turn(ear, c, blocker);
-    if (first < 0 || second < 0 || this->Turn(c, a, blocker) < 0)
-    {
-      return false;
-    }
-    // The polygon may touch the ear's sides from outside.
-    const auto goesIn = [&](Index from, Index to)
-    {
-      return this->Turn(from, to, this->Previous(blocker)) > 0 ||
-        this->Turn(from, to, this->Next(blocker)) > 0;
-    };
-    return first == 0 ? goesIn(a, ear) : (second == 0 ? goesIn(ear, c) : true);
-  }
-
-private:
-  const std::vector<Vector3>& Corners;
-  std::vector<Place> Places;
-  std::vector<Index> PreviousOf;
-  std::vector<Index> NextOf;
-  Index Remaining;
-};
-
 /// The corners that can be in the way of ears, those that are not convex, in square cells.
 class Grid
 {
 public:
-  explicit Grid(const Polygon& polygon)
+  explicit Grid(const CutPolygon& polygon)
     : Shape(polygon)
     , IsIn(static_cast<std::size_t>(polygon.GetRemaining()), 0)
   {
@@ -245,13 +117,16 @@ public:
   }
 
   /// A corner that is in the way of an ear; None without one.
-  Index FindBlocker(Index ear) const
+  Index FindBlocker(Index ear, bool isWide) const
   {
-    const Place& a = this->Shape.At(this->Shape.Previous(ear));
-    const Place& b = this->Shape.At(ear);
-    const Place& c = this->Shape.At(this->Shape.Next(ear));
-    const auto [left, right] = std::minmax({ a.X, b.X, c.X });
-    const auto [low, high] = std::minmax({ a.Y, b.Y, c.Y });
+    const CutPolygon::Place& a = this->Shape.At(this->Shape.Previous(ear));
+    const CutPolygon::Place& b = this->Shape.At(ear);
+    const CutPolygon::Place& c = this->Shape.At(this->Shape.Next(ear));
+    constexpr double margin = CutPolygon::Nearness * CutPolygon::LargestCoordinate;
+    const double left = std::min({ a.X, b.X, c.X }) - margin;
+    const double right = std::max({ a.X, b.X, c.X }) + margin;
+    const double low = std::min({ a.Y, b.Y, c.Y }) - margin;
+    const double high = std::max({ a.Y, b.Y, c.Y }) + margin;
     for (std::size_t y = this->Along(low); y <= this->Along(high); ++y)
     {
       const std::size_t row = y * static_cast<std::size_t>(this->Across);
@@ -259,9 +134,9 @@ public:
       for (std::size_t k = this->Begin[row + this->Along(left)]; k < end; ++k)
       {
         const Index i = this->Members[k];
-        const Place& at = this->Shape.At(i);
+        const CutPolygon::Place& at = this->Shape.At(i);
         if (at.X >= left && at.X <= right && at.Y >= low && at.Y <= high && this->IsIn[i] &&
-          this->Shape.Blocks(i, ear))
+          this->Shape.Blocks(i, ear, isWide))
         {
           return i;
         }
@@ -273,15 +148,15 @@ public:
 private:
   std::size_t Along(double coordinate) const
   {
-    const double part = 0.5 + 0.5 * coordinate / LargestCoordinate;
+    const double part = 0.5 + 0.5 * coordinate / CutPolygon::LargestCoordinate;
     return static_cast<std::size_t>(std::clamp(this->Across * part, 0.0, this->Across - 1.0));
   }
-  std::size_t CellOf(const Place& at) const
+  std::size_t CellOf(const CutPolygon::Place& at) const
   {
     return this->Along(at.Y) * static_cast<std::size_t>(this->Across) + this->Along(at.X);
   }
 
-  const Polygon& Shape;
+  const CutPolygon& Shape;
   std::vector<char> IsIn;
   double Across = 1.0;
   /// The corners that are in, and that were when the cells were made.
@@ -328,11 +203,11 @@ public:
     {
       if (this->Ears.empty())
       {
-        if (!this->Force || this->Forced)
+        if (this->Stage == Care::None || (this->Stage == Care::Exact && !this->Force))
         {
           return {};
         }
-        this->Forced = true;
+        this->Stage = this->Stage == Care::Wide ? Care::Exact : Care::None;
         for (std::size_t i = 0; i < this->Version.size(); ++i)
         {
           this->Queue(static_cast<Index>(i));
@@ -345,7 +220,9 @@ public:
       {
         continue;
       }
-      const Index blocker = this->Forced ? None : this->InTheWay.FindBlocker(ear.Corner);
+      const Index blocker = this->Stage == Care::None
+        ? None
+        : this->InTheWay.FindBlocker(ear.Corner, this->Stage == Care::Wide);
       if (blocker == None)
       {
         this->Cut(ear.Corner);
@@ -378,12 +255,14 @@ private:
     {
       return;
     }
-    const bool isEar = this->Shape.IsConvex(i) && (this->Forced || this->Shape.OpensInwards(i));
-    if (isEar || this->Forced)
+    const bool takesAll = this->Stage == Care::None;
+    const bool isEar = this->Shape.IsConvex(i) && (takesAll || this->Shape.OpensInwards(i));
+    if (isEar || takesAll)
     {
       // What is not convex is cut in turns, so that few triangles meet in a corner.
-      this->Ears.push({ isEar ? this->Shape.Measure(i) : Worst * (1.0 + 1e-9 * this->Version[i]), i,
-        this->Version[i] });
+      this->Ears.push(
+        { isEar ? this->Shape.Measure(i) : CutPolygon::Worst * (1.0 + 1e-9 * this->Version[i]), i,
+          this->Version[i] });
     }
   }
 
@@ -398,7 +277,8 @@ private:
     {
       const bool isNow =
         this->Shape.IsThere(ear.Corner) && this->Version[ear.Corner] == ear.Version;
-      const bool goesOn = isNow && this->InTheWay.Has(i) && this->Shape.Blocks(i, ear.Corner);
+      const bool goesOn = isNow && this->InTheWay.Has(i) &&
+        this->Shape.Blocks(i, ear.Corner, this->Stage == Care::Wide);
       if (isNow && !goesOn)
       {
         this->Ears.push(ear);
@@ -487,11 +367,18 @@ private:
     return this->Force || this->Shape.IsConvex(i);
   }
 
-  Polygon Shape;
+  CutPolygon Shape;
   Grid InTheWay;
   bool Force;
-  /// What is left crosses itself: corners are cut whatever is in the way.
-  bool Forced = false;
+  /// What keeps an ear from being cut: corners in the way or beside its diagonal; once nothing is left
+  /// then, those in the way; and once what is left crosses itself, nothing.
+  enum class Care
+  {
+    Wide,
+    Exact,
+    None
+  };
+  Care Stage = Care::Wide;
   /// How often a corner has got other neighbours.
   std::vector<Index> Version;
   std::priority_queue<Ear, std::vector<Ear>, std::greater<Ear>> Ears;

@@ -221,6 +221,25 @@ TEST(PolygonEars, KeepHolesOpen)
   Keyhole frame({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 } });
   frame.Cut(0, { { 1, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 }, { 1, 2, 0 } });
   ExpectHoles(frame, 1);
+  // The same turned in space, where lines are straight up to rounding only: no triangle without area.
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  Corners places = frame.Places();
+  for (int i = 0; i < 3; ++i)
+  {
+    places.emplace_back(0.0, 0.75 * (3 - i), 0.0);
+  }
+  for (Vector3& place : places)
+  {
+    place = turn * place / 3.0;
+  }
+  const std::vector<Index> triangles = Internal::CutEars(places, false);
+  ASSERT_EQ(triangles.size(), 3 * (places.size() - 2));
+  for (std::size_t k = 0; k < triangles.size(); k += 3)
+  {
+    const Vector3& a = places[triangles[k]];
+    EXPECT_GT((places[triangles[k + 1]] - a).cross(places[triangles[k + 2]] - a).norm(), 0.01);
+  }
 }
 
 TEST(PolygonEars, LoopsAtAPlaceAreCutEach)
