@@ -78,8 +78,8 @@ struct CurvatureReport
   /// are equal.
   std::vector<Vector3> PrincipalDirection0;
   std::vector<Vector3> PrincipalDirection1;
-  /// H, positive where the surface is convex, and K; in 1 / length and 1 / length^2. K is 0 on the
-  /// boundary.
+  /// H, positive where the surface is convex, and K; in 1 / length and 1 / length^2. At vertices on
+  /// creases, where the surface is bent and not curved, they follow the size of the triangles.
   std::vector<double> Mean;
   std::vector<double> Gaussian;
 };

@@ -84,7 +84,8 @@
  *   tangent vectors of the larger and the smaller signed curvature; (0, 0, 0) where the two are
  *   equal.
  * - point data `MeanCurvature`, `GaussianCurvature`: type as above, in 1 / length and 1 / length^2.
- *   The mean curvature is positive where the surface is convex; the Gaussian is 0 on the boundary.
+ *   The mean curvature is positive where the surface is convex. On sharp edges, where the surface is
+ *   bent and not curved, they follow the size of the triangles.
  * - point data `OriginalPointIds`: vtkIdType, only where the surface was split because it is no
  *   manifold. The input's point of each point; the points that were split off come last, with the
  *   point data of their originals, and the polygons and strips use them.

@@ -3,8 +3,10 @@
 
 #include "Field/Curvature.h"
 
-#include "Sections/Assembly.h"
-#include "Solvers/Systems/MassSystem.h"
+#include "Curvature/Creases.h"
+#include "Curvature/Rounding.h"
+#include "Curvature/ShapeFit.h"
+#include "Curvature/ShapeSmoothing.h"
 #include "Support/Threads.h"
 
 #include <cmath>
@@ -13,59 +15,116 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-constexpr Index PieceSize = 1 << 12;
-}
+/// How many times the deviation must be exceeded that errors as large as the largest would lead to.
+constexpr double Significant = 4.0;
 
-Curvature::Curvature(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles)
-  : Hopf(geometry.Mesh.GetNumberOfVertices(), 0.0)
-  , Mean(geometry.Mesh.GetNumberOfVertices())
-  , Gaussian(geometry.Mesh.GetNumberOfVertices())
+/// The shape at a vertex as its edges have it.
+Shape EdgeShape(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles,
+  double unit, Index v, std::vector<Index>& fan)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const Metric& metric = geometry.Lengths;
   const std::vector<Vector3>& positions = geometry.Positions;
+  mesh.GetFan(v, fan);
+  Shape shape;
+  double area = 0.0;
+  Vector3 laplacian = Vector3::Zero();
+  for (const Index h : fan)
+  {
+    const Index next = TriangleMesh::Next(h);
+    const Index previous = TriangleMesh::Previous(h);
+    const double out = metric.SquaredLength[mesh.Edge(h)];
+    const double across = metric.SquaredLength[mesh.Edge(next)];
+    const double back = metric.SquaredLength[mesh.Edge(previous)];
+    // Half the cotangents of the corners opposite of the two edges at the vertex.
+    const double perArea = 0.125 / metric.Area[h / 3] / unit;
+    laplacian +=
+      perArea * (across + back - out) * Vector3(positions[mesh.Tail(next)] - positions[v]);
+    laplacian +=
+      perArea * (out + across - back) * Vector3(positions[mesh.Tail(previous)] - positions[v]);
+    area += metric.Area[h / 3] / 3.0;
+    const double strength = -0.25 * dihedralAngles[mesh.Edge(h)] * std::sqrt(out);
+    shape.Hopf += strength * std::polar(1.0, 2.0 * geometry.Transport.EdgeAngle[h]);
+  }
+  shape.Hopf /= area;
+  laplacian /= area;
+  const double outward = laplacian.dot(geometry.Frames.Normal[v]);
+  shape.Mean =
+    mesh.IsBoundary(v) ? -0.5 * outward : std::copysign(0.5 * laplacian.norm(), -outward);
+  return shape;
+}
+
+std::vector<Shape> EdgeShapes(
+  const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  std::vector<Shape> shapes(mesh.GetNumberOfVertices());
   mesh.ForEachComponent(
     [&](Index c)
     {
       const TriangleMesh::Component& component = mesh.GetComponents()[c];
-      ParallelFor(component.Vertices(), PieceSize,
+      ParallelFor(component.Vertices(), MediumPiece,
         [&](Index begin, Index end)
         {
           std::vector<Index> fan;
           for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
           {
-            mesh.GetFan(v, fan);
-            double area = 0.0;
-            Vector3 laplacian = Vector3::Zero();
-            for (const Index h : fan)
-            {
-              const Index next = TriangleMesh::Next(h);
-              const Index previous = TriangleMesh::Previous(h);
-              const double out = metric.SquaredLength[mesh.Edge(h)];
-              const double across = metric.SquaredLength[mesh.Edge(next)];
-              const double back = metric.SquaredLength[mesh.Edge(previous)];
-              // Half the cotangents of the corners opposite of the two edges at the vertex.
-              const double perArea = 0.125 / metric.Area[h / 3] / metric.Unit[c];
-              laplacian += perArea * (across + back - out) *
-                Vector3(positions[mesh.Tail(next)] - positions[v]);
-              laplacian += perArea * (out + across - back) *
-                Vector3(positions[mesh.Tail(previous)] - positions[v]);
-              area += metric.Area[h / 3] / 3.0;
-              const double strength = -0.25 * dihedralAngles[mesh.Edge(h)] * std::sqrt(out);
-              this->Hopf[v] += strength * std::polar(1.0, 2.0 * geometry.Transport.EdgeAngle[h]);
-            }
-            laplacian /= area;
-            const double outward = laplacian.dot(geometry.Frames.Normal[v]);
-            const bool boundary = mesh.IsBoundary(v);
-            this->Mean[v] =
-              boundary ? -0.5 * outward : std::copysign(0.5 * laplacian.norm(), -outward);
-            this->Gaussian[v] =
-              boundary ? 0.0 : (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
+            shapes[v] = EdgeShape(geometry, dihedralAngles, geometry.Lengths.Unit[c], v, fan);
           }
         });
-      Eigen::Map<ComplexVector> hopf(
-        this->Hopf.data() + component.FirstVertex, component.Vertices());
-      hopf = SolveMass(AssembleOperators(geometry, component, 2, 0.0), hopf);
+    });
+  return shapes;
+}
+
+/// The angle defect at a vertex over its area; 0 on the boundary.
+double DefectCurvature(const SurfaceGeometry& geometry, Index v, std::vector<Index>& fan)
+{
+  if (geometry.Mesh.IsBoundary(v))
+  {
+    return 0.0;
+  }
+  geometry.Mesh.GetFan(v, fan);
+  double area = 0.0;
+  for (const Index h : fan)
+  {
+    area += geometry.Lengths.Area[h / 3] / 3.0;
+  }
+  return (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
+}
+}
+
+Curvature::Curvature(
+  const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles, double rings)
+  : Hopf(geometry.Mesh.GetNumberOfVertices(), 0.0)
+  , Mean(geometry.Mesh.GetNumberOfVertices())
+  , Gaussian(geometry.Mesh.GetNumberOfVertices())
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const std::vector<Shape> edges = EdgeShapes(geometry, dihedralAngles);
+  std::vector<Shape> shapes = FitShapes(geometry, Creases(geometry, dihedralAngles));
+  SmoothShapes(geometry, edges, rings, shapes);
+  mesh.ForEachComponent(
+    [&](Index c)
+    {
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      const double error =
+        Significant * (RoundingError(geometry.Positions, component) / geometry.Lengths.Unit[c]);
+      ParallelFor(component.Vertices(), MediumPiece,
+        [&](Index begin, Index end)
+        {
+          std::vector<Index> fan;
+          for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
+          {
+            const bool isFitted = shapes[v].IsFitted();
+            const Shape& shape = isFitted ? shapes[v] : edges[v];
+            const double square = std::norm(shape.Hopf);
+            const bool isRounding = isFitted && square <= error * error * shape.Variance;
+            this->Hopf[v] = isRounding ? Complex(0.0) : shape.Hopf;
+            this->Mean[v] = shape.Mean;
+            this->Gaussian[v] =
+              isFitted ? shape.Mean * shape.Mean - square : DefectCurvature(geometry, v, fan);
+          }
+        });
     });
 }
 }

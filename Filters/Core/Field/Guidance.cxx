@@ -66,6 +66,84 @@ std::vector<Complex> CurvatureSection(
   return section;
 }
 
+void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section)
+{
+  constexpr double decay = 0.1;
+  // What is less than this is no longer made smaller, lest it be rounded to zero.
+  constexpr double least = 1e-100;
+  const TriangleMesh& mesh = geometry.Mesh;
+  std::vector<char> isKnown(section.size());
+  std::vector<Index> fan;
+  std::vector<Index> front;
+  const auto forEachNeighbour = [&](Index v, const auto& body)
+  {
+    mesh.GetFan(v, fan);
+    for (const Index h : fan)
+    {
+      body(mesh.Head(h), -geometry.Transport.RotationAlong(mesh, h));
+    }
+    if (mesh.IsBoundary(v))
+    {
+      const Index incoming = TriangleMesh::Previous(fan.back());
+      body(mesh.Tail(incoming), geometry.Transport.RotationAlong(mesh, incoming));
+    }
+  };
+  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
+  {
+    isKnown[v] = section[v] != 0.0 ? 1 : 0;
+  }
+  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
+  {
+    if (isKnown[v] == 0)
+    {
+      bool isNext = false;
+      forEachNeighbour(v, [&](Index j, double) { isNext = isNext || isKnown[j] != 0; });
+      if (isNext)
+      {
+        front.push_back(v);
+      }
+    }
+  }
+  std::vector<Complex> values;
+  while (!front.empty())
+  {
+    values.assign(front.size(), 0.0);
+    for (std::size_t k = 0; k < front.size(); ++k)
+    {
+      double known = 0.0;
+      forEachNeighbour(front[k],
+        [&](Index j, double rotation)
+        {
+          if (isKnown[j] == 1)
+          {
+            values[k] += section[j] * std::polar(1.0, degree * rotation);
+            known += 1.0;
+          }
+        });
+      values[k] *= (std::abs(values[k]) > least ? decay : 1.0) / known;
+    }
+    std::vector<Index> next;
+    for (std::size_t k = 0; k < front.size(); ++k)
+    {
+      section[front[k]] = values[k];
+      isKnown[front[k]] = 1;
+    }
+    for (const Index v : front)
+    {
+      forEachNeighbour(v,
+        [&](Index j, double)
+        {
+          if (isKnown[j] == 0)
+          {
+            isKnown[j] = 2;
+            next.push_back(j);
+          }
+        });
+    }
+    front.swap(next);
+  }
+}
+
 void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section)
 {
   for (const TriangleMesh::Component& component : mesh.GetComponents())

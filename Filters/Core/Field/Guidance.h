@@ -21,6 +21,11 @@ std::vector<Complex> GuidanceSection(
 std::vector<Complex> CurvatureSection(
   const std::vector<Complex>& hopf, int degree, CurvatureDirection direction);
 
+/// Continues a section to vertices of its components where it is zero: each of them has a tenth of the
+/// mean of those neighbours that are nearer to where it is not. That is next to nothing for a field that is
+/// drawn to it, but gives the section itself directions.
+void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section);
+
 /// Sets a section to zero on components that cannot be oriented.
 void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section);
 

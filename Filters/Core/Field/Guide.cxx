@@ -66,6 +66,10 @@ std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
     notes.emplace_back("Alignment changes nothing: the guidance is zero everywhere.");
     drawn.clear();
   }
+  else if (options.Alignment == Alignment::PrincipalCurvature)
+  {
+    Continue(stages.GetGeometry(), options.Degree, drawn);
+  }
   return drawn;
 }
 }

@@ -215,7 +215,7 @@ TEST(Alignment, EnergiesAreMonotoneInTheStrength)
 TEST(Alignment, LambdaFollowsTheDefinition)
 {
   const Surface surface =
-    Joined(Potato(2), Transformed(Icosphere(2), 0.1 * Eigen::Matrix3d::Identity(), { 5, 0, 0 }));
+    Joined(Potato(2), Transformed(Potato(2), 0.1 * ObliqueRotation(1.0), { 5, 0, 0 }));
   DirectionField field(surface);
   Options options = CurvatureAligned(4, 0.25);
   const Result result = field.Compute(options);

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Curvature/Rounding.h"
+
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// What the coordinates of some vertices have in common.
+struct Precision
+{
+  double Largest = 0.0;
+  bool IsSingle = true;
+  bool HasSixDigits = true;
+  bool HasSevenDigits = true;
+
+  Precision& operator+=(const Precision& other)
+  {
+    this->Largest = std::max(this->Largest, other.Largest);
+    this->IsSingle = this->IsSingle && other.IsSingle;
+    this->HasSixDigits = this->HasSixDigits && other.HasSixDigits;
+    this->HasSevenDigits = this->HasSevenDigits && other.HasSevenDigits;
+    return *this;
+  }
+};
+
+/// The power of ten of the first digit of a positive number.
+double Decade(double x)
+{
+  return std::floor(std::log10(x));
+}
+
+/// Whether a number is one of so many digits, up to what single precision leaves of it.
+bool HasDigits(double x, int digits, double tolerance)
+{
+  const double size = std::abs(x);
+  if (!(size > std::numeric_limits<float>::min()) || size > std::numeric_limits<float>::max())
+  {
+    return size == 0.0;
+  }
+  const double scaled = size * std::pow(10.0, digits - 1 - Decade(size));
+  return std::abs(scaled - std::round(scaled)) <= tolerance * scaled;
+}
+
+void Add(double x, Precision& precision)
+{
+  constexpr double single = std::numeric_limits<float>::epsilon();
+  constexpr double few = 16.0 * std::numeric_limits<double>::epsilon();
+  precision.Largest = std::max(precision.Largest, std::abs(x));
+  precision.IsSingle = precision.IsSingle && static_cast<double>(static_cast<float>(x)) == x;
+  precision.HasSixDigits = precision.HasSixDigits && HasDigits(x, 6, single);
+  // Single precision tells no seven digits apart.
+  precision.HasSevenDigits = precision.HasSevenDigits && HasDigits(x, 7, few);
+}
+}
+
+double RoundingError(
+  const std::vector<Vector3>& positions, const TriangleMesh::Component& component)
+{
+  const Precision all = ParallelSum<Precision>(component.Vertices(), LightPiece, {},
+    [&](Index begin, Index end)
+    {
+      Precision part;
+      for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
+      {
+        for (const double x : positions[v])
+        {
+          Add(x, part);
+        }
+      }
+      return part;
+    });
+  if (all.Largest > 0.0 && (all.HasSixDigits || all.HasSevenDigits))
+  {
+    return 0.5 * std::pow(10.0, Decade(all.Largest) - (all.HasSixDigits ? 5 : 6));
+  }
+  return 0.5 * all.Largest *
+    (all.IsSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
+}
+}
