@@ -5,7 +5,6 @@
 
 #include "FieldReport.h"
 
-#include <vtkCleanPolyData.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 
@@ -13,12 +12,10 @@ int main(int argc, char* argv[])
 {
   vtkNew<vtkOBJReader> reader;
   reader->SetFileName(FileArgument(argc, argv));
-  // With texture coordinates or normals the reader gives each face points of its own.
-  vtkNew<vtkCleanPolyData> merge;
-  merge->SetInputConnection(reader->GetOutputPort());
-  merge->SetTolerance(0.0);
+  // With texture coordinates or normals the reader gives each face points of its own: the filter connects
+  // them by their places.
   vtkNew<vtkDirectionField> field;
-  field->SetInputConnection(merge->GetOutputPort());
+  field->SetInputConnection(reader->GetOutputPort());
   field->SetDegree(4);
   return Report(field);
 }

@@ -118,9 +118,9 @@ struct Options
   /// Angle between the normals of the two triangles of an edge above which it is sharp, degrees.
   /// Range 0 to 180.
   double FeatureAngle = 30.0;
-  /// Chains of sharp edges that end freely or stand alone are dropped as noise where they are shorter
-  /// than this, in parts of the square root of the component's area, and less than twice as sharp as
-  /// FeatureAngle asks for. At least 0, which keeps all.
+  /// Chains of sharp edges are dropped as noise where they are shorter than this, in parts of the square
+  /// root of the component's area, and stand out little from the edges around: less than four times as
+  /// sharp, or eight times where they end freely. At least 0, which keeps all.
   double MinimumFeatureLength = 0.1;
   /// Constrain the vertices of high curvature to their principal directions; degrees 2 and 4 only.
   bool ConstrainCurvature = false;

@@ -385,8 +385,8 @@ public:
   ///@{
   /**
    * Chains of sharp edges that are shorter than this, in parts of the square root of the component's
-   * area, count as noise unless they are very sharp or lead from one feature or boundary to another.
-   * Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.1.
+   * area, count as noise unless they are much sharper than the edges around, or lead from boundary
+   * to boundary. Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.1.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumFeatureLength, double);

@@ -10,8 +10,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Edges are very sharp from twice the angle on, or from this one on.
-constexpr double VerySharp = Pi / 3.0;
+/// Rounds of dropping, of which strong noise takes nine.
+constexpr int MostRounds = 16;
 }
 
 FeatureChains::FeatureChains(
@@ -31,180 +31,153 @@ FeatureChains::FeatureChains(
     return;
   }
   this->Valence.assign(this->Mesh.GetNumberOfVertices(), 0);
+  this->IsSeen.assign(this->Features.size(), 0);
   for (Index e = 0; e < this->Mesh.GetNumberOfEdges(); ++e)
   {
     const Index h = this->Mesh.HalfEdge(e);
     this->Valence[this->Mesh.Tail(h)] += this->Features[e];
     this->Valence[this->Mesh.Head(h)] += this->Features[e];
   }
-  std::vector<char> isSeen(this->Mesh.GetNumberOfVertices(), 0);
   for (Index c = 0; c < static_cast<Index>(this->Mesh.GetComponents().size()); ++c)
   {
-    this->DropSpurs(c);
-    this->DropSmallGraphs(c, isSeen);
+    this->DropNoise(c);
   }
 }
 
-void FeatureChains::Add(Index edge, Extent& extent) const
+FeatureChains::Chain FeatureChains::Follow(Index h) const
 {
-  const double length = std::sqrt(this->Lengths.SquaredLength[edge]);
-  extent.Length += length;
-  extent.Bend += length * std::abs(this->Dihedral[edge]);
+  Chain chain;
+  chain.From = this->Mesh.Tail(h);
+  for (;;)
+  {
+    const Index edge = this->Mesh.Edge(h);
+    chain.Edges.push_back(edge);
+    chain.To = this->Mesh.Head(h);
+    // A loop ends where it began.
+    if (chain.To == chain.From || this->IsNode(chain.To))
+    {
+      return chain;
+    }
+    h = this->Mesh.Outgoing(chain.To);
+    while (!this->Features[this->Mesh.Edge(h)] || this->Mesh.Edge(h) == edge)
+    {
+      h = this->Mesh.NextOutgoing(h);
+    }
+  }
 }
 
-bool FeatureChains::CountsAsFeature(const Extent& extent, Index component) const
+double FeatureChains::LengthOf(const Chain& chain) const
 {
-  const double least =
-    this->Wanted.MinimumLength * std::sqrt(this->Lengths.ComponentArea[component]);
-  const double sharp = std::min(2.0 * this->Wanted.Angle, VerySharp);
-  return extent.Length >= least || extent.Bend >= sharp * extent.Length;
+  double length = 0.0;
+  for (const Index e : chain.Edges)
+  {
+    length += std::sqrt(this->Lengths.SquaredLength[e]);
+  }
+  return length;
 }
 
-Index FeatureChains::NextFeature(Index vertex, Index edge) const
+bool FeatureChains::StandsOut(const Chain& chain) const
+{
+  double bend = 0.0;
+  double around = 0.0;
+  Index others = 0;
+  for (const Index e : chain.Edges)
+  {
+    bend += std::sqrt(this->Lengths.SquaredLength[e]) * std::abs(this->Dihedral[e]);
+    for (const Index v :
+      { this->Mesh.Tail(this->Mesh.HalfEdge(e)), this->Mesh.Head(this->Mesh.HalfEdge(e)) })
+    {
+      Index h = this->Mesh.Outgoing(v);
+      do
+      {
+        if (!this->Features[this->Mesh.Edge(h)] && this->Mesh.Twin(h) != None)
+        {
+          around += std::abs(this->Dihedral[this->Mesh.Edge(h)]);
+          ++others;
+        }
+        h = this->Mesh.NextOutgoing(h);
+      } while (h != None && h != this->Mesh.Outgoing(v));
+    }
+  }
+  const double mean = bend / this->LengthOf(chain);
+  const double contrast =
+    this->EndsFreely(chain) && mean < VerySharp ? FreeContrast : ClearContrast;
+  return mean * std::max<Index>(1, others) >= contrast * around;
+}
+
+bool FeatureChains::IsNoise(const Chain& chain, const Doubt& doubt) const
+{
+  if (doubt.FreeEndsOnly && !this->EndsFreely(chain))
+  {
+    return false;
+  }
+  const bool crosses = this->Mesh.IsBoundary(chain.From) && this->Mesh.IsBoundary(chain.To);
+  return !crosses && this->LengthOf(chain) < doubt.Length && !this->StandsOut(chain);
+}
+
+void FeatureChains::CollectNoise(Index vertex, const Doubt& doubt, std::vector<Index>& noise)
 {
   Index h = this->Mesh.Outgoing(vertex);
   do
   {
-    if (this->Features[this->Mesh.Edge(h)] && this->Mesh.Edge(h) != edge)
+    if (this->Features[this->Mesh.Edge(h)] && !this->IsSeen[this->Mesh.Edge(h)])
     {
-      return h;
+      const Chain chain = this->Follow(h);
+      for (const Index e : chain.Edges)
+      {
+        this->IsSeen[e] = 1;
+      }
+      if (this->IsNoise(chain, doubt))
+      {
+        noise.insert(noise.end(), chain.Edges.begin(), chain.Edges.end());
+      }
     }
     h = this->Mesh.NextOutgoing(h);
   } while (h != None && h != this->Mesh.Outgoing(vertex));
-  return None;
-}
-
-std::vector<Index> FeatureChains::ChainFrom(Index vertex) const
-{
-  std::vector<Index> edges;
-  Index edge = None;
-  do
-  {
-    const Index h = this->NextFeature(vertex, edge);
-    edge = this->Mesh.Edge(h);
-    edges.push_back(edge);
-    vertex = this->Mesh.Head(h);
-  } while (this->Valence[vertex] == 2 && !this->Mesh.IsBoundary(vertex));
-  return edges;
 }
 
 void FeatureChains::Drop(const std::vector<Index>& edges)
 {
   for (const Index e : edges)
   {
-    // A chain is found from both of its free ends.
-    if (this->Features[e])
+    this->Features[e] = 0;
+    --this->Valence[this->Mesh.Tail(this->Mesh.HalfEdge(e))];
+    --this->Valence[this->Mesh.Head(this->Mesh.HalfEdge(e))];
+  }
+}
+
+void FeatureChains::DropNoise(Index component)
+{
+  const double length =
+    this->Wanted.MinimumLength * std::sqrt(this->Lengths.ComponentArea[component]);
+  for (const bool freeEndsOnly : { true, false })
+  {
+    int rounds = 0;
+    while (rounds < MostRounds && this->DropRound(component, { length, freeEndsOnly }))
     {
-      this->Features[e] = 0;
-      --this->Valence[this->Mesh.Tail(this->Mesh.HalfEdge(e))];
-      --this->Valence[this->Mesh.Head(this->Mesh.HalfEdge(e))];
+      ++rounds;
     }
   }
 }
 
-/// All chains of a round are measured before any is dropped, so that the order does not matter.
-void FeatureChains::DropSpurs(Index component)
+/// All chains are looked at before any is dropped, so that the order does not matter.
+bool FeatureChains::DropRound(Index component, const Doubt& doubt)
 {
   const TriangleMesh::Component& range = this->Mesh.GetComponents()[component];
-  std::vector<Index> ends;
-  for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
+  std::fill(this->IsSeen.begin() + range.FirstEdge, this->IsSeen.begin() + range.EndEdge, 0);
+  std::vector<Index> noise;
+  // What no node is part of is a loop.
+  for (const bool nodes : { true, false })
   {
-    if (this->IsFreeEnd(v))
+    for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
     {
-      ends.push_back(v);
-    }
-  }
-  while (!ends.empty())
-  {
-    std::vector<Index> dropped;
-    for (const Index v : ends)
-    {
-      const std::vector<Index> chain = this->ChainFrom(v);
-      Extent extent;
-      for (const Index e : chain)
+      if (this->Valence[v] > 0 && this->IsNode(v) == nodes)
       {
-        this->Add(e, extent);
-      }
-      if (!this->CountsAsFeature(extent, component))
-      {
-        dropped.insert(dropped.end(), chain.begin(), chain.end());
+        this->CollectNoise(v, doubt, noise);
       }
     }
-    this->Drop(dropped);
-    ends.clear();
-    for (const Index e : dropped)
-    {
-      for (const Index v :
-        { this->Mesh.Tail(this->Mesh.HalfEdge(e)), this->Mesh.Head(this->Mesh.HalfEdge(e)) })
-      {
-        if (this->IsFreeEnd(v))
-        {
-          ends.push_back(v);
-        }
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   }
-}
-
-std::vector<Index> FeatureChains::GraphAt(
-  Index vertex, std::vector<char>& isSeen, int& onBoundary) const
-{
-  std::vector<Index> edges;
-  std::vector<Index> open = { vertex };
-  isSeen[vertex] = 1;
-  while (!open.empty())
-  {
-    const Index v = open.back();
-    open.pop_back();
-    onBoundary += this->Mesh.IsBoundary(v);
-    Index h = this->Mesh.Outgoing(v);
-    do
-    {
-      const Index e = this->Mesh.Edge(h);
-      if (this->Features[e])
-      {
-        if (this->Mesh.GivesDirection(h))
-        {
-          edges.push_back(e);
-        }
-        if (!isSeen[this->Mesh.Head(h)])
-        {
-          isSeen[this->Mesh.Head(h)] = 1;
-          open.push_back(this->Mesh.Head(h));
-        }
-      }
-      h = this->Mesh.NextOutgoing(h);
-    } while (h != None && h != this->Mesh.Outgoing(v));
-  }
-  return edges;
-}
-
-void FeatureChains::DropSmallGraphs(Index component, std::vector<char>& isSeen)
-{
-  const TriangleMesh::Component& range = this->Mesh.GetComponents()[component];
-  for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
-  {
-    if (this->Valence[v] == 0 || isSeen[v])
-    {
-      continue;
-    }
-    int onBoundary = 0;
-    const std::vector<Index> graph = this->GraphAt(v, isSeen, onBoundary);
-    Extent extent;
-    bool isRim = static_cast<Index>(graph.size()) >= FewestRimEdges;
-    for (const Index e : graph)
-    {
-      this->Add(e, extent);
-      const Index h = this->Mesh.HalfEdge(e);
-      isRim =
-        isRim && this->Valence[this->Mesh.Tail(h)] == 2 && this->Valence[this->Mesh.Head(h)] == 2;
-    }
-    if (!isRim && onBoundary < 2 && !this->CountsAsFeature(extent, component))
-    {
-      this->Drop(graph);
-    }
-  }
+  this->Drop(noise);
+  return !noise.empty();
 }
 }

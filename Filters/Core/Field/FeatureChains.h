@@ -12,8 +12,7 @@ namespace DirectionFields::Internal
 {
 /// Which edges are features of the shape: those sharper than an angle, without what is noise among them.
 /// A chain is one sharp edge after the other; it ends where three or more meet, where there are no more,
-/// and on the boundary. Noise makes edges sharp here and there, and by little. A feature makes a long
-/// chain, a very sharp one, a loop, or one that leads from feature to feature or from boundary to boundary.
+/// and on the boundary. Noise makes chains that are short and stand out little from what is around them.
 class FeatureChains
 {
 public:
@@ -25,10 +24,17 @@ public:
     double MinimumLength;
   };
 
-  /// Chains that are too short, and not very sharp, are dropped where they end freely, which lets others
-  /// end freely or grow together, and so on. Then sharp edges that are connected are dropped where all of
-  /// them together are too short, and not very sharp, unless they are a rim (FewestRimEdges)
-  /// or touch the boundary twice. Takes time linear in the edges.
+  /// The mean angle of a chain over that of the other edges at its vertices, from which on even a short
+  /// one is a feature; where it ends freely and is less than very sharp, as what noise makes is, it needs
+  /// the larger contrast.
+  static constexpr double ClearContrast = 4.0;
+  static constexpr double FreeContrast = 8.0;
+  static constexpr double VerySharp = Pi / 3.0;
+
+  /// Drops the chains that are shorter and have less contrast, unless they lead from boundary to boundary:
+  /// first those that end where there are no more sharp edges, which lets others grow together, then those
+  /// that lead from chain to chain. What is left is looked at again, for a few rounds. Takes time linear in
+  /// the edges.
   /// @param dihedral angle of each edge, radians
   FeatureChains(
     const SurfaceGeometry& geometry, const std::vector<double>& dihedral, const Settings& settings);
@@ -36,35 +42,46 @@ public:
   /// Whether an edge is a feature.
   bool IsFeature(Index edge) const { return this->Features[edge] != 0; }
 
-  /// A single loop of so many edges or more counts as the rim of something: the loops that noise makes
-  /// around a vertex are shorter.
-  static constexpr Index FewestRimEdges = 8;
-
 private:
-  /// Of several edges.
-  struct Extent
+  struct Chain
   {
-    double Length = 0.0;
-    /// The integral of the angle over the length.
-    double Bend = 0.0;
+    std::vector<Index> Edges;
+    Index From, To;
   };
 
-  void Add(Index edge, Extent& extent) const;
-  bool CountsAsFeature(const Extent& extent, Index component) const;
+  /// What may be noise.
+  struct Doubt
+  {
+    /// Chains shorter than this.
+    double Length;
+    bool FreeEndsOnly;
+  };
+
+  /// Whether chains end at a vertex.
+  bool IsNode(Index vertex) const
+  {
+    return this->Valence[vertex] != 2 || this->Mesh.IsBoundary(vertex);
+  }
   bool IsFreeEnd(Index vertex) const
   {
     return this->Valence[vertex] == 1 && !this->Mesh.IsBoundary(vertex);
   }
-  /// Another half-edge of a feature that leaves the vertex than the one along an edge; None if there is
-  /// none.
-  Index NextFeature(Index vertex, Index edge) const;
-  /// The edges from a free end to where the chain ends.
-  std::vector<Index> ChainFrom(Index vertex) const;
+  /// The chain that goes on along a half-edge.
+  Chain Follow(Index h) const;
+  double LengthOf(const Chain& chain) const;
+  /// Whether no other sharp edge is at one of its ends, which is not on the boundary.
+  bool EndsFreely(const Chain& chain) const
+  {
+    return this->IsFreeEnd(chain.From) || this->IsFreeEnd(chain.To);
+  }
+  bool StandsOut(const Chain& chain) const;
+  bool IsNoise(const Chain& chain, const Doubt& doubt) const;
+  /// Appends the edges of chains that begin at a vertex, were not seen before, and are noise.
+  void CollectNoise(Index vertex, const Doubt& doubt, std::vector<Index>& noise);
   void Drop(const std::vector<Index>& edges);
-  void DropSpurs(Index component);
-  void DropSmallGraphs(Index component, std::vector<char>& isSeen);
-  /// The features that are connected with a vertex; sets isSeen for their vertices.
-  std::vector<Index> GraphAt(Index vertex, std::vector<char>& isSeen, int& onBoundary) const;
+  void DropNoise(Index component);
+  /// Returns whether anything was dropped.
+  bool DropRound(Index component, const Doubt& doubt);
 
   const TriangleMesh& Mesh;
   const Metric& Lengths;
@@ -73,6 +90,8 @@ private:
   std::vector<char> Features;
   /// The number of features at each vertex.
   std::vector<Index> Valence;
+  /// Whether the chain of an edge has been looked at in this round.
+  std::vector<char> IsSeen;
 };
 }
 
