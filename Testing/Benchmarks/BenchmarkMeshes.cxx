@@ -3,6 +3,7 @@
 
 #include "BenchmarkMeshes.h"
 
+#include "CliffMeshes.h"
 #include "Meshes/PolyData.h"
 #include "Meshes/Surfaces.h"
 
@@ -40,12 +41,26 @@ Vector3 Bumpy(const Vector3& direction)
   return radius * p.cwiseProduct(Vector3(1.4, 1.0, 0.8));
 }
 
+Vector3 Round(const Vector3& direction)
+{
+  return direction.normalized();
+}
+
+/// Of the least subdivision that has so many triangles.
+int FrequencyFor(int triangles)
+{
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(triangles / 20.0))));
+}
+
 /// The icosahedron, each triangle split into frequency^2.
 class Subdivision
 {
 public:
-  explicit Subdivision(int frequency)
+  using Map = Vector3 (*)(const Vector3&);
+  /// @param place takes a direction to a point
+  Subdivision(int frequency, Map place)
     : Frequency(frequency)
+    , Place(place)
     , Coarse(Meshes::Icosahedron())
   {
     this->Points->SetDataTypeToFloat();
@@ -72,7 +87,7 @@ public:
 private:
   vtkIdType Add(const Vector3& position)
   {
-    const Vector3 p = Bumpy(position);
+    const Vector3 p = this->Place(position);
     return this->Points->InsertNextPoint(p.data());
   }
 
@@ -142,6 +157,7 @@ private:
   }
 
   int Frequency;
+  Map Place;
   Surface Coarse;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Polys;
@@ -195,7 +211,12 @@ vtkSmartPointer<vtkPolyData> ReadFile(const std::string& path)
 
 vtkSmartPointer<vtkPolyData> Potato(int triangles)
 {
-  return Subdivision(std::max(1, static_cast<int>(std::ceil(std::sqrt(triangles / 20.0))))).Make();
+  return Subdivision(FrequencyFor(triangles), Bumpy).Make();
+}
+
+vtkSmartPointer<vtkPolyData> Sphere(int triangles)
+{
+  return Subdivision(FrequencyFor(triangles), Round).Make();
 }
 
 vtkSmartPointer<vtkPolyData> Make(const std::string& name)
@@ -203,6 +224,10 @@ vtkSmartPointer<vtkPolyData> Make(const std::string& name)
   if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos)
   {
     return Potato(std::stoi(name));
+  }
+  if (vtkSmartPointer<vtkPolyData> mesh = MakeCliff(name))
+  {
+    return mesh;
   }
   const std::size_t at = name.rfind('@');
   vtkSmartPointer<vtkPolyData> mesh = ReadFile(name.substr(0, at));

@@ -57,6 +57,10 @@ Surface ChamferedCube(int cells);
 Surface FlatlySubdivided(const Surface& surface, int levels);
 /// The points moved by pseudo-random vectors of at most the length given.
 Surface Jittered(Surface surface, double length, unsigned seed);
+/// The points moved along the surface's normals by normally distributed distances, as the noise of a scanner
+/// does.
+/// @param edges their standard deviation, in mean lengths of the edges
+Surface Roughened(Surface surface, double edges, unsigned seed);
 
 /// The same surface of needles and caps: many edges between triangles of one plane are flipped at
 /// random.

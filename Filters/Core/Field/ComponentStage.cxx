@@ -98,8 +98,11 @@ ComplexVector ComponentStage::SmoothestTowards(const GuidanceTerms& terms) const
 SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const GivenValues& given,
   const ComplexVector& rightHandSide, const Options& options, const Progress& progress)
 {
+  const WorkLimit limit(
+    this->Matrices.Energy, ShiftedSystem::DirectSolves, ShiftedSystem::DirectWork);
   const ShiftedSystem system{ this->Matrices, factors.Energy, factors.Mass,
-    SystemTolerance(options), progress, this->OthersFollow };
+    SystemTolerance(options), progress, this->OthersFollow,
+    options.Solver == Solver::Automatic ? &limit : nullptr };
   if (given.Vertices.empty())
   {
     return ConjugateGradients(

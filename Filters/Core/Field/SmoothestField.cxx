@@ -14,6 +14,10 @@ namespace
 {
 /// Automatic takes the direct solver up to this number of rows, where it is about as fast as multigrid.
 constexpr Eigen::Index DirectRows = 3000;
+/// The solves that the direct solver needs as a rule, and its work by the row and solve besides those with the
+/// factor (see WorkLimit).
+constexpr int TypicalSolves = 20;
+constexpr double WorkOfSolve = 150.0;
 }
 
 SmallestPairs FindSmallestPairs(const Operators& operators,
@@ -26,8 +30,11 @@ SmallestPairs FindSmallestPairs(const Operators& operators,
   if (solver != Solver::Direct && rows > (automatic ? DirectRows : Hierarchy::CoarsestRows))
   {
     pairs.Hierarchy = std::make_unique<Hierarchy>(operators, settings.Scale);
+    const WorkLimit limit(operators.Energy, TypicalSolves, WorkOfSolve);
+    EigenpairSettings limited = settings;
+    limited.Limit = automatic ? &limit : nullptr;
     pairs.First =
-      SolveByJacobiDavidson(operators, *pairs.Hierarchy, settings, progress, pairs.Lowest);
+      SolveByJacobiDavidson(operators, *pairs.Hierarchy, limited, progress, pairs.Lowest);
     pairs.SolverUsed = Solver::Multigrid;
     if (pairs.First.Residual <= settings.Tolerance ||
       (!automatic && std::isfinite(pairs.First.Residual)))

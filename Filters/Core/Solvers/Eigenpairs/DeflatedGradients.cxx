@@ -20,6 +20,9 @@ constexpr Index FewRows = 256;
 /// W gets K v for a section v where v^* K v is above this part of v^* A v; below it K nearly maps v to 0,
 /// and W gets m v.
 constexpr double SmallestPart = 0.01;
+/// The work of a step besides its cycle (see WorkLimit).
+constexpr double WorkPerEntry = 3.0;
+constexpr double WorkPerRow = 40.0;
 
 /// Products of a section with the four of a block, and another sum.
 struct Sums
@@ -122,6 +125,8 @@ DeflatedGradients::DeflatedGradients(
   const Hierarchy::Level& finest, const Cycle& cycle, const SectionBlock& deflated)
   : Finest(finest)
   , Preconditioner(cycle)
+  , StepWork(cycle.Work() + WorkPerEntry * static_cast<double>(finest.Matrices.Energy.Entries()) +
+      WorkPerRow * finest.Rows())
   , Deflated(deflated)
 {
   const auto size = static_cast<std::size_t>(2) * finest.Rows();
@@ -203,6 +208,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
   for (; outcome.Steps < mostSteps; ++outcome.Steps)
   {
     cycles.Next();
+    cycles.Spend(this->StepWork);
     const double product = this->Precondition();
     this->Turn(outcome.Steps == 0 ? 0.0f : static_cast<float>(product / previous));
     previous = product;

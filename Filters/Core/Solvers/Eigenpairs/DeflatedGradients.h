@@ -55,6 +55,8 @@ private:
 
   const Hierarchy::Level& Finest;
   const Cycle& Preconditioner;
+  /// The work of a step (see WorkLimit).
+  const double StepWork;
   const SectionBlock& Deflated;
   /// W
   CompactSections Tested;

@@ -5,6 +5,7 @@
 #define DirectionFields_Eigenpair_h
 
 #include "Progress.h"
+#include "Solvers/Matrices/WorkLimit.h"
 #include "Types.h"
 
 namespace DirectionFields::Internal
@@ -31,6 +32,8 @@ struct EigenpairSettings
   /// The order of magnitude of the smallest eigenvalue of a typical surface. A shift by a small
   /// part of it makes the matrix definite where the smallest eigenvalue is 0.
   double Scale = 1.0;
+  /// Ends the iteration where another solver takes less work; null for no limit.
+  const WorkLimit* Limit = nullptr;
 };
 
 /// The part of the work, 0 to 1, that this number of solves is likely to be: convergence takes 10 to 20 of
@@ -46,6 +49,9 @@ public:
   {
   }
   int GetCount() const { return this->Count; }
+  /// The work so far (see WorkLimit).
+  double GetWork() const { return this->Work; }
+  void Spend(double work) { this->Work += work; }
   /// Tells how far the iteration is. Throws Stopped.
   void Report() const { this->Caller.Report(FractionDone(this->Count)); }
   /// Is called before each solve. Throws Stopped.
@@ -58,6 +64,7 @@ public:
 private:
   Progress Caller;
   int Count = 0;
+  double Work = 0.0;
 };
 
 /// ‖A u - lambda M u‖ / max(‖A u‖, 1e-7 ‖|A| |u|‖). The second norm takes over where lambda = 0 up to

@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace DirectionFields::Internal
 {
@@ -39,6 +40,12 @@ constexpr double Margin = 0.9;
 constexpr double SlowReduction = 0.7;
 constexpr int FewSlowSteps = 2;
 constexpr int MostSlowCycles = 100;
+/// The work of a step besides its cycles (see WorkLimit), by the row: with the space of all steps for each of
+/// its sections.
+constexpr double StepWork = 250.0;
+constexpr double SpaceWork = 30.0;
+/// That of a hierarchy, by the entry of its matrices.
+constexpr double HierarchyWork = 110.0;
 
 ComplexVector Section(const SectionBlock& block, int b)
 {
@@ -213,6 +220,7 @@ public:
     , Residual(Uninitialized(nested.Block.Rows()))
   {
     this->Best.Residual = std::numeric_limits<double>::infinity();
+    this->Cycles.Spend(nested.Work);
   }
 
   /// The best pair, which is also put in place of the first one of those that the iteration began with.
@@ -290,7 +298,25 @@ private:
       this->Best.Residual = this->Relative;
     }
     return this->Best.Residual <= this->Settings.Tolerance || this->CyclesLeft() <= 0 ||
-      this->Cycles.GetCount() - this->GoodCycles >= MostSlowCycles;
+      this->Cycles.GetCount() - this->GoodCycles >= MostSlowCycles || this->IsTooMuchWork();
+  }
+
+  /// Whether another solver is the better choice. How much work is still to come is judged by the second half
+  /// of what has been done.
+  bool IsTooMuchWork()
+  {
+    if (!this->Settings.Limit)
+    {
+      return false;
+    }
+    const double work = this->Cycles.GetWork();
+    this->History.push_back({ work, this->Best.Residual });
+    const auto half = std::partition_point(this->History.begin() + 1, this->History.end(),
+                        [&](const auto& before) { return before.Work <= 0.5 * work; }) -
+      1;
+    return !this->Settings.Limit->Allows(work,
+      RemainingWork(
+        work - half->Work, half->Residual, this->Best.Residual, this->Settings.Tolerance));
   }
 
   int CyclesLeft() const { return this->Settings.MaximumIterations - this->Cycles.GetCount(); }
@@ -304,6 +330,8 @@ private:
         : std::clamp(InnerPart * this->Relative / this->Before, InnerReduction, InnerPart),
       Margin * this->Settings.Tolerance / this->Relative);
     this->Before = this->Relative;
+    this->Cycles.Spend(
+      this->Block.Rows() * (StepWork + (this->Space ? SpaceWork * this->Space->Size() : 0.0)));
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = this->Gradients.Solve(this->Residual, -this->Value,
       reduction, std::min(this->CyclesLeft(), MostInnerSteps), this->Cycles, correction);
@@ -388,6 +416,13 @@ private:
   /// The space of all steps, where u and the last one do not suffice.
   std::optional<RitzSpace> Space;
   Eigenpair Best;
+  /// The best residuals after so much work; empty where there is no limit.
+  struct Mark
+  {
+    double Work;
+    double Residual;
+  };
+  std::vector<Mark> History;
 };
 }
 
@@ -402,6 +437,8 @@ Eigenpair SolveByJacobiDavidson(const Operators& operators, const Hierarchy& hie
     return none;
   }
   NestedPairs nested = IterateNested(operators, hierarchy, cycle, progress);
+  nested.Work += HierarchyWork * hierarchy.OperatorComplexity() *
+    static_cast<double>(operators.Energy.nonZeros());
   if (nested.Values.size() < Width)
   {
     return none;

@@ -31,6 +31,8 @@ constexpr int MostStepsOnCoarsest = 20;
 constexpr int MostStepsOnFinest = 4;
 constexpr double FirstChange = 0.25;
 constexpr double SettledChange = 0.02;
+/// The work of a step for each entry of its level (see WorkLimit).
+constexpr double WorkPerEntry = 30.0;
 
 /// Squared norms of A u - theta M u and of A u for one pair.
 struct Norms
@@ -299,9 +301,12 @@ NestedPairs IterateNested(const Operators& operators, const Hierarchy& hierarchy
       : level == 0                              ? MostStepsOnFinest
                                                 : MostSteps;
     bool goes = iteration.IsWhole();
+    const double entries = levels[level].Matrices.Energy.Entries() + levels[level].Rows();
+    pairs.Work += WorkPerEntry * entries;
     for (int step = 0; goes && step < most; ++step)
     {
       progress.RequireToGoOn();
+      pairs.Work += WorkPerEntry * entries;
       goes = iteration.Residuals() > Tolerance && !iteration.Step(cycle, level, step + 1 == most);
     }
     if (!iteration.IsWhole())

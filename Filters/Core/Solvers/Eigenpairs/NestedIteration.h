@@ -17,6 +17,8 @@ struct NestedPairs
   SectionBlock Block;
   /// Ascending. Empty where the iteration broke down.
   Eigen::VectorXd Values;
+  /// What the iteration has taken (see WorkLimit).
+  double Work = 0.0;
 };
 
 /// The smallest pairs of the coarsest level, improved on each finer one by a few steps of the

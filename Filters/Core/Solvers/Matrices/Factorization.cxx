@@ -80,7 +80,7 @@ Factorization::~Factorization() = default;
 bool Factorization::Compute(const SparseMatrix& matrix, const Progress& progress)
 {
 #ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
-  if (matrix.rows() >= CholmodRows)
+  if (IsSupernodal(matrix.rows()))
   {
     this->Factor = std::make_shared<CholmodBackend>();
     if (Watched(this->Factor, matrix, progress))
@@ -91,6 +91,15 @@ bool Factorization::Compute(const SparseMatrix& matrix, const Progress& progress
 #endif
   this->Factor = std::make_shared<EigenBackend>();
   return Watched(this->Factor, matrix, progress);
+}
+
+bool Factorization::IsSupernodal([[maybe_unused]] Eigen::Index rows)
+{
+#ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
+  return rows >= CholmodRows;
+#else
+  return false;
+#endif
 }
 
 /// Does backend->Compute(matrix) and asks meanwhile whether to go on.

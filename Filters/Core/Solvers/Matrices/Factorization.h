@@ -27,6 +27,9 @@ public:
   /// Needs a successful Compute.
   ComplexVector Solve(const ComplexVector& rightHandSide) const;
 
+  /// Whether a matrix of so many rows is factored by CHOLMOD's supernodal method.
+  static bool IsSupernodal(Eigen::Index rows);
+
 private:
   class Backend;
   class EigenBackend;

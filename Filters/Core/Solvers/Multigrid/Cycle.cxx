@@ -5,10 +5,6 @@
 
 #include "Support/Threads.h"
 
-#include <Eigen/Cholesky>
-
-#include <numeric>
-
 namespace DirectionFields::Internal
 {
 namespace
@@ -16,8 +12,20 @@ namespace
 /// Added to the coarsest energy, relative to the scale of its smallest eigenvalue: that may be 0.
 constexpr double AddedShift = 0.01;
 /// From this level on cycles correct twice: they lose little there, where a hierarchy of many levels
-/// would lose much, and it costs next to nothing.
+/// would lose much, and it costs next to nothing. It does not where levels get smaller slowly: a level whose
+/// visits would come by more entries than this part of the finest level's is visited no more often.
 constexpr std::size_t FirstTwice = 2;
+constexpr double MostRepeatedPart = 0.3;
+
+/// The work of a cycle for each entry that it comes by (see WorkLimit): a sweep down, the residual, a sweep up
+/// and what takes sections from level to level.
+constexpr double WorkPerEntry = 4.3;
+
+/// The number of entries, the diagonal's among them.
+double Entries(const Hierarchy::Level& level)
+{
+  return static_cast<double>(level.Matrices.Energy.Entries()) + level.Rows();
+}
 /// How far sweeps go towards the solution of each row.
 constexpr float Relaxation = 1.15f;
 }
@@ -26,63 +34,39 @@ Cycle::Cycle(const Hierarchy& hierarchy, double shift)
   : Levels(hierarchy.GetLevels())
   , Shift(static_cast<float>(shift))
   , CoarsestShift(shift + AddedShift * hierarchy.GetScale())
+  , Coarsest(hierarchy.GetLevels().back().Matrices, hierarchy.GetLevels().back().LumpedMass,
+      this->CoarsestShift)
+  , Visits(hierarchy.GetLevels().size(), 1)
 {
   for (std::size_t l = 0; l + 1 < this->Levels.size(); ++l)
   {
     this->Diagonals.emplace_back(
       this->Levels[l].Matrices.Energy, this->Levels[l].LumpedMass, this->Shift, Relaxation);
   }
+  for (std::size_t l = 1; l < this->Levels.size(); ++l)
+  {
+    const bool mayRepeat = l >= FirstTwice && l + 1 < this->Levels.size();
+    const int repeated = 2 * this->Visits[l - 1];
+    const bool repeats = mayRepeat &&
+      repeated * Entries(this->Levels[l]) <= MostRepeatedPart * Entries(this->Levels.front());
+    this->Visits[l] = repeats ? repeated : this->Visits[l - 1];
+  }
   this->Workspaces.resize(this->Levels.size());
-
-  const LevelMatrices& coarsest = this->Levels.back().Matrices;
-  const CompactMatrix& energy = coarsest.Energy;
-  const Index n = energy.Rows();
-  if (n > 2 * Hierarchy::MostCoarsestRows)
-  {
-    return;
-  }
-  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(n, n);
-  for (Index i = 0; i < n; ++i)
-  {
-    matrix(i, i) = energy.Diagonal[i] + this->CoarsestShift * coarsest.MassDiagonal[i];
-    for (Index k = energy.Begin[i]; k < energy.Begin[i + 1]; ++k)
-    {
-      matrix(i, energy.Column[k]) =
-        Complex(energy.Value[k]) + this->CoarsestShift * Complex(coarsest.MassValue[k]);
-    }
-  }
-  const Eigen::LLT<Eigen::MatrixXcd> factor(matrix);
-  this->Usable = factor.info() == Eigen::Success && factor.matrixLLT().allFinite();
-  this->CoarsestFactor = factor.matrixLLT();
 }
 
-template <int B>
-void Cycle::SolveCoarsest(const float* b, float* y, double* product) const
+double Cycle::Work() const
 {
-  const auto n = static_cast<Index>(this->CoarsestFactor.rows());
-  Eigen::Matrix<Complex, Eigen::Dynamic, B> solution(n, B);
-  for (Index v = 0; v < n; ++v)
+  double entries = 0.0;
+  for (std::size_t l = 0; l + 1 < this->Levels.size(); ++l)
   {
-    for (int k = 0; k < B; ++k)
-    {
-      solution(v, k) = Complex(b[2 * B * v + k], b[2 * B * v + B + k]);
-    }
+    entries += this->Visits[l] * Entries(this->Levels[l]);
   }
-  const auto lower = this->CoarsestFactor.triangularView<Eigen::Lower>();
-  lower.solveInPlace(solution);
-  lower.adjoint().solveInPlace(solution);
-  for (Index v = 0; v < n; ++v)
-  {
-    for (int k = 0; k < B; ++k)
-    {
-      y[2 * B * v + k] = static_cast<float>(solution(v, k).real());
-      y[2 * B * v + B + k] = static_cast<float>(solution(v, k).imag());
-    }
-  }
-  if (product)
-  {
-    *product = std::inner_product(b, b + 2 * B * n, y, 0.0);
-  }
+  // A factor has half as many entries as a square, and each solution goes through it twice.
+  const double rows = this->Levels.back().Rows();
+  entries += this->Visits.back() *
+    (this->Coarsest.GetPairs() > 0 ? this->Coarsest.GetPairs() * Entries(this->Levels.back())
+                                   : 0.3 * rows * rows);
+  return WorkPerEntry * entries;
 }
 
 template <int B>
@@ -90,7 +74,7 @@ void Cycle::Apply(const float* b, float* y, std::size_t level, double* product) 
 {
   if (level + 1 == this->Levels.size())
   {
-    this->SolveCoarsest<B>(b, y, product);
+    this->Coarsest.Solve<B>(b, y, product);
     return;
   }
   const CompactMatrix& matrix = this->Levels[level].Matrices.Energy;
@@ -111,7 +95,7 @@ void Cycle::Apply(const float* b, float* y, std::size_t level, double* product) 
   SweepFromZero<B>(matrix, this->Diagonals[level], b, y, own.Rest.data());
   fromCoarser.Restrict<B>(own.Rest.data(), coarser.Right.data());
   this->Apply<B>(coarser.Right.data(), coarser.Up.data(), level + 1);
-  if (level + 1 >= FirstTwice && level + 2 < this->Levels.size())
+  if (this->Visits[level + 1] > this->Visits[level])
   {
     this->ApplyAgain<B>(level + 1);
   }

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Cycle_h
 #define DirectionFields_Cycle_h
 
+#include "Solvers/Multigrid/CoarsestSolver.h"
 #include "Solvers/Multigrid/Hierarchy.h"
 #include "Solvers/Multigrid/Sweeps.h"
 
@@ -12,16 +13,17 @@
 namespace DirectionFields::Internal
 {
 /// A multigrid cycle B, nearly the inverse of A + shift M: one sweep down, the coarser level's cycle, one
-/// sweep up; on the coarsest level a Cholesky factor. From the third level on a level's cycle is applied
-/// again, to the residual that it leaves. B is Hermitian, and positive definite for a shift >= 0.
+/// sweep up; on the coarsest level a CoarsestSolver. From the third level on a level's cycle is applied
+/// again, to the residual that it leaves, unless levels get smaller so slowly that this would take long. B is
+/// Hermitian, and positive definite for a shift >= 0.
 class Cycle
 {
 public:
   /// @param hierarchy must outlive the cycle
   Cycle(const Hierarchy& hierarchy, double shift);
 
-  /// False where the coarsest matrix could not be factored.
-  bool IsUsable() const { return this->Usable; }
+  /// False where the coarsest solver is not usable.
+  bool IsUsable() const { return this->Coarsest.IsUsable(); }
   /// The coarsest level adds this times M to A: a little more than shift.
   double GetCoarsestShift() const { return this->CoarsestShift; }
 
@@ -30,6 +32,11 @@ public:
   /// @param product becomes the sum over the sections of Re b^* y; or null
   template <int B>
   void Apply(const float* b, float* y, std::size_t level = 0, double* product = nullptr) const;
+
+  /// The work of a cycle for one section (see WorkLimit), in proportion to the entries of all levels, as often
+  /// as it comes to them.
+  double Work() const;
+  const CoarsestSolver& GetCoarsest() const { return this->Coarsest; }
 
   /// Frees the storage that Apply keeps between calls.
   void ReleaseStorage() { this->Workspaces = std::vector<Workspace>(this->Workspaces.size()); }
@@ -43,8 +50,6 @@ private:
     CompactSections Up;
     CompactSections Once;
   };
-  template <int B>
-  void SolveCoarsest(const float* b, float* y, double* product) const;
   /// Corrects the Up of the level by what it leaves of its Right, which is overwritten.
   template <int B>
   void ApplyAgain(std::size_t level) const;
@@ -52,9 +57,10 @@ private:
   const std::vector<Hierarchy::Level>& Levels;
   float Shift;
   double CoarsestShift;
+  CoarsestSolver Coarsest;
   std::vector<SweepDiagonal> Diagonals;
-  Eigen::MatrixXcd CoarsestFactor;
-  bool Usable = false;
+  /// How often a cycle comes to each level.
+  std::vector<int> Visits;
   mutable std::vector<Workspace> Workspaces;
 };
 }

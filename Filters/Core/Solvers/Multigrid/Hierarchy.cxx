@@ -18,11 +18,12 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Coarsening ends where a level would have more than this part of the rows of the finer one, and the
-/// finer one is small enough to be factored.
+/// Coarsening ends where a level would have more than this part of the rows of the finer one. Where
+/// neighbouring values have little to do with each other after transport, as on very rough surfaces, there
+/// are no aggregates; then sweeps solve for what is left, and further levels would only take time.
 constexpr double SlowestCoarsening = 0.7;
-/// It ends anyway where a level would have more than this part.
-constexpr double NoCoarsening = 0.95;
+/// It ends where the levels would have more entries than this, in parts of those of the finest.
+constexpr double MostComplexity = 3.0;
 /// A level has at least this many rows where it is to hold eigenvectors.
 constexpr Index FewestRows = 8;
 /// With more rows than this, the storage of the pieces that coarse levels were made of is returned to the
@@ -135,13 +136,9 @@ Hierarchy::Hierarchy(const Operators& operators, double scale, LeftOver leftOver
     }
     Prolongator prolongator =
       MakeProlongator(level.Matrices, static_cast<int>(this->Levels.size()) - 1, leftOver);
-    if (prolongator.CoarseRows() > SlowestCoarsening * level.Rows() &&
-      level.Rows() <= MostCoarsestRows)
-    {
-      break;
-    }
     const Index fewest = leftOver == LeftOver::Keep ? FewestRows : 1;
-    if (prolongator.CoarseRows() > NoCoarsening * level.Rows() || prolongator.CoarseRows() < fewest)
+    if (prolongator.CoarseRows() > SlowestCoarsening * level.Rows() ||
+      prolongator.CoarseRows() < fewest || this->OperatorComplexity() > MostComplexity)
     {
       break;
     }

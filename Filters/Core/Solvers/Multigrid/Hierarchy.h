@@ -15,14 +15,13 @@ namespace DirectionFields::Internal
 {
 /// A hierarchy of ever smaller matrices for the sections of one component, in single precision: a
 /// V-cycle costs a few passes over the matrix and inverts it up to a small factor whatever the
-/// number of vertices, as far as the triangles are well shaped.
+/// number of vertices, as far as the triangles are well shaped. Coarsening ends early where levels hardly
+/// get smaller.
 class Hierarchy
 {
 public:
-  /// The coarsest level has no more rows than this, as a rule.
+  /// The coarsest level has no more rows than this, where coarsening goes on to its end.
   static constexpr Index CoarsestRows = 150;
-  /// The coarsest level has no more rows than this where coarsening ends early.
-  static constexpr Index MostCoarsestRows = 1500;
 
   struct Level
   {

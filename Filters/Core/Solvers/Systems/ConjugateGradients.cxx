@@ -31,6 +31,9 @@ constexpr double MostError = 0.25;
 /// derivatives, or better ones, save no more steps than they cost.
 constexpr int Derivatives = 2;
 constexpr double DerivativeTolerance = 0.1;
+/// The work of a step besides its cycle, by the entry of the matrix and by the row (see WorkLimit).
+constexpr double WorkPerEntry = 3.0;
+constexpr double WorkPerRow = 30.0;
 /// The squares of this many rows are added up in single precision.
 constexpr Index FewRows = 256;
 
@@ -167,6 +170,10 @@ public:
     , Right(right)
     , MostSteps(mostSteps)
     , Steps(steps)
+    , FirstStep(steps)
+    , StepWork(preconditioned.Inverse.Work() +
+        WorkPerEntry * static_cast<double>(preconditioned.System.Matrices.Energy.nonZeros()) +
+        WorkPerRow * static_cast<double>(right.Vector.size()))
     , Solution(std::move(start.Solution))
     , Product(std::move(start.Product))
     , Unit(start.Rest)
@@ -248,7 +255,16 @@ private:
   bool IsStepWanted() const
   {
     return this->Unit * this->Left > ResidualMargin * this->System.Tolerance * this->Size &&
-      this->Steps < this->MostSteps;
+      this->Steps < this->MostSteps && !this->IsTooMuchWork();
+  }
+
+  /// Whether the direct solver is the better choice. The residual begins with 1 in its unit.
+  bool IsTooMuchWork() const
+  {
+    const double taken = this->StepWork * (this->Steps - this->FirstStep);
+    return this->System.Limit &&
+      !this->System.Limit->Allows(this->StepWork * this->Steps,
+        RemainingWork(taken, 1.0, this->Left, this->System.Tolerance * this->Size / this->Unit));
   }
 
   /// From the product.
@@ -281,6 +297,9 @@ private:
   const RightHandSide Right;
   const int MostSteps;
   int& Steps;
+  /// The steps of earlier starts, and the work of each (see WorkLimit).
+  const int FirstStep;
+  const double StepWork;
   /// u, without what Pending still adds to it, and K u of the last time that the residual was computed
   ComplexVector Solution;
   ComplexVector Product;

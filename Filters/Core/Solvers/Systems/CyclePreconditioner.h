@@ -20,6 +20,8 @@ public:
   /// @param shift             that of the matrix A + shift M, whose inverse B approximates
   CyclePreconditioner(const Hierarchy& hierarchy, double shift, const LowestSections& lowest);
   bool IsUsable() const { return this->Cycles.IsUsable(); }
+  /// The work of a cycle (see WorkLimit).
+  double Work() const { return this->Cycles.Work(); }
 
   /// z, which is put together row by row where it is needed.
   class Result

@@ -38,8 +38,11 @@ SystemSolution MinimizeEnergyByMultigrid(const ShiftedSystem& system, FreeSystem
     return solution;
   }
   const ComplexVector b = freeSystem.Free.Gathered(rightHandSide - system.Times(u));
-  const ShiftedSystem inner{ freeSystem.Matrices, system.EnergyFactor, system.MassFactor,
+  ShiftedSystem inner{ freeSystem.Matrices, system.EnergyFactor, system.MassFactor,
     system.Tolerance, system.Progress };
+  const WorkLimit limit(
+    freeSystem.Matrices.Energy, ShiftedSystem::DirectSolves, ShiftedSystem::DirectWork);
+  inner.Limit = system.Limit ? &limit : nullptr;
   const SystemSolution free =
     ConjugateGradients(inner, freeSystem.Hierarchy, {}, b, freeSystem.Solved);
   solution.Residual = free.Residual;

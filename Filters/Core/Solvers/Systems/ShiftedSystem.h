@@ -6,6 +6,7 @@
 
 #include "Progress.h"
 #include "Solvers/Matrices/Operators.h"
+#include "Solvers/Matrices/WorkLimit.h"
 #include "Types.h"
 
 namespace DirectionFields::Internal
@@ -27,6 +28,12 @@ struct ShiftedSystem
   /// Whether systems with other factors are to follow: the first solution then takes longer, and they
   /// take fewer steps.
   bool OthersFollow = false;
+  /// Ends an iteration where the direct solver takes less work; null for no limit.
+  const WorkLimit* Limit = nullptr;
+
+  /// How many solves with a factor a system takes, and the work by the row and solve besides.
+  static constexpr int DirectSolves = 3;
+  static constexpr double DirectWork = 50.0;
 
   /// m / a, within the range of the hierarchy.
   double Shift() const;

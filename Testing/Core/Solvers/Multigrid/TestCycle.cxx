@@ -28,12 +28,8 @@ ComplexVector Applied(const Cycle& cycle, const ComplexVector& b)
 
 TEST(Cycle, IsSymmetricAndPositive)
 {
-  for (const double shift : { 0.0, 0.05 })
+  const auto check = [](const System& system, const Hierarchy& hierarchy, double shift)
   {
-    const System system(Potato(6), 4, 0.0);
-    const Hierarchy hierarchy(system.Matrices, system.Scale);
-    // The third level is corrected twice.
-    ASSERT_GE(hierarchy.GetLevels().size(), 4u);
     const Cycle cycle(hierarchy, shift);
     ASSERT_TRUE(cycle.IsUsable());
     for (unsigned seed = 1; seed <= 5; ++seed)
@@ -45,6 +41,19 @@ TEST(Cycle, IsSymmetricAndPositive)
       EXPECT_LT(std::abs(b.dot(x) - std::conj(a.dot(y))), 1e-4 * b.norm() * x.norm());
       EXPECT_GT(a.dot(x).real(), 0.0);
     }
+  };
+  const System smooth(Potato(6), 4, 0.0);
+  const Hierarchy ofSmooth(smooth.Matrices, smooth.Scale);
+  // The third level is corrected twice.
+  ASSERT_GE(ofSmooth.GetLevels().size(), 4u);
+  const System rough(Roughened(Potato(5), 1.0, 1), 4, 0.0);
+  const Hierarchy ofRough(rough.Matrices, rough.Scale);
+  // Sweeps solve on the coarsest level.
+  ASSERT_GT(ofRough.GetLevels().back().Rows(), CoarsestSolver::MostDenseRows);
+  for (const double shift : { 0.0, 0.05 })
+  {
+    check(smooth, ofSmooth, shift);
+    check(rough, ofRough, shift);
   }
 }
 

@@ -132,7 +132,42 @@ TEST(Hierarchy, CoarseningEndsWhereItIsOfNoUse)
   }
   const Hierarchy hierarchy(operators, 1.0);
   EXPECT_LE(hierarchy.GetLevels().size(), 3u);
-  EXPECT_FALSE(Cycle(hierarchy, 0.0).IsUsable());
+  // Sweeps solve for what is left.
+  const Cycle cycle(hierarchy, 0.0);
+  EXPECT_TRUE(cycle.IsUsable());
+  EXPECT_LT(cycle.GetCoarsest().GetContraction(), 0.1);
+  EXPECT_EQ(cycle.GetCoarsest().GetPairs(), 1);
+}
+
+/// Where the holonomies about vertices are large and random, parallel transport says little about the next
+/// but one vertex: aggregates of the second level would be single vertices.
+TEST(Hierarchy, StaysSmallOnRoughSurfaces)
+{
+  for (const Surface& surface : { Potato(5), Torus(150, 60), Square(100) })
+  {
+    const System smooth(surface, 4, 0.0);
+    const Hierarchy ofSmooth(smooth.Matrices, smooth.Scale);
+    const double ordinary = Cycle(ofSmooth, 0.0).Work();
+    for (const double noise : { 0.3, 1.0, 3.0, 10.0 })
+    {
+      const System system(Roughened(surface, noise, 1), 4, 0.0);
+      for (const LeftOver leftOver : { LeftOver::Keep, LeftOver::Drop })
+      {
+        const Hierarchy hierarchy(system.Matrices, system.Scale, leftOver);
+        const std::vector<Hierarchy::Level>& levels = hierarchy.GetLevels();
+        EXPECT_LE(levels.size(), 5u) << noise;
+        EXPECT_LE(hierarchy.OperatorComplexity(), 1.8) << noise;
+        for (std::size_t l = 1; l < levels.size(); ++l)
+        {
+          EXPECT_LE(levels[l].Rows(), 0.7 * levels[l - 1].Rows()) << noise << ", level " << l;
+        }
+        const Cycle cycle(hierarchy, 0.0);
+        EXPECT_TRUE(cycle.IsUsable()) << noise;
+        EXPECT_LE(cycle.Work(), 3.0 * ordinary) << noise;
+        EXPECT_LE(cycle.GetCoarsest().GetContraction(), 0.95) << noise;
+      }
+    }
+  }
 }
 
 /// Aggregation would read phase 1 off entries that are zero, and cycles would hardly reduce errors.
