@@ -23,6 +23,11 @@ constexpr int KrylovDimension = 24;
 constexpr int KeptDimension = 8;
 /// The iteration takes at least this many solves, even if the residual is small before.
 constexpr int FewestSolves = 6;
+/// Nor does it end while a step lets the smallest eigenvalue fall by more than this part of the tolerance, or of
+/// the loosest one that still tells it from the next: residuals of sections whose eigenvalues are next to nothing
+/// are small at once.
+constexpr double MostRise = 0.1;
+constexpr double LoosestTolerance = 1e-3;
 /// The shift below zero, relative to the scale of the eigenvalues: far enough from a smallest
 /// eigenvalue 0 for the factorization, too near to blur small eigenvalues that lie close together.
 constexpr double RelativeShift = 1e-5;
@@ -109,6 +114,10 @@ public:
     this->Diagonalize();
   }
 
+  /// The part by which the last step has raised the largest Ritz value: 1 over what A + shift M has for its
+  /// smallest eigenvalue, so far.
+  double Rise() const { return (this->Largest - this->LargestBefore) / this->Largest; }
+
   /// The operator applied to the Ritz vector of its largest eigenvalue: one step better than the
   /// vector itself, and free.
   ComplexVector Best() const
@@ -134,6 +143,8 @@ private:
     const int m = this->Dimension;
     const Eigen::MatrixXcd square = this->Projected.topLeftCorner(m, m);
     this->Ritz.compute(0.5 * (square + square.adjoint()));
+    this->LargestBefore = this->Largest;
+    this->Largest = this->Ritz.eigenvalues()[m - 1];
   }
 
   void Restart()
@@ -158,6 +169,8 @@ private:
   Eigen::MatrixXcd MassBasis;
   Eigen::MatrixXcd Projected;
   int Dimension = 0;
+  double Largest = 0.0;
+  double LargestBefore = 0.0;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> Ritz;
 };
 
@@ -212,7 +225,8 @@ Eigenpair Iterate(const Factorization& factor, const SparseMatrix& energy, const
     }
     // The start can hide the smallest pair behind the next one for some steps, and where lambda = 0
     // on very thin triangles a small residual comes before a good vector.
-    if (best.Residual <= settings.Tolerance && solves >= FewestSolves)
+    if (best.Residual <= settings.Tolerance && solves >= FewestSolves &&
+      space.Rise() <= MostRise * std::min(settings.Tolerance, LoosestTolerance))
     {
       break;
     }

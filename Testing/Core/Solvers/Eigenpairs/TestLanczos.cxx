@@ -55,6 +55,43 @@ TEST(Lanczos, EqualsTheDenseSolver)
   }
 }
 
+/// On a long strip many eigenvalues are next to nothing, and any mixture of their sections leaves a residual
+/// that a loose tolerance lets pass.
+TEST(Lanczos, FindsTheSmallestPairOfAStripAtLooseTolerances)
+{
+  Surface strip;
+  constexpr Index quads = 3000;
+  for (Index i = 0; i <= quads; ++i)
+  {
+    strip.Points.emplace_back(i, 0.0, 0.0);
+    strip.Points.emplace_back(i, 1.0, 0.0);
+  }
+  for (Index a = 0; a < 2 * quads; a += 2)
+  {
+    strip.Triangles.push_back({ a, a + 2, a + 3 });
+    strip.Triangles.push_back({ a, a + 3, a + 1 });
+  }
+  for (const int degree : { 2, 4, 6 })
+  {
+    for (const double bias : { -0.9, 0.0, 0.9 })
+    {
+      // The transported direction is parallel: the smallest eigenvalue is 0.
+      const System system(strip, degree, bias);
+      for (const double tolerance : { 1e-6, 1e-4, 1e-3, 1e-2, 0.1 })
+      {
+        EigenpairSettings settings;
+        settings.Scale = system.Scale;
+        settings.Tolerance = tolerance;
+        const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
+          RandomVector(system.Matrices.Energy.rows(), 2), settings);
+        EXPECT_LE(pair.Residual, tolerance);
+        EXPECT_LE(pair.Value, 1e-4 * std::min(tolerance, 1e-3) * system.Scale)
+          << degree << ", " << bias << ", " << tolerance;
+      }
+    }
+  }
+}
+
 TEST(Lanczos, NoEigenvalueLiesBelow)
 {
   // By Sylvester's law of inertia: A - x M is definite just below the value found, not above it.
