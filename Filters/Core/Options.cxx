@@ -29,6 +29,8 @@ void Check(const Options& options)
     options.Tolerance >= 1e-12 && options.Tolerance <= 0.1, "Tolerance must be 1e-12 to 0.1.");
   Require(options.MaximumIterations >= 1 && options.MaximumIterations <= 10000,
     "MaximumIterations must be 1 to 10000.");
+  Require(options.SingularityCost >= 0.0 && options.SingularityCost <= 4.0,
+    "SingularityCost must be 0 to 4.");
   Require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
     "NumberOfThreads must be 0 to 1024.");
   Require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,

@@ -89,6 +89,13 @@ struct Options
   /// same surface with better triangles. The eigenvalue problem and the linear systems use it; the
   /// curvature, the constraints and the singularity indices stay with the surface's own triangles.
   bool IntrinsicDelaunay = false;
+  /// Go on from the smoothest, aligned or constrained field to one whose representation vectors all have the
+  /// length 1, and whose energy is less than that of the first field's directions: by diffusion, descent in the
+  /// phases, and singularities that cancel each other. It is a local minimum, no global one.
+  bool UnitLength = false;
+  /// What a singularity of index 1/n costs a field of unit length, in units of 2 pi ln 2, which is what one adds to
+  /// the energy on a mesh that is once more subdivided: the more, the fewer remain. Range 0 to 4.
+  double SingularityCost = 0.0;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

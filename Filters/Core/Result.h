@@ -43,6 +43,13 @@ struct ComponentReport
   /// Relative residual of the linear system that gave the aligned or constrained field, 0 for the
   /// smoothest field. For least squares it is the residual of the normal equations.
   double SystemResidual = 0.0;
+  /// With Options::UnitLength: the energy of the directions before and after, which has no unit (see
+  /// UnitEnergyMatrix; with an alignment what the deviation from it costs is added); the pairs of singularities that
+  /// were cancelled; and the steps taken.
+  double UnitEnergyBefore = 0.0;
+  double UnitEnergyAfter = 0.0;
+  int CancelledPairs = 0;
+  int UnitSteps = 0;
   Index Vertices = 0;
   Index Triangles = 0;
   /// Vertices that are constrained.
@@ -90,14 +97,20 @@ struct Result
 {
   /// Degree n of the field.
   int Degree = 0;
+  /// Whether it is of unit length (Options::UnitLength).
+  bool UnitLength = false;
   /// Input point of each output point: itself up to the number of input points.
   std::vector<Index> OriginalPoint;
   /// Corners of the input's triangles as output points; empty where nothing was split.
   std::vector<Triangle> SplitTriangles;
   /// Representation vector u of each point: with u = |u| exp(i phi) the n directions stand at the
   /// angles (phi + 2 pi k) / n, counter-clockwise from XAxis about Normal. Its modulus is 1 in the
-  /// mean square over each component. Zero at points that no triangle uses.
+  /// mean square over each component, and 1 everywhere with Options::UnitLength. Zero at points that no triangle uses.
   std::vector<Complex> Representation;
+  /// How much the directions turn around each point, however long Representation is: the square of the gradient of
+  /// the n-th power of the unit direction, in 1 / length^2. Large near singularities; zero at points that no triangle
+  /// uses.
+  std::vector<double> EnergyDensity;
   /// Unit normal of each point, weighted by angle; zero at points that no triangle uses.
   std::vector<Vector3> Normal;
   /// Unit tangent vector of each point from which angles are measured; zero where Normal is.

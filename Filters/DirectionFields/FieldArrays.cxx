@@ -22,8 +22,9 @@ bool IsOfTheField(const char* name, int degree)
       return true;
     }
   }
-  return wanted == RepresentationMagnitude || wanted == ConstraintDirection ||
-    wanted == ConstraintKind || wanted == PrincipalDirection0 || wanted == PrincipalDirection1;
+  return wanted == RepresentationMagnitude || wanted == EnergyDensity ||
+    wanted == ConstraintDirection || wanted == ConstraintKind || wanted == PrincipalDirection0 ||
+    wanted == PrincipalDirection1;
 }
 }
 }

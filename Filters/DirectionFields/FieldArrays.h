@@ -25,6 +25,7 @@ namespace DirectionFields
 namespace ArrayNames
 {
 constexpr const char* RepresentationMagnitude = "RepresentationMagnitude";
+constexpr const char* EnergyDensity = "EnergyDensity";
 constexpr const char* ConstraintKind = "ConstraintKind";
 constexpr const char* ConstraintDirection = "ConstraintDirection";
 constexpr const char* PrincipalDirection0 = "PrincipalDirection0";

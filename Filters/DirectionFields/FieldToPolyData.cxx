@@ -104,6 +104,7 @@ void AddPointArrays(const Result& field, vtkPointData* data, const Progress& pro
   const std::size_t points = field.Representation.size();
   auto magnitude = MakeArray<ArrayT>(ArrayNames::RepresentationMagnitude, 1, points);
   data->AddArray(magnitude);
+  AddScalars<ArrayT>(ArrayNames::EnergyDensity, field.EnergyDensity, data);
   AddVectors<ArrayT>(ArrayNames::ConstraintDirection, field.ConstraintDirection, data);
   const CurvatureReport none;
   AddCurvature<ArrayT>(field.Curvature ? *field.Curvature : none, data);
@@ -181,6 +182,30 @@ void AddComponentArray(
   data->AddArray(array);
 }
 
+/// Adds the figures of fields of unit length; removes what an earlier filter left where there are none.
+void AddUnitArrays(const Result& field, vtkFieldData* data)
+{
+  if (!field.UnitLength)
+  {
+    for (const char* name : { "UnitEnergy", "CancelledPairs", "UnitSteps" })
+    {
+      data->RemoveArray(name);
+    }
+    return;
+  }
+  auto energy = MakeArray<vtkDoubleArray>("UnitEnergy", 2, field.Components.size());
+  energy->SetComponentName(0, "Before");
+  energy->SetComponentName(1, "After");
+  for (std::size_t c = 0; c < field.Components.size(); ++c)
+  {
+    energy->SetTuple2(static_cast<vtkIdType>(c), field.Components[c].UnitEnergyBefore,
+      field.Components[c].UnitEnergyAfter);
+  }
+  data->AddArray(energy);
+  AddComponentArray<vtkIntArray>("CancelledPairs", field, &ComponentReport::CancelledPairs, data);
+  AddComponentArray<vtkIntArray>("UnitSteps", field, &ComponentReport::UnitSteps, data);
+}
+
 /// Adds the figures of the components.
 void AddComponentArrays(const Result& field, vtkFieldData* data)
 {
@@ -196,6 +221,7 @@ void AddComponentArrays(const Result& field, vtkFieldData* data)
     "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, data);
   AddComponentArray<vtkDoubleArray>(
     "SystemResidual", field, &ComponentReport::SystemResidual, data);
+  AddUnitArrays(field, data);
 }
 
 /// The normal of a triangle on the side of its vertices' normals, which a triangle wound against

@@ -91,6 +91,8 @@ vtkDirectionField::vtkDirectionField()
   this->KeepStages = true;
   this->MergePoints = static_cast<int>(defaults.MergePoints);
   this->IntrinsicDelaunay = defaults.IntrinsicDelaunay;
+  this->UnitLength = defaults.UnitLength;
+  this->SingularityCost = defaults.SingularityCost;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
   this->AlignmentStrength = defaults.AlignmentStrength;
@@ -137,6 +139,8 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepStages: " << this->KeepStages << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "IntrinsicDelaunay: " << this->IntrinsicDelaunay << "\n";
+  os << indent << "UnitLength: " << this->UnitLength << "\n";
+  os << indent << "SingularityCost: " << this->SingularityCost << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "CurvatureDirection: " << this->CurvatureDirection << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
@@ -171,6 +175,8 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.NumberOfThreads = this->NumberOfThreads > 0 ? this->NumberOfThreads : DefaultThreads();
   options.MergePoints = static_cast<DirectionFields::MergePoints>(this->MergePoints);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  options.UnitLength = this->UnitLength;
+  options.SingularityCost = this->SingularityCost;
   options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
   options.CurvatureDirection =
     static_cast<DirectionFields::CurvatureDirection>(this->CurvatureDirection);

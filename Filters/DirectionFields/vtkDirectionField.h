@@ -47,8 +47,13 @@
  *   agree on it. (0, 0, 0) at points that no triangle uses. `Direction0` is the active vectors; the
  *   active scalars stay what they were. Arrays `Direction{n}` ... `Direction15` that an earlier
  *   filter left are removed.
- * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, small near
- *   singularities; 1 in the mean square over each connected component. 0 at unused points.
+ * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, the length of the section that was solved
+ *   for: 1 in the mean square over each connected component, and everywhere with UnitLength; 0 at unused points. It
+ *   says how far the solution faded, as it does near singularities and far from constraints, not how certain the
+ *   directions are.
+ * - point data `EnergyDensity`: 1 component, type as above, in 1 / length^2. How much the directions turn around the
+ *   point, whatever the length of u: the square of the gradient of the n-th power of the unit direction. Large near
+ *   singularities, 0 where the field is parallel.
  * - cell data `SingularityIndex`: int, in units of 1/n. The index of the field inside the cell: 0
  *   where it is regular, 1 for n = 4 means a quarter turn in the direction of a walk around the
  *   cell, negative values a turn against it. For a polygon or a strip the sum over its triangles.
@@ -69,6 +74,10 @@
  *     the smoothest field, more for any other.
  *   - `SystemResidual`: double. Relative residual of the linear system that gave an aligned or
  *     constrained field; for least squares that of the normal equations. 0 for the smoothest.
+ *   - with UnitLength only, `UnitEnergy`: double, components Before and After. The energy of the unit directions of the
+ *     smoothest, aligned or constrained field, and that of the output; no unit, the same at any scale.
+ *   - with UnitLength only, `CancelledPairs` and `UnitSteps`: int. The pairs of singularities that were cancelled, and the
+ *     steps of diffusion and descent.
  * - field data `Repairs`: int, one tuple. How much had to be mended, by named components:
  *   CollapsedTriangles, DuplicateTriangles, ReversedTriangles, DegenerateTriangles,
  *   NonManifoldEdges, NonManifoldPoints, NonOrientableComponents, MergedPoints. 0 for a clean
@@ -282,6 +291,30 @@ public:
   vtkBooleanMacro(IntrinsicDelaunay, bool);
   ///@}
 
+  ///@{
+  /**
+   * Go on from the smoothest, aligned or constrained field to one whose directions have less energy. The eigenvector
+   * and the linear systems minimize the energy of a section whose length is free: where it fades, its directions bend
+   * and make singularities in pairs. With this the representation vectors all have the length 1: diffusion and
+   * projection, descent in the phases, cancellation of pairs of singularities and moves of single ones lower the energy of
+   * the directions themselves. The result is a local minimum, no global one; it starts from the global optimum above,
+   * and is never worse than that one's directions. For any degree, alignment and constraint. Default off.
+   */
+  vtkSetMacro(UnitLength, bool);
+  vtkGetMacro(UnitLength, bool);
+  vtkBooleanMacro(UnitLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With UnitLength: what a singularity of index 1/n costs when pairs are cancelled, in units of 2 pi ln 2. That much
+   * energy one more subdivision of the mesh would add for it, so that 1 makes the choice of a mesh once more subdivided.
+   * The more it costs, the fewer singularities remain, and the more the field bends. Range 0 to 4, default 0.
+   */
+  vtkSetClampMacro(SingularityCost, double, 0.0, 4.0);
+  vtkGetMacro(SingularityCost, double);
+  ///@}
+
   enum AlignmentType
   {
     ALIGN_NONE = 0,
@@ -483,6 +516,8 @@ private:
   bool KeepStages;
   int MergePoints;
   bool IntrinsicDelaunay;
+  bool UnitLength;
+  double SingularityCost;
   int Alignment;
   int CurvatureDirection;
   double AlignmentStrength;

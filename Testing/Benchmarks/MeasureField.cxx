@@ -64,6 +64,8 @@ const std::map<std::string, Setter> Properties = {
   { "NumberOfThreads",
     [](vtkDirectionField* f, double v) { f->SetNumberOfThreads(static_cast<int>(v)); } },
   { "MergePoints", [](vtkDirectionField* f, double v) { f->SetMergePoints(static_cast<int>(v)); } },
+  { "UnitLength", [](vtkDirectionField* f, double v) { f->SetUnitLength(v != 0.0); } },
+  { "SingularityCost", [](vtkDirectionField* f, double v) { f->SetSingularityCost(v); } },
   { "IntrinsicDelaunay",
     [](vtkDirectionField* f, double v) { f->SetIntrinsicDelaunay(v != 0.0); } },
 };

@@ -54,6 +54,8 @@ int main()
   PRINT_DEFAULT(KeepStages, ",");
   PRINT(MergePoints, ",");
   PRINT_DEFAULT(IntrinsicDelaunay, ",");
+  PRINT_DEFAULT(UnitLength, ",");
+  PRINT(SingularityCost, ",");
   PRINT(Alignment, ",");
   PRINT(CurvatureDirection, ",");
   PRINT(AlignmentStrength, ",");

@@ -37,6 +37,8 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetNumberOfThreads(1);
   fresh->SetMergePoints(filter->GetMergePoints());
   fresh->SetIntrinsicDelaunay(filter->GetIntrinsicDelaunay());
+  fresh->SetUnitLength(filter->GetUnitLength());
+  fresh->SetSingularityCost(filter->GetSingularityCost());
   fresh->SetAlignment(filter->GetAlignment());
   fresh->SetCurvatureDirection(filter->GetCurvatureDirection());
   fresh->SetAlignmentStrength(filter->GetAlignmentStrength());
@@ -128,6 +130,11 @@ void TestSettings()
     [](vtkDirectionField* filter) { filter->SetTolerance(1e-9); },
     [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_MULTIGRID); },
     [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_DIRECT); },
+    [](vtkDirectionField* filter)
+    {
+      filter->UnitLengthOn();
+      filter->SetSingularityCost(1.5);
+    },
     [](vtkDirectionField* filter) { filter->IntrinsicDelaunayOn(); },
     [](vtkDirectionField* filter)
     {
@@ -165,7 +172,7 @@ void TestSettings()
     filter->Update();
     CheckAsNew(filter, mesh);
     // The comparison means something only if each setting changes something.
-    vtkDataArray* now = filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude");
+    vtkDataArray* now = filter->GetOutput()->GetPointData()->GetArray("EnergyDensity");
     REQUIRE(now);
     CHECK(!IsSame(last, now));
     last->DeepCopy(now);
@@ -181,7 +188,7 @@ void TestSettings()
       way(filter);
       filter->Modified();
       filter->Update();
-      CHECK(IsSame(last, filter->GetOutput()->GetPointData()->GetArray("RepresentationMagnitude")));
+      CHECK(IsSame(last, filter->GetOutput()->GetPointData()->GetArray("EnergyDensity")));
     }
   }
 }

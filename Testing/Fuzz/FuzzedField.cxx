@@ -80,6 +80,8 @@ Options ReadOptions(const Bytes& bytes, std::size_t begin)
   options.MergePoints = OneOf<MergePoints>(at(20), 3);
   options.IntrinsicDelaunay = at(21) % 2 != 0;
   options.MinimumFeatureLength = Real(at(22), options.MinimumFeatureLength, 0.0, 1.0);
+  options.UnitLength = at(23) % 2 != 0;
+  options.SingularityCost = Real(at(24), options.SingularityCost, 0.0, 4.0);
   return options;
 }
 

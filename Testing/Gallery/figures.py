@@ -9,6 +9,7 @@ import os
 
 import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import meshes
 from gallery import Panel, producer
@@ -44,6 +45,23 @@ def energies(_):
     assert dirichlet.count() >= 8
     assert holomorphic.count() == 0
     assert holomorphic.figure("Eigenvalue") < 0.05 * dirichlet.figure("Eigenvalue")
+    return panels
+
+
+def unit_length(directory):
+    """The smoothest field of the bunny, the directions of least energy, and those with fewer singularities."""
+    panels = [Panel(bunny(directory), 4, BUNNY_CAMERA, glyphs=900, **properties) for properties in (
+        {}, {"UnitLength": 1}, {"UnitLength": 1, "SingularityCost": 1.0})]
+    for panel in panels:
+        panel.field.check_sum()
+    smoothest, unit, fewer = (panel.field for panel in panels)
+    for field in (unit, fewer):
+        before, after = field.surface.GetFieldData().GetArray("UnitEnergy").GetTuple2(0)
+        assert after < 0.75 * before, (before, after)
+        magnitude = vtk_to_numpy(field.surface.GetPointData().GetArray("RepresentationMagnitude"))
+        assert np.allclose(magnitude, 1.0, atol=1e-6)
+    assert unit.count() <= 0.85 * smoothest.count(), (smoothest.count(), unit.count())
+    assert fewer.count() <= 0.65 * smoothest.count(), (smoothest.count(), fewer.count())
     return panels
 
 
@@ -152,6 +170,7 @@ def plate(_):
 FIGURES = {
     "Symmetries": symmetries,
     "Energies": energies,
+    "UnitLength": unit_length,
     "Alignment": alignment,
     "Disk": disk,
     "NoisyPart": noisy_part,

@@ -143,8 +143,9 @@ def test_panel():
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert list(groups) == ["Alignment", "Constraints"], groups
-    outside = {"Degree", "EnergyBias", "MergePoints", "Tolerance", "MaximumIterations",
-               "Solver", "NumberOfThreads", "KeepStages", "IntrinsicDelaunay", "Input"}
+    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "MergePoints",
+               "Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
+               "IntrinsicDelaunay", "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}

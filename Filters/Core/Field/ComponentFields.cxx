@@ -34,9 +34,18 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
                     phaseReference.data() + component.FirstVertex, component.Vertices()),
         component.IsCover, u);
     }
+    const DoubleCover cover(stages.GetGeometry(), component, options.Degree);
     if (component.IsCover)
     {
-      DoubleCover(stages.GetGeometry(), component, options.Degree).Symmetrize(u);
+      cover.Symmetrize(u);
+    }
+    if (options.UnitLength)
+    {
+      stages.GetUnit(energy, c, options).Improve(own, options, progress, u, fields.Reports[c]);
+      if (component.IsCover)
+      {
+        cover.Symmetrize(u);
+      }
     }
     std::copy(u.begin(), u.end(), fields.Section.begin() + component.FirstVertex);
   }

@@ -64,9 +64,41 @@ const GuidanceTerms& ComponentStage::TermsOf(const ComponentGuide& guide)
   return *this->Terms;
 }
 
+double ComponentStage::PerArea(double value) const
+{
+  return PerSquare(value, this->Unit);
+}
+
+double ComponentStage::Sigma() const
+{
+  return std::max(this->Smoothest.First.Value, this->Scale);
+}
+
+const Hierarchy& ComponentStage::GetHierarchy()
+{
+  if (this->Smoothest.Hierarchy)
+  {
+    return *this->Smoothest.Hierarchy;
+  }
+  if (!this->OwnHierarchy)
+  {
+    this->OwnHierarchy = std::make_unique<Hierarchy>(this->Matrices, this->Scale);
+  }
+  return *this->OwnHierarchy;
+}
+
+FreeSystem& ComponentStage::FreeSystemOf(const GivenValues& given)
+{
+  if (!this->Free || this->Free->Given != given.Vertices)
+  {
+    this->Free = std::make_unique<FreeSystem>(this->Matrices, given.Vertices, this->Scale);
+  }
+  return *this->Free;
+}
+
 double ComponentStage::Gap(const Options& options) const
 {
-  const double sigma = std::max(this->Smoothest.First.Value, this->Scale);
+  const double sigma = this->Sigma();
   const double least = sigma * EigenvalueError(this->Smoothest.First);
   if (options.UseShift)
   {
@@ -108,11 +140,7 @@ SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const Gi
     return ConjugateGradients(
       system, *this->Smoothest.Hierarchy, this->Smoothest.Lowest, rightHandSide, this->Solved);
   }
-  if (!this->Free || this->Free->Given != given.Vertices)
-  {
-    this->Free = std::make_unique<FreeSystem>(this->Matrices, given.Vertices, this->Scale);
-  }
-  return MinimizeEnergyByMultigrid(system, *this->Free, rightHandSide, given);
+  return MinimizeEnergyByMultigrid(system, this->FreeSystemOf(given), rightHandSide, given);
 }
 
 SystemSolution ComponentStage::SolveByFactor(const Factors& factors, const GivenValues& given,

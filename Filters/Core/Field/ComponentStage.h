@@ -46,6 +46,18 @@ public:
   ComplexVector Solve(const ComponentGuide& guide, const Options& options, const Progress& progress,
     ComponentReport& report);
 
+  /// The hierarchy of the matrices, made if there was none.
+  const Hierarchy& GetHierarchy();
+  /// The system of the vertices whose values are not given, kept from one call to the next with the same ones.
+  FreeSystem& FreeSystemOf(const GivenValues& given);
+  /// A value in 1 / unit^2 in 1 / length^2 of the input.
+  double PerArea(double value) const;
+  /// sigma of Options::AlignmentStrength, in 1 / unit^2.
+  double Sigma() const;
+  /// lambda_1 - lambda_t, 0 to infinity. It is no less than the error of lambda_1, since A - lambda_t M
+  /// could be indefinite otherwise.
+  double Gap(const Options& options) const;
+
 private:
   /// K = A - lambda_t M = Energy A + Mass M and the factor lambda_1 - lambda_t of M q, all divided by
   /// any positive number.
@@ -59,9 +71,6 @@ private:
 
   /// The terms of the guide, made anew where it has changed.
   const GuidanceTerms& TermsOf(const ComponentGuide& guide);
-  /// lambda_1 - lambda_t, 0 to infinity. It is no less than the error of lambda_1, since A - lambda_t M
-  /// could be indefinite otherwise.
-  double Gap(const Options& options) const;
   /// Gaps below this leave the smoothest field: what the guidance still changes there is below
   /// rounding.
   double SmallestGap() const;
@@ -83,6 +92,8 @@ private:
 
   Operators Matrices;
   SmallestPairs Smoothest;
+  /// The hierarchy where the smallest eigenpair was found without one.
+  std::unique_ptr<Hierarchy> OwnHierarchy;
   double Scale;
   double Unit;
   /// The system of the vertices that the last constraints left free; null before there were any.

@@ -7,6 +7,7 @@
 #include "Mesh/OwnedParts.h"
 #include "Sections/SectionDirections.h"
 #include "Sections/Singularities.h"
+#include "Support/Division.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -77,6 +78,29 @@ void AddTriangles(
         });
     });
 }
+
+/// EnergyDensity in the unit of the input.
+std::vector<double> DensityPerArea(
+  const Stages& stages, const Options& options, const std::vector<Complex>& section)
+{
+  const SurfaceGeometry& geometry = stages.GetGeometry();
+  std::vector<double> density = EnergyDensity(geometry, options.Degree, section);
+  geometry.Mesh.ForEachComponent(
+    [&](Index c)
+    {
+      const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
+      const double unit = geometry.Lengths.Unit[c];
+      ParallelFor(component.Vertices(), PieceSize,
+        [&](Index begin, Index end)
+        {
+          for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
+          {
+            density[v] = PerSquare(density[v], unit);
+          }
+        });
+    });
+  return density;
+}
 }
 
 Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
@@ -87,6 +111,7 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   const Constraints& constraints = guide.GetConstraints();
   Result result;
   result.Degree = options.Degree;
+  result.UnitLength = options.UnitLength;
   result.Repaired = mesh.GetRepairs();
   result.Repaired.DegenerateTriangles = stages.GetGeometry().Lengths.DegenerateTriangles;
   result.Repaired.MergedPoints = stages.CountMergedPoints();
@@ -97,6 +122,7 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
     SingularityIndices(stages.GetGeometry(), options.Degree, fields.Section), result);
 
   const OutputPoints& points = stages.GetOutputPoints();
+  result.EnergyDensity = points.Spread(DensityPerArea(stages, options, fields.Section), 0.0);
   const Vector3 zero = Vector3::Zero();
   result.Representation = points.Spread(fields.Section, Complex(0.0));
   result.Normal = points.Spread(stages.GetGeometry().Frames.Normal, zero);

@@ -145,7 +145,7 @@ EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
     return *this->Energy;
   }
   this->Energy.reset();
-  EnergyStage stage{ key, {} };
+  EnergyStage stage{ key, {}, {}, {} };
   // Flipping takes less time than assembly does, so that only the matrices are kept.
   std::optional<IntrinsicTriangulation> delaunay;
   if (options.IntrinsicDelaunay)
@@ -163,6 +163,23 @@ EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
   }
   this->Energy = std::move(stage);
   return *this->Energy;
+}
+
+UnitStage& Stages::GetUnit(EnergyStage& energy, std::size_t component, const Options& options) const
+{
+  if (options.IntrinsicDelaunay && !energy.Delaunay)
+  {
+    energy.Delaunay.emplace(this->Geometry);
+  }
+  const IntrinsicGeometry& triangulation =
+    energy.Delaunay ? static_cast<const IntrinsicGeometry&>(*energy.Delaunay) : this->Geometry;
+  energy.Units.resize(energy.Components.size());
+  if (!energy.Units[component])
+  {
+    energy.Units[component] = std::make_unique<UnitStage>(triangulation, this->Geometry,
+      this->Geometry.Mesh.GetComponents()[component], options, energy.Components[component]);
+  }
+  return *energy.Units[component];
 }
 
 ComponentStage Stages::MakeComponent(const Options& options, std::size_t c,

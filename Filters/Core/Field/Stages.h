@@ -6,6 +6,8 @@
 
 #include "Field/ComponentStage.h"
 #include "Field/Curvature.h"
+#include "Field/UnitStage.h"
+#include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Mesh/MergePoints.h"
 #include "Mesh/OutputPoints.h"
@@ -32,6 +34,9 @@ struct EnergyStage
 {
   EnergyKey Key;
   std::vector<ComponentStage> Components;
+  /// What fields of unit length need, made when the first one is asked for.
+  std::optional<IntrinsicTriangulation> Delaunay;
+  std::vector<std::unique_ptr<UnitStage>> Units;
 };
 
 /// What is kept between calls of DirectionField::Compute. What depends on the surface alone is kept for
@@ -62,6 +67,8 @@ public:
   /// Throws Stopped.
   EnergyStage& GetEnergy(const Options& options, const Progress& progress);
   const BoundaryPoints& GetBoundaryPoints();
+  /// What a component's fields of unit length need, kept with the energy, which must be that of the options.
+  UnitStage& GetUnit(EnergyStage& energy, std::size_t component, const Options& options) const;
   const std::vector<double>& GetDihedralAngles();
   const Curvature& GetCurvature();
   const OutputPoints& GetOutputPoints();

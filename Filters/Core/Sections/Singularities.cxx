@@ -7,6 +7,9 @@
 #include "Support/Threads.h"
 #include "Support/VectorMath.h"
 
+#include <algorithm>
+#include <array>
+
 namespace DirectionFields
 {
 namespace
@@ -17,48 +20,127 @@ double Nearest(double x)
   constexpr double unitIsLastBit = 6755399441055744.0;
   return (x + unitIsLastBit) - unitIsLastBit;
 }
+
+/// For these functions all components may be as one.
+TriangleMesh::Component AllOf(const TriangleMesh& mesh)
+{
+  return { 0, mesh.GetNumberOfTriangles(), 0, mesh.GetNumberOfEdges(), 0,
+    mesh.GetNumberOfVertices(), false, false };
+}
+
+/// omega of each edge of a component in its direction.
+LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, const Complex* field)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  LargeArray<double> phase(component.Vertices());
+  ParallelFor(component.Vertices(), LightPiece,
+    [&](Index begin, Index end) { Arguments(field + begin, end - begin, phase.data() + begin); });
+  LargeArray<double> omega(component.Edges());
+  ParallelFor(component.Edges(), LightPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index e = begin; e < end; ++e)
+      {
+        const Index h = mesh.HalfEdge(component.FirstEdge + e);
+        const double angle = phase[mesh.Head(h) - component.FirstVertex] -
+          phase[mesh.Tail(h) - component.FirstVertex] -
+          degree * geometry.Transport.Rotation[component.FirstEdge + e];
+        omega[e] = angle - 2.0 * Pi * Nearest(angle / (2.0 * Pi));
+      }
+    });
+  return omega;
+}
 }
 
 std::vector<int> SingularityIndices(
   const IntrinsicGeometry& geometry, int degree, const std::vector<Complex>& field)
 {
+  return SingularityIndices(geometry, AllOf(geometry.Mesh), degree, field.data());
+}
+
+std::vector<int> SingularityIndices(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, const Complex* field)
+{
   const TriangleMesh& mesh = geometry.Mesh;
-  const Connection& connection = geometry.Transport;
-  LargeArray<double> phase(mesh.GetNumberOfVertices());
-  ParallelFor(mesh.GetNumberOfVertices(), LightPiece,
-    [&](Index begin, Index end)
-    { Arguments(field.data() + begin, end - begin, phase.data() + begin); });
   // omega is computed once, in the direction of the edge, for both its triangles, and on one side where
   // the edge is seen from two: rounding must not break a tie between pi and -pi in two ways.
-  LargeArray<double> omega(mesh.GetNumberOfEdges());
-  ParallelFor(mesh.GetNumberOfEdges(), LightPiece,
-    [&](Index begin, Index end)
-    {
-      for (Index e = begin; e < end; ++e)
-      {
-        const Index h = mesh.HalfEdge(e);
-        const double angle =
-          phase[mesh.Head(h)] - phase[mesh.Tail(h)] - degree * connection.Rotation[e];
-        omega[e] = angle - 2.0 * Pi * Nearest(angle / (2.0 * Pi));
-      }
-    });
+  const LargeArray<double> omega = PhaseDifferences(geometry, component, degree, field);
   const auto along = [&](Index side)
   {
     const Index mirror = mesh.Mirror(side);
     const Index h = mirror != None && mesh.Edge(mirror) < mesh.Edge(side) ? mirror : side;
-    return mesh.GivesDirection(h) ? omega[mesh.Edge(h)] : -omega[mesh.Edge(h)];
+    const double angle = omega[mesh.Edge(h) - component.FirstEdge];
+    return mesh.GivesDirection(h) ? angle : -angle;
   };
-  std::vector<int> index(mesh.GetNumberOfTriangles());
-  ParallelFor(mesh.GetNumberOfTriangles(), LightPiece,
+  std::vector<int> index(component.Triangles());
+  ParallelFor(component.Triangles(), LightPiece,
     [&](Index begin, Index end)
     {
-      for (Index t = begin; t < end; ++t)
+      for (Index k = begin; k < end; ++k)
       {
-        const double sum =
-          degree * connection.Curvature[t] + along(3 * t) + along(3 * t + 1) + along(3 * t + 2);
-        index[t] = static_cast<int>(Nearest(sum / (2.0 * Pi)));
+        const Index t = component.FirstTriangle + k;
+        const double sum = degree * geometry.Transport.Curvature[t] + along(3 * t) +
+          along(3 * t + 1) + along(3 * t + 2);
+        index[k] = static_cast<int>(Nearest(sum / (2.0 * Pi)));
       }
     });
   return index;
+}
+
+std::vector<double> EnergyDensity(
+  const IntrinsicGeometry& geometry, int degree, const std::vector<Complex>& field)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  LargeArray<double> square = PhaseDifferences(geometry, AllOf(mesh), degree, field.data());
+  ParallelFor(mesh.GetNumberOfEdges(), LightPiece,
+    [&](Index begin, Index end)
+    {
+      constexpr Index most = 64;
+      std::array<double, most> cosines;
+      std::array<double, most> sines;
+      for (Index first = begin; first < end; first += most)
+      {
+        // 2 - 2 cos omega without cancellation.
+        const Index count = std::min(most, end - first);
+        for (Index k = 0; k < count; ++k)
+        {
+          square[first + k] *= 0.5;
+        }
+        CosinesAndSines(square.data() + first, count, cosines.data(), sines.data());
+        for (Index k = 0; k < count; ++k)
+        {
+          square[first + k] = 4.0 * sines[k] * sines[k];
+        }
+      }
+    });
+  std::vector<double> density(mesh.GetNumberOfVertices());
+  ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      std::vector<Index> fan;
+      for (Index v = begin; v < end; ++v)
+      {
+        mesh.GetFan(v, fan);
+        double energy = 0.0;
+        double area = 0.0;
+        for (const Index h : fan)
+        {
+          const std::array<Index, 3> edges = { mesh.Edge(h), mesh.Edge(TriangleMesh::Next(h)),
+            mesh.Edge(TriangleMesh::Previous(h)) };
+          const LargeArray<double>& squared = geometry.Lengths.SquaredLength;
+          const double sum = squared[edges[0]] + squared[edges[1]] + squared[edges[2]];
+          double products = 0.0;
+          for (const Index e : edges)
+          {
+            products += (sum - 2.0 * squared[e]) * square[e];
+          }
+          energy += products / (8.0 * geometry.Lengths.Area[h / 3]);
+          area += geometry.Lengths.Area[h / 3];
+        }
+        density[v] = area > 0.0 ? std::max(0.0, energy / area) : 0.0;
+      }
+    });
+  return density;
 }
 }

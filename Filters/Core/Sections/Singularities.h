@@ -16,6 +16,17 @@ namespace DirectionFields
 /// @param field  representation vector of each vertex; one that vanishes counts as 1
 std::vector<int> SingularityIndices(
   const IntrinsicGeometry& geometry, int degree, const std::vector<Complex>& field);
+
+/// The same for the triangles of one component, counted from its first one.
+/// @param field representation vector of each vertex of the component, from its first one on
+std::vector<int> SingularityIndices(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, const Complex* field);
+
+/// The square of the gradient of the section of unit length with the same directions at each vertex of the mesh, in
+/// 1 / unit^2: a third of the Dirichlet energies of the linear interpolations over the triangles at the vertex (sum of
+/// half cotangents times 2 - 2 cos omega), over a third of their areas. At least 0.
+std::vector<double> EnergyDensity(
+  const IntrinsicGeometry& geometry, int degree, const std::vector<Complex>& field);
 }
 
 #endif

@@ -406,6 +406,8 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
     options.ConstrainGuidance = pick(3) == 0;
     options.ConstraintSolver = pick(2) ? ConstraintSolver::LeastSquares : ConstraintSolver::Energy;
     options.IntrinsicDelaunay = pick(2);
+    options.UnitLength = pick(2);
+    options.SingularityCost = pick(2) ? 2.0 * fraction() : 0.0;
     Guidance guidance;
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
     {
@@ -420,6 +422,10 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
       EXPECT_LE(
         component.Lambda, component.Eigenvalue + 1e-9 * std::abs(component.Eigenvalue) + 1e-9);
       EXPECT_LE(component.SystemResidual, 1e-6) << "run " << run;
+      if (options.UnitLength && options.SingularityCost == 0.0)
+      {
+        EXPECT_LE(component.UnitEnergyAfter, component.UnitEnergyBefore + 1e-9) << "run " << run;
+      }
       if (component.Closed)
       {
         EXPECT_EQ(component.IndexSum, options.Degree * component.EulerCharacteristic);

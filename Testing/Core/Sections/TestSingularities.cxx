@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -81,4 +82,55 @@ TEST(Singularities, KnownFieldsOnTheDisk)
       EXPECT_LE(nonZero, std::abs(k));
     }
   }
+}
+
+/// The phase of a section over the flat square grows by the same everywhere.
+TEST(EnergyDensity, IsTheSquareOfTheGradientOfThePhase)
+{
+  const SurfaceGeometry flat(Square(20));
+  for (const int degree : { 1, 4 })
+  {
+    std::vector<Complex> field;
+    for (Index v = 0; v < flat.Mesh.GetNumberOfVertices(); ++v)
+    {
+      const Vector3& p = flat.Positions[v];
+      const double axis = std::arg(flat.Frames.Tangential(v, Vector3::UnitX()));
+      // The length of the section does not matter.
+      field.push_back(
+        std::polar(1.0 + 0.5 * std::sin(5.0 * p.x()), 0.6 * p.x() - 0.3 * p.y() + degree * axis));
+    }
+    const double unit = flat.Lengths.Unit[0];
+    for (const double density : EnergyDensity(flat, degree, field))
+    {
+      EXPECT_NEAR(density, 0.45 * unit * unit, 1e-3 * 0.45 * unit * unit);
+    }
+  }
+}
+
+TEST(EnergyDensity, IsOnAScaledSurfaceWhatItIsPerArea)
+{
+  const Surface surface = Potato(3);
+  const Surface larger = Transformed(surface, 4.0 * Eigen::Matrix3d::Identity(), Vector3::Zero());
+  Options options;
+  const Result here = DirectionField(surface).Compute(options);
+  const Result there = DirectionField(larger).Compute(options);
+  double largest = 0.0;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < surface.Points.size(); ++i)
+  {
+    EXPECT_NEAR(
+      there.EnergyDensity[i] * 16.0, here.EnergyDensity[i], 1e-4 * (1.0 + here.EnergyDensity[i]));
+    place = here.EnergyDensity[i] > largest ? i : place;
+    largest = std::max(largest, here.EnergyDensity[i]);
+  }
+  // The largest is at a singularity.
+  bool singular = false;
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Triangle& triangle = surface.Triangles[t];
+    singular = singular ||
+      (here.SingularityIndex[t] != 0 &&
+        std::count(triangle.begin(), triangle.end(), static_cast<Index>(place)) > 0);
+  }
+  EXPECT_TRUE(singular);
 }
