@@ -25,7 +25,7 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
     {
       progress.Report(static_cast<double>(component.FirstVertex) / mesh.GetNumberOfVertices());
     }
-    const ComponentGuide own = guide.Of(component);
+    const ComponentGuide own = guide.Of(mesh, c);
     energy.Components[c].SetOthersFollow(othersFollow);
     ComplexVector u = energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
     if (!phaseReference.empty() && own.Given.Vertices.empty() && own.Guidance.isZero(0.0))

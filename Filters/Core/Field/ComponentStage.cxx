@@ -96,7 +96,7 @@ FreeSystem& ComponentStage::FreeSystemOf(const GivenValues& given)
   return *this->Free;
 }
 
-double ComponentStage::Gap(const Options& options) const
+double ComponentStage::Gap(const Options& options, double share) const
 {
   const double sigma = this->Sigma();
   const double least = sigma * EigenvalueError(this->Smoothest.First);
@@ -106,7 +106,7 @@ double ComponentStage::Gap(const Options& options) const
       std::max(least, std::numeric_limits<double>::max()));
   }
   const double tau = options.AlignmentStrength;
-  return tau < 1.0 ? std::max(least, sigma * tau / (1.0 - tau))
+  return tau < 1.0 ? std::max(least, share * sigma * tau / (1.0 - tau))
                    : std::numeric_limits<double>::infinity();
 }
 
@@ -250,7 +250,7 @@ ComplexVector ComponentStage::Solve(const ComponentGuide& guide, const Options& 
 {
   const GuidanceTerms& terms = this->TermsOf(guide);
   const bool constrained = !guide.Given.Vertices.empty();
-  const double gap = this->Gap(options);
+  const double gap = this->Gap(options, guide.Share);
   SystemSolution solution;
   if (constrained || (terms.Any() && gap > this->SmallestGap()))
   {

@@ -56,7 +56,8 @@ public:
   double Sigma() const;
   /// lambda_1 - lambda_t, 0 to infinity. It is no less than the error of lambda_1, since A - lambda_t M
   /// could be indefinite otherwise.
-  double Gap(const Options& options) const;
+  /// @param share of the strength, 0 to 1
+  double Gap(const Options& options, double share) const;
 
 private:
   /// K = A - lambda_t M = Energy A + Mass M and the factor lambda_1 - lambda_t of M q, all divided by

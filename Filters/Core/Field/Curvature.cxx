@@ -9,6 +9,7 @@
 #include "Curvature/ShapeSmoothing.h"
 #include "Support/Threads.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace DirectionFields::Internal
@@ -91,6 +92,38 @@ double DefectCurvature(const SurfaceGeometry& geometry, Index v, std::vector<Ind
   }
   return (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
 }
+
+/// The volume that a closed component encloses, in unit^3; negative where it is wound inside out.
+double SignedVolume(
+  const SurfaceGeometry& geometry, const TriangleMesh::Component& component, double unit)
+{
+  const std::vector<Vector3>& positions = geometry.Positions;
+  const Vector3 origin = positions[component.FirstVertex];
+  return ParallelSum<double>(component.Triangles(), MediumPiece, 0.0,
+           [&](Index begin, Index end)
+           {
+             double sum = 0.0;
+             for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
+             {
+               const auto corner = [&](Index c) -> Vector3
+               { return (positions[geometry.Mesh.Tail(3 * t + c)] - origin) / unit; };
+               sum += corner(0).dot(corner(1).cross(corner(2)));
+             }
+             return sum;
+           }) /
+    6.0;
+}
+
+/// Whether a component is closed and wound inside out. Double sheets, which enclose next to nothing, are
+/// not.
+bool IsWoundInsideOut(const SurfaceGeometry& geometry, Index c)
+{
+  constexpr double leastVolume = 1e-6;
+  const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
+  return component.Closed && !component.IsCover &&
+    SignedVolume(geometry, component, geometry.Lengths.Unit[c]) <
+    -leastVolume * std::pow(geometry.Lengths.ComponentArea[c], 1.5);
+}
 }
 
 Curvature::Curvature(
@@ -103,10 +136,13 @@ Curvature::Curvature(
   const std::vector<Shape> edges = EdgeShapes(geometry, dihedralAngles);
   std::vector<Shape> shapes = FitShapes(geometry, Creases(geometry, dihedralAngles));
   SmoothShapes(geometry, edges, rings, shapes);
+  std::vector<char> insideOut(mesh.GetComponents().size());
   mesh.ForEachComponent(
     [&](Index c)
     {
       const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      insideOut[c] = IsWoundInsideOut(geometry, c) ? 1 : 0;
+      const double side = insideOut[c] != 0 ? -1.0 : 1.0;
       const double error =
         Significant * (RoundingError(geometry.Positions, component) / geometry.Lengths.Unit[c]);
       ParallelFor(component.Vertices(), MediumPiece,
@@ -119,12 +155,13 @@ Curvature::Curvature(
             const Shape& shape = isFitted ? shapes[v] : edges[v];
             const double square = std::norm(shape.Hopf);
             const bool isRounding = isFitted && square <= error * error * shape.Variance;
-            this->Hopf[v] = isRounding ? Complex(0.0) : shape.Hopf;
-            this->Mean[v] = shape.Mean;
+            this->Hopf[v] = isRounding ? Complex(0.0) : side * shape.Hopf;
+            this->Mean[v] = side * shape.Mean;
             this->Gaussian[v] =
               isFitted ? shape.Mean * shape.Mean - square : DefectCurvature(geometry, v, fan);
           }
         });
     });
+  this->IsInsideOut = std::count(insideOut.begin(), insideOut.end(), 1) > 0;
 }
 }

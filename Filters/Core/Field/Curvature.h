@@ -10,7 +10,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Curvature of a mesh over its vertices. Lengths are in units of Metric::Unit.
+/// Curvature of a mesh over its vertices. Lengths are in units of Metric::Unit. That of a closed component
+/// whose triangles are wound inside out, so that its signed volume is negative, is taken as seen from
+/// outside.
 ///
 /// At most vertices it is that of quadrics that are fitted to their surroundings and averaged over as
 /// much more of the surface as noise makes necessary (Curvature/ShapeFit.h, ShapeSmoothing.h). On creases,
@@ -34,6 +36,8 @@ struct Curvature
   std::vector<double> Mean;
   /// K = H^2 - |q|^2; on creases the angle defect over the area, 0 on their boundary.
   std::vector<double> Gaussian;
+  /// Some component is wound inside out.
+  bool IsInsideOut = false;
 };
 }
 

@@ -59,8 +59,14 @@ std::vector<Complex> CurvatureSection(
     [&](Index begin, Index end)
     {
       std::transform(hopf.begin() + begin, hopf.begin() + end, section.begin() + begin,
-        [&](const Complex& q) {
-          return degree == 4 ? q * q : direction == CurvatureDirection::Minimum ? -q : q;
+        [&](const Complex& q)
+        {
+          if (degree == 4)
+          {
+            const double size = std::abs(q);
+            return size > 0.0 ? q * (q / size) : Complex(0.0);
+          }
+          return direction == CurvatureDirection::Minimum ? -q : q;
         });
     });
   return section;

@@ -17,7 +17,7 @@ std::vector<Complex> GuidanceSection(
   const SurfaceGeometry& geometry, const Guidance& guidance, int degree);
 
 /// The Hopf differential as a section of degree 2, towards the larger curvature or the smaller, or
-/// its square, of degree 4.
+/// q^2 / |q|, of degree 4.
 std::vector<Complex> CurvatureSection(
   const std::vector<Complex>& hopf, int degree, CurvatureDirection direction);
 

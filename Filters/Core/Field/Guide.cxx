@@ -5,8 +5,10 @@
 
 #include "Field/Guidance.h"
 #include "Field/Stages.h"
+#include "Support/Threads.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace DirectionFields::Internal
 {
@@ -34,11 +36,57 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
                        "oriented: the larger and the smaller curvature change places on a "
                        "walk around it. Take Degree 4.");
   }
+  if (UsesCurvature(options) && stages.GetCurvature().IsInsideOut)
+  {
+    notes.emplace_back(
+      "A closed part of the surface is wound inside out: its curvature is taken as "
+      "seen from outside.");
+  }
   return Constraints(
     { stages.GetGeometry(),
       options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
       UsesCurvature(options) ? &stages.GetCurvature() : nullptr, given },
     options, notes);
+}
+
+/// How curved a component is for its size: the root of the mean of |q|^2 area.
+double Bend(const SurfaceGeometry& geometry, const std::vector<Complex>& hopf, std::size_t c)
+{
+  const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
+  const double squares = ParallelSum<double>(component.Triangles(), MediumPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      double sum = 0.0;
+      for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
+      {
+        for (Index h = 3 * t; h < 3 * t + 3; ++h)
+        {
+          sum += geometry.Lengths.Area[t] / 3.0 * std::norm(hopf[geometry.Mesh.Tail(h)]);
+        }
+      }
+      return sum;
+    });
+  return std::sqrt(squares);
+}
+
+/// The share of the strength that a component has of which almost nothing is curved beside others that are:
+/// all of it down to a fiftieth of the most curved one, below that by the square.
+std::vector<double> CurvatureShares(
+  const SurfaceGeometry& geometry, const std::vector<Complex>& hopf)
+{
+  constexpr double slight = 0.02;
+  std::vector<double> shares;
+  for (std::size_t c = 0; c < geometry.Mesh.GetComponents().size(); ++c)
+  {
+    shares.push_back(Bend(geometry, hopf, c));
+  }
+  const double most = shares.empty() ? 0.0 : *std::max_element(shares.begin(), shares.end());
+  for (double& share : shares)
+  {
+    const double relative = most > 0.0 ? share / (slight * most) : 1.0;
+    share = std::min(1.0, relative * relative);
+  }
+  return shares;
 }
 
 std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
@@ -80,16 +128,22 @@ Guide::Guide(
   , Constrained(ConstraintsOf(stages, options, this->Given, notes))
   , Drawn(DrawnSection(stages, options, this->Given, notes))
 {
+  if (!this->Drawn.empty() && options.Alignment == Alignment::PrincipalCurvature)
+  {
+    this->Shares = CurvatureShares(stages.GetGeometry(), stages.GetCurvature().Hopf);
+  }
 }
 
-ComponentGuide Guide::Of(const TriangleMesh::Component& component) const
+ComponentGuide Guide::Of(const TriangleMesh& mesh, std::size_t c) const
 {
+  const TriangleMesh::Component& component = mesh.GetComponents()[c];
   ComponentGuide part;
   if (!this->Drawn.empty())
   {
     part.Guidance = Eigen::Map<const ComplexVector>(
       this->Drawn.data() + component.FirstVertex, component.Vertices());
   }
+  part.Share = this->Shares.empty() ? 1.0 : this->Shares[c];
   std::vector<Complex> values;
   for (Index v = component.FirstVertex; this->Constrained.Any() && v < component.EndVertex; ++v)
   {

@@ -29,7 +29,7 @@ public:
   bool Any() const { return this->Constrained.Any() || !this->Drawn.empty(); }
   const Constraints& GetConstraints() const { return this->Constrained; }
   /// The part of one component.
-  ComponentGuide Of(const TriangleMesh::Component& component) const;
+  ComponentGuide Of(const TriangleMesh& mesh, std::size_t component) const;
 
 private:
   /// The user's vectors as a section of the field's degree; empty where no option asks for them.
@@ -37,6 +37,8 @@ private:
   Constraints Constrained;
   /// What the field is drawn to; empty for nothing.
   std::vector<Complex> Drawn;
+  /// The share of the strength of each component; empty for all of it.
+  std::vector<double> Shares;
 };
 
 /// Whether the options need the curvature of the surface.

@@ -34,15 +34,14 @@ UnitStage::UnitStage(const IntrinsicGeometry& triangulation, const IntrinsicGeom
 {
 }
 
-double UnitStage::PullStrength(const Options& options) const
+double UnitStage::PullStrength(const ComponentGuide& guide, const Options& options) const
 {
   const double sigma = this->Stage.Sigma();
   return (this->Degree <= 2 ? PullOfFewDirections : PullOfManyDirections) * sigma *
-    std::min(MostPull, std::sqrt(this->Stage.Gap(options) / sigma));
+    std::min(MostPull, std::sqrt(this->Stage.Gap(options, guide.Share) / sigma));
 }
 
-ComplexVector UnitStage::Pull(
-  const ComponentGuide& guide, const Options& options, double strength) const
+ComplexVector UnitStage::Pull(const ComponentGuide& guide, double strength) const
 {
   const auto rows = static_cast<Index>(guide.Guidance.size());
   if (rows == 0)
@@ -50,8 +49,6 @@ ComplexVector UnitStage::Pull(
     return {};
   }
   const SparseMatrix& mass = this->Stage.GetMatrices().Mass;
-  // The square of the Hopf differential counts by the root of its length.
-  const bool root = options.Alignment == Alignment::PrincipalCurvature && this->Degree == 4;
   Eigen::VectorXd area(rows);
   for (Index v = 0; v < rows; ++v)
   {
@@ -77,10 +74,9 @@ ComplexVector UnitStage::Pull(
   for (Index v = 0; v < rows; ++v)
   {
     const Complex scaled(guide.Guidance[v].real() / largest, guide.Guidance[v].imag() / largest);
-    const double modulus = std::abs(scaled);
-    if (modulus > 0.0)
+    if (scaled != 0.0)
     {
-      pull[v] = area[v] * (root ? scaled / std::sqrt(modulus) : scaled);
+      pull[v] = area[v] * scaled;
       sum += std::abs(pull[v]);
     }
   }
@@ -96,11 +92,11 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
   const Progress& progress, ComplexVector& u, ComponentReport& report)
 {
   const Operators& matrices = this->Stage.GetMatrices();
-  const double strength = guide.Guidance.size() > 0 ? this->PullStrength(options) : 0.0;
+  const double strength = guide.Guidance.size() > 0 ? this->PullStrength(guide, options) : 0.0;
   // The mirror images of a cover's edges are known in the surface's own triangulation only.
   UnitProblem problem{ this->Component.IsCover ? this->Surface : this->Triangulation, this->Surface,
     this->Component, this->Degree, this->Energy, matrices.Mass,
-    strength > 0.0 ? this->Pull(guide, options, strength) : ComplexVector{}, {} };
+    strength > 0.0 ? this->Pull(guide, strength) : ComplexVector{}, {} };
   FreeSystem* free = nullptr;
   if (!guide.Given.Vertices.empty())
   {

@@ -26,9 +26,9 @@ public:
 
 private:
   /// How strongly the guidance draws, over its mean modulus: w of UnitField's Pull.
-  double PullStrength(const Options& options) const;
+  double PullStrength(const ComponentGuide& guide, const Options& options) const;
   /// p of UnitProblem; empty for none.
-  ComplexVector Pull(const ComponentGuide& guide, const Options& options, double strength) const;
+  ComplexVector Pull(const ComponentGuide& guide, double strength) const;
 
   const IntrinsicGeometry& Triangulation;
   const IntrinsicGeometry& Surface;
