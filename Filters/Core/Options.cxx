@@ -33,6 +33,8 @@ void Check(const Options& options)
     "SingularityCost must be 0 to 4.");
   Require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
     "NumberOfThreads must be 0 to 1024.");
+  Require(options.CurvatureScale >= 0.0 && options.CurvatureScale <= 32.0,
+    "CurvatureScale must be 0 to 32.");
   Require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,
     "AlignmentStrength must be 0 to 1.");
   Require(options.Shift >= 0.0 && std::isfinite(options.Shift), "Shift must be at least 0.");

@@ -27,7 +27,12 @@ enum class CurvatureDirection
 {
   /// The direction of the larger signed curvature, which is positive where the surface is convex.
   Maximum = 0,
-  Minimum = 1
+  Minimum = 1,
+  /// The direction in which the surface is bent least: of the curvature of smaller modulus. Guidance
+  /// fades where the two have the same modulus.
+  LeastBent = 2,
+  /// That of larger modulus.
+  MostBent = 3
 };
 
 /// How constraints enter.
@@ -108,6 +113,10 @@ struct Options
   DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
   DirectionFields::CurvatureDirection CurvatureDirection =
     DirectionFields::CurvatureDirection::Maximum;
+  /// Radius of the surroundings of a vertex that its curvature is averaged over, in edges. 0 finds it
+  /// for each vertex, by how much of the curvature is noise; the larger, the smoother the directions on
+  /// scans. Range 0 to 32. Below about 2 nothing is averaged.
+  double CurvatureScale = 0.0;
   /// tau, free of units, range 0 to 1: lambda_t = lambda_1 - sigma tau / (1 - tau) with
   /// sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the guidance
   /// itself; 0.5 is lambda_t = 0 where lambda_1 is the larger of the two, as on most closed curved surfaces:

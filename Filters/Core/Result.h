@@ -77,8 +77,9 @@ enum class ConstraintKind : signed char
   Given = 5
 };
 
-/// Curvature of the surface, over the output points. It depends on the surface and on
-/// Options::MergePoints only.
+/// Curvature of the surface, over the output points. It depends on the surface,
+/// Options::MergePoints and Options::CurvatureScale only. What is wound inside out is taken as seen
+/// from outside.
 struct CurvatureReport
 {
   /// Unit tangent vectors of the larger and of the smaller signed curvature; zero where the two
@@ -120,7 +121,8 @@ struct Result
   std::vector<ConstraintKind> Constraint;
   std::vector<Vector3> ConstraintDirection;
   /// Curvature of the surface; null where neither alignment nor constraints use it. All results of
-  /// one DirectionField share it as long as Options::MergePoints stays the same.
+  /// one DirectionField share it as long as Options::MergePoints and Options::CurvatureScale stay the
+  /// same.
   std::shared_ptr<const CurvatureReport> Curvature;
   /// Singularity index of each triangle, in units of 1/n.
   std::vector<int> SingularityIndex;

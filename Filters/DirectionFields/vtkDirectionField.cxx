@@ -95,6 +95,7 @@ vtkDirectionField::vtkDirectionField()
   this->SingularityCost = defaults.SingularityCost;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
+  this->CurvatureScale = defaults.CurvatureScale;
   this->AlignmentStrength = defaults.AlignmentStrength;
   this->UseShift = defaults.UseShift;
   this->Shift = defaults.Shift;
@@ -143,6 +144,7 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SingularityCost: " << this->SingularityCost << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "CurvatureDirection: " << this->CurvatureDirection << "\n";
+  os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
   os << indent << "UseShift: " << this->UseShift << "\n";
   os << indent << "Shift: " << this->Shift << "\n";
@@ -180,6 +182,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
   options.CurvatureDirection =
     static_cast<DirectionFields::CurvatureDirection>(this->CurvatureDirection);
+  options.CurvatureScale = this->CurvatureScale;
   options.AlignmentStrength = this->AlignmentStrength;
   options.UseShift = this->UseShift;
   options.Shift = this->Shift;

@@ -334,17 +334,32 @@ public:
   enum CurvatureDirectionType
   {
     MAXIMUM_CURVATURE = 0,
-    MINIMUM_CURVATURE = 1
+    MINIMUM_CURVATURE = 1,
+    LEAST_BENT = 2,
+    MOST_BENT = 3
   };
 
   ///@{
   /**
    * Which principal direction a field of degree 2 is drawn or constrained to: that of the larger
-   * signed curvature (0, default) or of the smaller (1). Curvature is positive where the surface is
-   * convex. Fields of degree 4 have both.
+   * signed curvature (0, default) or of the smaller (1), which change places where the surface turns
+   * from convex to concave, or the direction in which the surface is bent least (2) or most (3), which
+   * do not. Curvature is positive where the surface is convex, as seen from outside where it is
+   * closed. Fields of degree 4 have both directions.
    */
-  vtkSetClampMacro(CurvatureDirection, int, MAXIMUM_CURVATURE, MINIMUM_CURVATURE);
+  vtkSetClampMacro(CurvatureDirection, int, MAXIMUM_CURVATURE, MOST_BENT);
   vtkGetMacro(CurvatureDirection, int);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the surroundings of a point that its curvature is averaged over, in edges of the mesh:
+   * 0 to 32. 0, the default, finds it for each point by how much of the curvature is noise. The
+   * larger, the smoother are principal directions and curvature on scans, and the less they know of
+   * small features; below about 2 nothing is averaged.
+   */
+  vtkSetClampMacro(CurvatureScale, double, 0.0, 32.0);
+  vtkGetMacro(CurvatureScale, double);
   ///@}
 
   ///@{
@@ -520,6 +535,7 @@ private:
   double SingularityCost;
   int Alignment;
   int CurvatureDirection;
+  double CurvatureScale;
   double AlignmentStrength;
   bool UseShift;
   double Shift;

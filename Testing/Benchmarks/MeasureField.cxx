@@ -66,6 +66,7 @@ const std::map<std::string, Setter> Properties = {
   { "MergePoints", [](vtkDirectionField* f, double v) { f->SetMergePoints(static_cast<int>(v)); } },
   { "UnitLength", [](vtkDirectionField* f, double v) { f->SetUnitLength(v != 0.0); } },
   { "SingularityCost", [](vtkDirectionField* f, double v) { f->SetSingularityCost(v); } },
+  { "CurvatureScale", [](vtkDirectionField* f, double v) { f->SetCurvatureScale(v); } },
   { "IntrinsicDelaunay",
     [](vtkDirectionField* f, double v) { f->SetIntrinsicDelaunay(v != 0.0); } },
 };

@@ -58,6 +58,7 @@ int main()
   PRINT(SingularityCost, ",");
   PRINT(Alignment, ",");
   PRINT(CurvatureDirection, ",");
+  PRINT(CurvatureScale, ",");
   PRINT(AlignmentStrength, ",");
   PRINT_DEFAULT(UseShift, ",");
   PRINT(Shift, ",");

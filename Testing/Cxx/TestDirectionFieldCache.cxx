@@ -41,6 +41,7 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetSingularityCost(filter->GetSingularityCost());
   fresh->SetAlignment(filter->GetAlignment());
   fresh->SetCurvatureDirection(filter->GetCurvatureDirection());
+  fresh->SetCurvatureScale(filter->GetCurvatureScale());
   fresh->SetAlignmentStrength(filter->GetAlignmentStrength());
   fresh->SetUseShift(filter->GetUseShift());
   fresh->SetShift(filter->GetShift());
@@ -93,6 +94,8 @@ void TestSettings()
     [](vtkDirectionField* filter) { filter->SetDegree(2); },
     [](vtkDirectionField* filter)
     { filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE); },
+    [](vtkDirectionField* filter) { filter->SetCurvatureDirection(vtkDirectionField::LEAST_BENT); },
+    [](vtkDirectionField* filter) { filter->SetCurvatureScale(4.0); },
     [](vtkDirectionField* filter)
     {
       filter->ConstrainSharpEdgesOn();

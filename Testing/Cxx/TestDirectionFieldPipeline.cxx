@@ -35,6 +35,7 @@ void TestParameters()
   CHECK(filter->GetSingularityCost() == 0.0);
   CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
   CHECK(filter->GetCurvatureDirection() == vtkDirectionField::MAXIMUM_CURVATURE);
+  CHECK(filter->GetCurvatureScale() == 0.0);
   CHECK(filter->GetAlignmentStrength() == 0.5);
   CHECK(!filter->GetUseShift());
   CHECK(filter->GetShift() == 0.0);
@@ -66,6 +67,7 @@ void TestParameters()
   filter->SetSingularityCost(1.5);
   filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
   filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE);
+  filter->SetCurvatureScale(4.5);
   filter->SetAlignmentStrength(0.75);
   filter->UseShiftOn();
   filter->SetShift(12.5);
@@ -86,11 +88,12 @@ void TestParameters()
     { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
       " Solver: 2\n", " NumberOfThreads: 5\n", " KeepStages: 0\n", " MergePoints: 1\n",
       " IntrinsicDelaunay: 1\n", " UnitLength: 1\n", " SingularityCost: 1.5\n", " Alignment: 2\n",
-      " CurvatureDirection: 1\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n", " Shift: 12.5\n",
-      " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n", " ConstrainBoundary: 1\n",
-      " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n", " MinimumFeatureLength: 0.25\n",
-      " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",
-      " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n", " ConstraintSolver: 0\n" })
+      " CurvatureDirection: 1\n", " CurvatureScale: 4.5\n", " AlignmentStrength: 0.75\n",
+      " UseShift: 1\n", " Shift: 12.5\n", " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n",
+      " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n",
+      " MinimumFeatureLength: 0.25\n", " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n",
+      " ConsistencyAngle: 25\n", " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n",
+      " ConstraintSolver: 0\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -123,8 +126,10 @@ void TestParameters()
   CHECK(filter->GetAlignment() == 2);
   filter->SetAlignment(-1);
   CHECK(filter->GetAlignment() == 0);
-  filter->SetCurvatureDirection(2);
-  CHECK(filter->GetCurvatureDirection() == 1);
+  filter->SetCurvatureDirection(4);
+  CHECK(filter->GetCurvatureDirection() == vtkDirectionField::MOST_BENT);
+  filter->SetCurvatureScale(33.0);
+  CHECK(filter->GetCurvatureScale() == 32.0);
   filter->SetAlignmentStrength(1.5);
   CHECK(filter->GetAlignmentStrength() == 1.0);
   filter->SetAlignmentStrength(-0.5);

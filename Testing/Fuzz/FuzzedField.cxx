@@ -63,7 +63,7 @@ Options ReadOptions(const Bytes& bytes, std::size_t begin)
   // A thousand threads for each input would take long.
   options.NumberOfThreads = at(4) < FirstInvalid ? static_cast<int>(at(4) % 4) : -1;
   options.Alignment = OneOf<Alignment>(at(5), 3);
-  options.CurvatureDirection = OneOf<CurvatureDirection>(at(6), 2);
+  options.CurvatureDirection = OneOf<CurvatureDirection>(at(6), 4);
   options.AlignmentStrength = Real(at(7), options.AlignmentStrength, 0.0, 1.0);
   options.UseShift = at(8) % 2 != 0;
   options.Shift = at(9) < 128 ? std::pow(10.0, at(9) / 4.0 - 12.0) : Special(at(9));
@@ -82,6 +82,7 @@ Options ReadOptions(const Bytes& bytes, std::size_t begin)
   options.MinimumFeatureLength = Real(at(22), options.MinimumFeatureLength, 0.0, 1.0);
   options.UnitLength = at(23) % 2 != 0;
   options.SingularityCost = Real(at(24), options.SingularityCost, 0.0, 4.0);
+  options.CurvatureScale = Real(at(25), options.CurvatureScale, 0.0, 32.0);
   return options;
 }
 

@@ -23,10 +23,10 @@ def total(array):
 
 # Shift is not one of them, because it takes the place of the strength where UseShift is on.
 ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
-            "IntrinsicDelaunay", "UseShift")
+            "IntrinsicDelaunay", "UseShift", "CurvatureScale")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
-    "CurvatureDirection": ["Maximum", "Minimum"],
+    "CurvatureDirection": ["Maximum", "Minimum", "Least Bent", "Most Bent"],
     "ConstraintSolver": ["Least Squares", "Energy"],
     "MergePoints": ["Off", "On", "Automatic"],
     "Solver": ["Automatic", "Multigrid", "Direct"],
@@ -149,6 +149,7 @@ def test_panel():
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}
+    scale = {"CurvatureScale"}
     strength = {"AlignmentStrength", "UseShift"}
     guidance = {"GuidanceVectors", "GuidanceWeights"}
     solver = {"ConstraintSolver"}
@@ -157,20 +158,21 @@ def test_panel():
             ({}, curvature),
             ({"Degree": 6}, set()),
             ({"Degree": 2}, curvature),
-            ({"Alignment": 1}, curvature | strength),
-            ({"Alignment": 1, "Degree": 2}, curvature | strength | {"CurvatureDirection"}),
-            ({"Alignment": 1, "UseShift": 1}, curvature | {"UseShift", "Shift"}),
+            ({"Alignment": 1}, curvature | scale | strength),
+            ({"Alignment": 1, "Degree": 2},
+             curvature | scale | strength | {"CurvatureDirection"}),
+            ({"Alignment": 1, "UseShift": 1}, curvature | scale | {"UseShift", "Shift"}),
             ({"UseShift": 1}, curvature),
             ({"Alignment": 2, "Degree": 2}, curvature | strength | guidance),
             ({"Alignment": 2, "Degree": 3}, strength | guidance),
             ({"ConstrainGuidance": 1, "Degree": 3}, guidance | solver),
             ({"ConstrainBoundary": 1, "Degree": 3}, solver),
             ({"ConstrainSharpEdges": 1, "Degree": 3}, {"FeatureAngle", "MinimumFeatureLength"} | solver),
-            ({"ConstrainCurvature": 1}, curvature | consistency | solver),
+            ({"ConstrainCurvature": 1}, curvature | scale | consistency | solver),
             ({"ConstrainCurvature": 1, "Degree": 2},
-             curvature | consistency | solver | {"CurvatureDirection"}),
+             curvature | scale | consistency | solver | {"CurvatureDirection"}),
             # Constraints of another degree are an error, which the user must be able to switch off.
-            ({"ConstrainCurvature": 1, "Degree": 6}, curvature | consistency | solver)):
+            ({"ConstrainCurvature": 1, "Degree": 6}, curvature | scale | consistency | solver)):
         assert shown(field, **settings) == expected, (settings, shown(field, **settings))
     Delete(field)
 

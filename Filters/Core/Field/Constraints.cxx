@@ -5,6 +5,7 @@
 
 #include "Field/FeatureChains.h"
 #include "Field/FeatureSigns.h"
+#include "Field/Guidance.h"
 #include "Sections/DoubleCover.h"
 #include "Sections/Singularities.h"
 #include "Support/Free.h"
@@ -281,7 +282,7 @@ void Constraints::AddCurvature(const Input& input, const Options& options)
   {
     const TriangleMesh::Component& component = input.Geometry.Mesh.GetComponents()[c];
     const double radius = std::sqrt(input.Geometry.Lengths.ComponentArea[c] / (4.0 * Pi));
-    if (component.IsCover && options.Degree == 2)
+    if (component.IsCover && DependsOnSide(options.Degree, options.CurvatureDirection))
     {
       // The larger curvature of one side is the smaller one of the other.
       continue;
@@ -290,14 +291,12 @@ void Constraints::AddCurvature(const Input& input, const Options& options)
     {
       const double mean = std::abs(input.Curved->Mean[v]) * radius;
       const double gaussian = std::abs(input.Curved->Gaussian[v]) * radius * radius;
-      const Complex& hopf = input.Curved->Hopf[v];
+      const Complex value =
+        CurvatureValue(*input.Curved, v, options.Degree, options.CurvatureDirection);
       if ((mean > options.CurvatureTolerance || gaussian > options.CurvatureTolerance) &&
-        std::abs(hopf) * radius > Umbilic)
+        std::abs(input.Curved->Hopf[v]) * radius > Umbilic && std::abs(value) > 0.0)
       {
-        const Complex line =
-          options.CurvatureDirection == CurvatureDirection::Minimum && options.Degree == 2 ? -hopf
-                                                                                           : hopf;
-        this->Set(v, ConstraintKind::Curvature, options.Degree == 4 ? line * line : line);
+        this->Set(v, ConstraintKind::Curvature, value);
       }
     }
   }

@@ -135,7 +135,7 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   }
   if (UsesCurvature(options))
   {
-    result.Curvature = stages.GetCurvatureReport();
+    result.Curvature = stages.GetCurvatureReport(options.CurvatureScale);
   }
   result.OriginalPoint = points.Original;
   result.SplitTriangles = points.SplitTriangles;

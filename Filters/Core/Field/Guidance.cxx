@@ -3,7 +3,6 @@
 
 #include "Field/Guidance.h"
 
-#include "Solvers/Matrices/VectorOperations.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -51,23 +50,43 @@ std::vector<Complex> GuidanceSection(
   return section;
 }
 
-std::vector<Complex> CurvatureSection(
-  const std::vector<Complex>& hopf, int degree, CurvatureDirection direction)
+Complex CurvatureValue(
+  const Curvature& curvature, Index vertex, int degree, CurvatureDirection direction)
 {
-  std::vector<Complex> section(hopf.size());
-  ParallelFor(static_cast<Index>(hopf.size()), VectorPiece,
+  const Complex& q = curvature.Hopf[vertex];
+  if (degree == 4)
+  {
+    const double size = std::abs(q);
+    return size > 0.0 ? q * (q / size) : Complex(0.0);
+  }
+  if (direction == CurvatureDirection::Maximum || direction == CurvatureDirection::Minimum)
+  {
+    return direction == CurvatureDirection::Maximum ? q : -q;
+  }
+  // With k = H +- |q|, half of |k_max| - |k_min| is H, but no more than |q| and no less than -|q|.
+  const double size = std::abs(q);
+  const double mean = curvature.Mean[vertex];
+  const Complex most = std::abs(mean) < size ? q * (mean / size) : std::copysign(1.0, mean) * q;
+  return direction == CurvatureDirection::MostBent ? most : -most;
+}
+
+bool DependsOnSide(int degree, CurvatureDirection direction)
+{
+  return degree == 2 &&
+    (direction == CurvatureDirection::Maximum || direction == CurvatureDirection::Minimum);
+}
+
+std::vector<Complex> CurvatureSection(
+  const Curvature& curvature, int degree, CurvatureDirection direction)
+{
+  std::vector<Complex> section(curvature.Hopf.size());
+  ParallelFor(static_cast<Index>(section.size()), LightPiece,
     [&](Index begin, Index end)
     {
-      std::transform(hopf.begin() + begin, hopf.begin() + end, section.begin() + begin,
-        [&](const Complex& q)
-        {
-          if (degree == 4)
-          {
-            const double size = std::abs(q);
-            return size > 0.0 ? q * (q / size) : Complex(0.0);
-          }
-          return direction == CurvatureDirection::Minimum ? -q : q;
-        });
+      for (Index v = begin; v < end; ++v)
+      {
+        section[v] = CurvatureValue(curvature, v, degree, direction);
+      }
     });
   return section;
 }

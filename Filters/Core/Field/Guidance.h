@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Guidance_h
 #define DirectionFields_Guidance_h
 
+#include "Field/Curvature.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Options.h"
 
@@ -16,10 +17,18 @@ namespace DirectionFields::Internal
 std::vector<Complex> GuidanceSection(
   const SurfaceGeometry& geometry, const Guidance& guidance, int degree);
 
-/// The Hopf differential as a section of degree 2, towards the larger curvature or the smaller, or
-/// q^2 / |q|, of degree 4.
+/// What a field of degree 2 or 4 follows at a vertex: q for the larger curvature, -q for the smaller;
+/// e^(2 i theta) (|k_max| - |k_min|) / 2 for the one of larger modulus, which does not depend on the side
+/// that the surface is seen from, and its negative for the other. For degree 4 it is q^2 / |q|.
+Complex CurvatureValue(
+  const Curvature& curvature, Index vertex, int degree, CurvatureDirection direction);
+
+/// Whether what a field follows changes with the side that the surface is seen from.
+bool DependsOnSide(int degree, CurvatureDirection direction);
+
+/// These values of all vertices.
 std::vector<Complex> CurvatureSection(
-  const std::vector<Complex>& hopf, int degree, CurvatureDirection direction);
+  const Curvature& curvature, int degree, CurvatureDirection direction);
 
 /// Continues a section to vertices of its components where it is zero: each of them has a tenth of the
 /// mean of those neighbours that are nearer to where it is not. That is next to nothing for a field that is

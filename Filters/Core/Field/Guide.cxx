@@ -29,14 +29,15 @@ std::vector<Complex> GivenSection(
 Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vector<Complex>& given,
   std::vector<std::string>& notes)
 {
-  if (UsesCurvature(options) && options.Degree == 2 &&
+  if (UsesCurvature(options) && DependsOnSide(options.Degree, options.CurvatureDirection) &&
     stages.GetMesh().GetRepairs().NonOrientableComponents > 0)
   {
-    notes.emplace_back("A line field cannot follow the curvature of a surface that cannot be "
-                       "oriented: the larger and the smaller curvature change places on a "
-                       "walk around it. Take Degree 4.");
+    notes.emplace_back(
+      "A line field cannot follow the curvature of a surface that cannot be "
+      "oriented: the larger and the smaller curvature change places on a "
+      "walk around it. Take Degree 4, or the direction that is bent least or most.");
   }
-  if (UsesCurvature(options) && stages.GetCurvature().IsInsideOut)
+  if (UsesCurvature(options) && stages.GetCurvature(options.CurvatureScale).IsInsideOut)
   {
     notes.emplace_back(
       "A closed part of the surface is wound inside out: its curvature is taken as "
@@ -45,7 +46,7 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
   return Constraints(
     { stages.GetGeometry(),
       options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
-      UsesCurvature(options) ? &stages.GetCurvature() : nullptr, given },
+      UsesCurvature(options) ? &stages.GetCurvature(options.CurvatureScale) : nullptr, given },
     options, notes);
 }
 
@@ -101,9 +102,9 @@ std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
       drawn = given;
       break;
     case Alignment::PrincipalCurvature:
-      drawn =
-        CurvatureSection(stages.GetCurvature().Hopf, options.Degree, options.CurvatureDirection);
-      if (options.Degree == 2)
+      drawn = CurvatureSection(
+        stages.GetCurvature(options.CurvatureScale), options.Degree, options.CurvatureDirection);
+      if (DependsOnSide(options.Degree, options.CurvatureDirection))
       {
         ClearCovers(stages.GetMesh(), drawn);
       }
@@ -130,7 +131,8 @@ Guide::Guide(
 {
   if (!this->Drawn.empty() && options.Alignment == Alignment::PrincipalCurvature)
   {
-    this->Shares = CurvatureShares(stages.GetGeometry(), stages.GetCurvature().Hopf);
+    this->Shares =
+      CurvatureShares(stages.GetGeometry(), stages.GetCurvature(options.CurvatureScale).Hopf);
   }
 }
 

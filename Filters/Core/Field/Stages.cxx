@@ -84,11 +84,13 @@ const std::vector<double>& Stages::GetDihedralAngles()
   return *this->Dihedral;
 }
 
-const Curvature& Stages::GetCurvature()
+const Curvature& Stages::GetCurvature(double scale)
 {
-  if (!this->Curved)
+  if (!this->Curved || this->CurvatureScale != scale)
   {
-    this->Curved.emplace(this->Geometry, this->GetDihedralAngles());
+    this->CurvatureAtPoints.reset();
+    this->Curved.emplace(this->Geometry, this->GetDihedralAngles(), scale);
+    this->CurvatureScale = scale;
   }
   return *this->Curved;
 }
@@ -102,14 +104,14 @@ const OutputPoints& Stages::GetOutputPoints()
   return *this->Points;
 }
 
-const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport()
+const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport(double scale)
 {
-  if (this->CurvatureAtPoints)
+  if (this->CurvatureAtPoints && this->CurvatureScale == scale)
   {
     return this->CurvatureAtPoints;
   }
   constexpr Index piece = 1 << 13;
-  const Curvature& curvature = this->GetCurvature();
+  const Curvature& curvature = this->GetCurvature(scale);
   std::vector<Complex> smaller(curvature.Hopf.size());
   std::vector<double> mean = curvature.Mean;
   std::vector<double> gaussian = curvature.Gaussian;

@@ -70,10 +70,11 @@ public:
   /// What a component's fields of unit length need, kept with the energy, which must be that of the options.
   UnitStage& GetUnit(EnergyStage& energy, std::size_t component, const Options& options) const;
   const std::vector<double>& GetDihedralAngles();
-  const Curvature& GetCurvature();
+  /// @param scale as Options::CurvatureScale
+  const Curvature& GetCurvature(double scale = 0.0);
   const OutputPoints& GetOutputPoints();
-  /// The curvature at the output points, in the units of the input. All results share it.
-  const std::shared_ptr<const CurvatureReport>& GetCurvatureReport();
+  /// The curvature at the output points, in the units of the input. All results of one scale share it.
+  const std::shared_ptr<const CurvatureReport>& GetCurvatureReport(double scale = 0.0);
 
 private:
   Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh);
@@ -90,6 +91,7 @@ private:
   std::optional<BoundaryPoints> Boundary;
   std::optional<std::vector<double>> Dihedral;
   std::optional<Curvature> Curved;
+  double CurvatureScale = 0.0;
   std::optional<OutputPoints> Points;
   std::shared_ptr<const CurvatureReport> CurvatureAtPoints;
 };

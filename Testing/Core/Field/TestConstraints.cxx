@@ -389,8 +389,8 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
     options.Alignment = pick(3) == 0 ? Alignment::PointVectors
       : curvature && pick(2)         ? Alignment::PrincipalCurvature
                                      : Alignment::None;
-    options.CurvatureDirection =
-      pick(2) ? CurvatureDirection::Maximum : CurvatureDirection::Minimum;
+    options.CurvatureDirection = static_cast<CurvatureDirection>(pick(4));
+    options.CurvatureScale = pick(2) ? 0.0 : 4.0 * fraction();
     options.AlignmentStrength = pick(4) == 0 ? static_cast<double>(pick(2)) : fraction();
     options.UseShift = pick(4) == 0;
     options.Shift = std::pow(10.0, 8.0 * fraction() - 4.0);

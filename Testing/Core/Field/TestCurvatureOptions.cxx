@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace DirectionFields;
 using namespace Meshes;
@@ -71,11 +72,11 @@ bool Notes(const Result& result, const std::string& what)
 }
 }
 
-TEST(CurvatureGuidance, WhatIsInsideOutIsSeenFromOutside)
+TEST(CurvatureOptions, WhatIsInsideOutIsSeenFromOutside)
 {
   const Surface potato = Potato(4);
-  for (const CurvatureDirection direction :
-    { CurvatureDirection::Maximum, CurvatureDirection::Minimum })
+  for (const CurvatureDirection direction : { CurvatureDirection::Maximum,
+         CurvatureDirection::Minimum, CurvatureDirection::LeastBent, CurvatureDirection::MostBent })
   {
     const Options options = Lines(direction, 0.95);
     const Result right = DirectionField(potato).Compute(options);
@@ -94,7 +95,7 @@ TEST(CurvatureGuidance, WhatIsInsideOutIsSeenFromOutside)
   }
 }
 
-TEST(CurvatureGuidance, OpenSurfacesHaveNoInside)
+TEST(CurvatureOptions, OpenSurfacesHaveNoInside)
 {
   for (const Surface& surface : { InsideOut(Waves(20, 0.1)), InsideOut(Hemisphere(3)) })
   {
@@ -107,7 +108,75 @@ TEST(CurvatureGuidance, OpenSurfacesHaveNoInside)
     0.0);
 }
 
-TEST(CurvatureGuidance, FlatSurfacesFollowNothingHoweverTheyAreTurned)
+TEST(CurvatureOptions, LeastAndMostBentDoNotSwapWhereTheSurfaceIsConcave)
+{
+  const Surface waves = Waves(80, 0.06);
+  const auto off = [&](CurvatureDirection direction, bool crests)
+  {
+    const Result result = DirectionField(waves).Compute(Lines(direction, 0.9999));
+    double sum = 0.0;
+    double count = 0.0;
+    for (Index i = 0; i < static_cast<Index>(waves.Points.size()); ++i)
+    {
+      const Vector3& p = waves.Points[i];
+      const bool inside = p.x() > 0.2 && p.x() < 1.8 && p.y() > 0.2 && p.y() < 1.8;
+      if (inside && (crests ? p.z() > 0.04 : p.z() < -0.04))
+      {
+        // The direction across the waves lies in the plane of x and z.
+        sum += std::asin(std::min(1.0, std::abs(result.Direction(i, 0).y()))) * 180.0 / Pi;
+        count += 1.0;
+      }
+    }
+    return sum / count;
+  };
+  for (const bool crests : { true, false })
+  {
+    EXPECT_LT(off(CurvatureDirection::MostBent, crests), 2.0);
+    EXPECT_GT(off(CurvatureDirection::LeastBent, crests), 88.0);
+  }
+  EXPECT_LT(off(CurvatureDirection::Maximum, true), 2.0);
+  EXPECT_GT(off(CurvatureDirection::Maximum, false), 88.0);
+  EXPECT_GT(off(CurvatureDirection::Minimum, true), 88.0);
+  EXPECT_LT(off(CurvatureDirection::Minimum, false), 2.0);
+}
+
+TEST(CurvatureOptions, LinesFollowTheLeastBentDirectionOfWhatCannotBeOriented)
+{
+  const Surface bottle = KleinBottle(60, 40);
+  const Result least = DirectionField(bottle).Compute(Lines(CurvatureDirection::LeastBent, 0.9));
+  EXPECT_TRUE(least.Notes.empty());
+  EXPECT_LT(least.Components[0].Lambda, least.Components[0].Eigenvalue);
+  const Result maximum = DirectionField(bottle).Compute(Lines(CurvatureDirection::Maximum, 0.9));
+  EXPECT_TRUE(Notes(maximum, "change places"));
+  EXPECT_DOUBLE_EQ(maximum.Components[0].Lambda, maximum.Components[0].Eigenvalue);
+}
+
+TEST(CurvatureOptions, ALargerScaleSmoothsMore)
+{
+  Surface surface = Potato(5);
+  surface = Jittered(surface, 0.004, 5);
+  DirectionField field(surface);
+  Options options;
+  options.Alignment = Alignment::PrincipalCurvature;
+  options.AlignmentStrength = 1.0;
+  options.CurvatureScale = 1.0;
+  Index last = Singular(field.Compute(options));
+  for (const double scale : { 3.0, 6.0, 12.0 })
+  {
+    options.CurvatureScale = scale;
+    const Result result = field.Compute(options);
+    EXPECT_LT(Singular(result), 0.7 * static_cast<double>(last)) << scale;
+    EXPECT_EQ(result.Curvature->Mean, DirectionField(surface).Compute(options).Curvature->Mean);
+    last = Singular(result);
+  }
+  for (const double bad : { -1.0, 33.0, std::nan("") })
+  {
+    options.CurvatureScale = bad;
+    EXPECT_THROW(field.Compute(options), std::invalid_argument);
+  }
+}
+
+TEST(CurvatureOptions, FlatSurfacesFollowNothingHoweverTheyAreTurned)
 {
   for (const double angle : { 0.3, 1.0, 2.0 })
   {
@@ -127,7 +196,7 @@ TEST(CurvatureGuidance, FlatSurfacesFollowNothingHoweverTheyAreTurned)
   }
 }
 
-TEST(CurvatureGuidance, AFlatPlateBesideACurvedBodyFollowsNothing)
+TEST(CurvatureOptions, AFlatPlateBesideACurvedBodyFollowsNothing)
 {
   const Surface plate = Transformed(Square(40), ObliqueRotation(1.0), { 3.0, 0.0, 0.0 });
   const Result result = DirectionField(Single(Joined(Potato(4), plate)))
@@ -140,10 +209,10 @@ TEST(CurvatureGuidance, AFlatPlateBesideACurvedBodyFollowsNothing)
     0);
 }
 
-TEST(CurvatureGuidance, AnAlmostFlatPlateFollowsLittleBesideACurvedBodyAndMuchAlone)
+TEST(CurvatureOptions, AnAlmostFlatPlateFollowsLittleBesideACurvedBodyAndMuchAlone)
 {
   const Surface plate = Transformed(Waves(40, 1e-5), ObliqueRotation(1.0), { 3.0, 0.0, 0.0 });
-  const Options options = Lines(CurvatureDirection::Maximum, 0.9);
+  const Options options = Lines(CurvatureDirection::MostBent, 0.9);
   const Result alone = DirectionField(plate).Compute(options);
   const Result both = DirectionField(Joined(Potato(4), plate)).Compute(options);
   ASSERT_EQ(both.Components.size(), 2u);
