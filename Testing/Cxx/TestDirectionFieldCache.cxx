@@ -94,7 +94,7 @@ void TestSettings()
     [](vtkDirectionField* filter) { filter->SetDegree(2); },
     [](vtkDirectionField* filter)
     { filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE); },
-    [](vtkDirectionField* filter) { filter->SetCurvatureDirection(vtkDirectionField::LEAST_BENT); },
+    [](vtkDirectionField* filter) { filter->SetCurvatureDirection(vtkDirectionField::MOST_BENT); },
     [](vtkDirectionField* filter) { filter->SetCurvatureScale(4.0); },
     [](vtkDirectionField* filter)
     {

@@ -16,10 +16,10 @@ struct ComponentGuide
 {
   /// The section that the field is drawn to, one value for each vertex; empty for nothing.
   ComplexVector Guidance;
-  /// How much of the strength that the options ask for is meant for this component, 0 to 1.
-  double Share = 1.0;
   /// The constraints.
   GivenValues Given;
+  /// How much of the strength that the options ask for is meant for this component, 0 to 1.
+  double Share = 1.0;
 };
 
 /// What a guide contributes to the linear systems of its component, for any strength: M q of the

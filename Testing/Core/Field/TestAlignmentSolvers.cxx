@@ -87,7 +87,7 @@ TEST(AlignmentSolvers, ConstraintsThatAreZeroLeaveTheSmoothestField)
       options.ConstraintSolver = how;
       ComponentReport report;
       const ComplexVector u =
-        stage.Solve({ {}, { { 0, 7 }, ComplexVector::Zero(2) } }, options, {}, report);
+        stage.Solve({ {}, { { 0, 7 }, ComplexVector::Zero(2) }, 1.0 }, options, {}, report);
       // Least squares need a factor.
       EXPECT_EQ(report.SolverUsed, how == ConstraintSolver::Energy ? solver : Solver::Direct);
       EXPECT_NEAR(report.SmoothnessEnergy, smoothest.Value, 1e-9 * smoothest.Value);
@@ -107,7 +107,7 @@ TEST(AlignmentSolvers, AStoppedSolutionLeavesTheStageAsItWas)
     const System system(Potato(levels), 4, 0.0);
     EigenpairSettings settings;
     settings.Scale = system.Scale;
-    const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1), {} };
+    const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1), {}, 1.0 };
     for (const Solver solver : { Solver::Direct, Solver::Multigrid })
     {
       Options options;
@@ -139,7 +139,7 @@ TEST(AlignmentSolvers, WhereLambda1WasOverestimatedLambdaTIsLess)
   const System system(Potato(4), 4, 0.0);
   EigenpairSettings settings;
   settings.Scale = system.Scale;
-  const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1), {} };
+  const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1), {}, 1.0 };
   for (const Solver solver : { Solver::Direct, Solver::Multigrid })
   {
     double exact = 0.0;
@@ -170,7 +170,7 @@ TEST(AlignmentSolvers, WhatNoGapMakesDefiniteIsAnError)
   System system(Potato(3), 4, 0.0);
   system.Matrices.Energy = SparseMatrix(-system.Matrices.Energy);
   const ComponentGuide guide{ RandomVector(system.Matrices.Energy.rows(), 1),
-    { { 0 }, ComplexVector::Ones(1) } };
+    { { 0 }, ComplexVector::Ones(1) }, 1.0 };
   Options options;
   options.UseShift = true;
   options.ConstraintSolver = ConstraintSolver::Energy;
