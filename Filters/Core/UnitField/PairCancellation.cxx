@@ -73,7 +73,7 @@ double Extrapolated(Index length, Index narrow, double first, Index wide, double
 constexpr std::size_t BatchSize = 64;
 /// All patches of a round together have no more vertices than this times those of the component: the
 /// farthest pairs are left out where there are too many of them.
-constexpr double MostWork = 12.0;
+constexpr double MostWork = 6.0;
 /// A rejected pair is tried again where a value was turned by more than this, in radians.
 constexpr double Turned = 0.2;
 }
@@ -230,6 +230,8 @@ private:
     std::unique_ptr<PairPatch> Patch;
     /// Whether the pair is cancelled for what a wider patch is predicted to gain.
     bool OnApproval = false;
+    /// The vertices of all patches that were tried for it.
+    double Work = 0.0;
   };
 
   void Fill()
@@ -247,11 +249,12 @@ private:
     }
   }
 
-  std::unique_ptr<PairPatch> Tried(
-    const SingularityPair& pair, Index rings, const ComplexVector& u) const
+  std::unique_ptr<PairPatch> Tried(Candidate& candidate, Index rings, const ComplexVector& u) const
   {
-    auto patch = std::make_unique<PairPatch>(this->Problem, pair, rings, this->Owner.Numbers);
+    auto patch =
+      std::make_unique<PairPatch>(this->Problem, *candidate.Pair, rings, this->Owner.Numbers);
     patch->Try(u);
+    candidate.Work += static_cast<double>(patch->GetVertices().size());
     return patch;
   }
 
@@ -261,14 +264,14 @@ private:
     const SingularityPair& pair = *candidate.Pair;
     const auto length = static_cast<Index>(pair.Crossed.size());
     const double bonus = 2.0 * this->Owner.Cost;
-    if (this->Tried(pair, 1, u)->GetEnergyChange() > bonus + MostGainOfLength(length))
+    if (this->Tried(candidate, 1, u)->GetEnergyChange() > bonus + MostGainOfLength(length))
     {
       return;
     }
     if (length <= ShortPath)
     {
       const Index medium = std::max(MediumRings, length / MediumPart);
-      if (this->Tried(pair, medium, u)->GetEnergyChange() < bonus + MostGainOfWidth)
+      if (this->Tried(candidate, medium, u)->GetEnergyChange() < bonus + MostGainOfWidth)
       {
         candidate.Patch = std::make_unique<PairPatch>(
           this->Problem, pair, std::max(WideRings, length / WidePart), this->Owner.Numbers);
@@ -278,14 +281,14 @@ private:
     const Index wide = WideRingsOf(length);
     const Index medium = std::max(2, wide / 2);
     const Index narrow = medium / 2;
-    const double first = this->Tried(pair, narrow, u)->GetEnergyChange();
-    const double second = this->Tried(pair, medium, u)->GetEnergyChange();
+    const double first = this->Tried(candidate, narrow, u)->GetEnergyChange();
+    const double second = this->Tried(candidate, medium, u)->GetEnergyChange();
     const double guess = Extrapolated(length, narrow, first, medium, second);
     if (guess > bonus + GuessMargin)
     {
       return;
     }
-    auto patch = this->Tried(pair, wide, u);
+    auto patch = this->Tried(candidate, wide, u);
     const double widened = patch->GetEnergyChange();
     const double prediction = Extrapolated(length, medium, second, wide, widened);
     if (prediction < bonus - LeastPrediction || widened < bonus)
@@ -307,6 +310,11 @@ private:
           this->Prepare(candidate, u);
         }
       });
+    for (Candidate& candidate : this->Waiting)
+    {
+      this->Work += candidate.Work;
+      candidate.Work = 0.0;
+    }
     this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
                           [](const Candidate& c) { return !c.Patch; }),
       this->Waiting.end());

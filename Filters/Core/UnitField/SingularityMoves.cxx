@@ -22,6 +22,9 @@ constexpr Index WideRings = 5;
 /// In a wide patch the energy falls by up to this more than in a narrow one.
 constexpr double MostGainOfWidth = 10.0;
 constexpr double LeastGain = 1e-3;
+/// Where there are more singularities than this part of the vertices, as noise makes them, they stay: to try them
+/// all would take longer than all the rest.
+constexpr double MostSingularities = 0.04;
 }
 
 SingularityMoves::SingularityMoves(const UnitProblem& problem)
@@ -43,6 +46,10 @@ void SingularityMoves::FindAll(const ComplexVector& u)
       this->Waiting.push_back(
         { component.FirstTriangle + t, indices[t] > 0 ? 1 : -1, FirstLength });
     }
+  }
+  if (static_cast<double>(this->Waiting.size()) > MostSingularities * component.Vertices())
+  {
+    this->Waiting.clear();
   }
 }
 
