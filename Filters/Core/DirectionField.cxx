@@ -110,7 +110,7 @@ Result DirectionField::ComputeField(const Options& options, const Guidance& guid
     const Guide guide(stages, options, guidance, notes);
     progress.RequireToGoOn();
     // The linear systems take about as long as half of the eigenvalue problem does.
-    const double energyPart = guide.Any() ? 0.65 : 1.0;
+    const double energyPart = guide.Any() || options.UnitLength ? 0.65 : 1.0;
     EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, energyPart));
     ComponentFields fields =
       SolveComponents(stages, energy, guide, this->PhaseReferenceSection(options.Degree), options,

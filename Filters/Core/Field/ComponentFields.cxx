@@ -41,7 +41,10 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
     }
     if (options.UnitLength)
     {
-      stages.GetUnit(energy, c, options).Improve(own, options, progress, u, fields.Reports[c]);
+      const double vertices = mesh.GetNumberOfVertices();
+      const Progress remaining =
+        progress.Part(component.FirstVertex / vertices, component.EndVertex / vertices);
+      stages.GetUnit(energy, c, options).Improve(own, options, remaining, u, fields.Reports[c]);
       if (component.IsCover)
       {
         cover.Symmetrize(u);

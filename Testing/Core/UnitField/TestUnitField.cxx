@@ -412,6 +412,30 @@ TEST(UnitField, MovesOfTheStrengthGiveWhatANewFieldGives)
   EXPECT_EQ(kept.Compute(options).SingularityIndex, Compute(surface, options).SingularityIndex);
 }
 
+TEST(UnitField, ProgressOnlyGrows)
+{
+  const Surface two =
+    Joined(Knobbly(3), Transformed(Knobbly(3), Eigen::Matrix3d::Identity(), { 5, 0, 0 }));
+  for (const Alignment alignment : { Alignment::None, Alignment::PrincipalCurvature })
+  {
+    Options options = Unit(4);
+    options.Alignment = alignment;
+    double last = 0.0;
+    int below = 0;
+    DirectionField(two).Compute(options, {},
+      [&](double done)
+      {
+        EXPECT_GE(done, last);
+        below += done > 0.66 && done < 1.0 ? 1 : 0;
+        last = done;
+        return true;
+      });
+    // The way from the first solution to the directions is part of it.
+    EXPECT_GT(below, 4);
+    EXPECT_LE(last, 1.0);
+  }
+}
+
 TEST(UnitField, StopsWhenItIsTold)
 {
   const Surface surface = Knobbly(4);
