@@ -34,8 +34,8 @@ const Plan FreePlan{ { 0.3, 0.1, 0.03, 0.01 }, 1, 2 };
 /// Those of linear systems with given values may be far away, in the middle of what they left open.
 const Plan GivenPlan{ { 3.0, 3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.1, 0.03, 0.01 }, 3, 12 };
 
-/// The second round finds nearly all that the first has left.
-constexpr int Rounds = 2;
+/// Later rounds look at what has changed only, and find little that the first has left.
+constexpr int Rounds = 3;
 /// The descent ends where a step lowers the energy by less than this part.
 constexpr double Decrease = 3e-4;
 constexpr int StepsBetween = 5;
