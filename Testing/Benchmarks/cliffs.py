@@ -75,7 +75,7 @@ class Runs:
 
 
 def seconds(task, figures):
-    name = {"strength": "first_seconds", "constraints": "energy_seconds"}.get(
+    name = {"strength": "first_seconds", "constraints": "seconds"}.get(
         task, "program_processor_seconds")
     return figures[name]
 

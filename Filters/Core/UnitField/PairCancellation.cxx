@@ -73,7 +73,7 @@ double Extrapolated(Index length, Index narrow, double first, Index wide, double
 constexpr std::size_t BatchSize = 64;
 /// All patches of a round together have no more vertices than this times those of the component: the
 /// farthest pairs are left out where there are too many of them.
-constexpr double MostWork = 6.0;
+constexpr double MostWork = 12.0;
 /// A rejected pair is tried again where a value was turned by more than this, in radians.
 constexpr double Turned = 0.2;
 }
