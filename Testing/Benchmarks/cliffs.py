@@ -77,7 +77,8 @@ class Runs:
 def seconds(task, figures):
     name = {"strength": "first_seconds", "constraints": "seconds"}.get(
         task, "program_processor_seconds")
-    return figures[name]
+    # The system may count a very short run as none.
+    return max(figures[name], 1e-6)
 
 
 def report(runs, cases):
