@@ -14,22 +14,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// A third of the area of the triangles at each vertex: each triangle adds a sixth of its area to the
-/// diagonal of the mass matrix at its three corners.
-Eigen::VectorXd VertexAreas(const SparseMatrix& mass)
-{
-  Eigen::VectorXd areas(mass.cols());
-  ParallelFor(static_cast<Index>(mass.cols()), VectorPiece,
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        areas[v] = 2.0 * mass.coeff(v, v).real();
-      }
-    });
-  return areas;
-}
-
 /// Calls set(v) at the given vertices and their neighbours, which are the rows that given values enter.
 template <typename Set>
 void ForEachNear(const std::vector<Index>& given, const SparseMatrix& mass, const Set& set)
@@ -54,7 +38,27 @@ struct Largest
   }
 };
 
-/// The largest real or imaginary part, in modulus, at the vertices whose area is not 0.
+}
+
+Eigen::VectorXd VertexAreas(const SparseMatrix& mass)
+{
+  Eigen::VectorXd areas(mass.cols());
+  ParallelFor(static_cast<Index>(mass.cols()), VectorPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        areas[v] = 2.0 * mass.coeff(v, v).real();
+      }
+    });
+  return areas;
+}
+
+void ClearNear(const std::vector<Index>& given, const SparseMatrix& mass, Eigen::VectorXd& areas)
+{
+  ForEachNear(given, mass, [&](Index v) { areas[v] = 0.0; });
+}
+
 double LargestPart(const ComplexVector& guidance, const Eigen::VectorXd& areas)
 {
   return ParallelSum<Largest>(static_cast<Index>(guidance.size()), VectorPiece, {},
@@ -73,6 +77,8 @@ double LargestPart(const ComplexVector& guidance, const Eigen::VectorXd& areas)
     .Value;
 }
 
+namespace
+{
 /// The guidance scaled to modulus 1 in the mean square over the vertices whose area is not 0; empty
 /// where the guidance is zero at all of them.
 ComplexVector Normalized(ComplexVector guidance, const Eigen::VectorXd& areas)
@@ -110,7 +116,7 @@ GuidanceTerms::GuidanceTerms(const Operators& operators, const ComponentGuide& g
 {
   Eigen::VectorXd areas = VertexAreas(operators.Mass);
   this->Area = areas.sum();
-  ForEachNear(this->GivenVertices, operators.Mass, [&](Index v) { areas[v] = 0.0; });
+  ClearNear(this->GivenVertices, operators.Mass, areas);
   const ComplexVector scaled = Normalized(this->Guidance, areas);
   if (scaled.size() > 0)
   {

@@ -22,6 +22,14 @@ struct ComponentGuide
   double Share = 1.0;
 };
 
+/// A third of the area of the triangles at each vertex: each triangle adds a sixth of its area to the
+/// diagonal of the mass matrix at its three corners.
+Eigen::VectorXd VertexAreas(const SparseMatrix& mass);
+/// Sets the areas of the given vertices and of their neighbours to 0: there guidance does not count.
+void ClearNear(const std::vector<Index>& given, const SparseMatrix& mass, Eigen::VectorXd& areas);
+/// The largest real or imaginary part, in modulus, at the vertices whose area is not 0.
+double LargestPart(const ComplexVector& guidance, const Eigen::VectorXd& areas);
+
 /// What a guide contributes to the linear systems of its component, for any strength: M q of the
 /// guidance q, which is scaled to modulus 1 in the mean square over all vertices that are neither
 /// constrained nor next to a constrained one. There the guidance is as large as the constraints.

@@ -49,22 +49,9 @@ ComplexVector UnitStage::Pull(const ComponentGuide& guide, double strength) cons
     return {};
   }
   const SparseMatrix& mass = this->Stage.GetMatrices().Mass;
-  Eigen::VectorXd area(rows);
-  for (Index v = 0; v < rows; ++v)
-  {
-    area[v] = 2.0 * mass.coeff(v, v).real();
-  }
-  for (const Index given : guide.Given.Vertices)
-  {
-    for (SparseMatrix::InnerIterator it(mass, given); it; ++it)
-    {
-      area[it.row()] = 0.0;
-    }
-  }
-  const double largest = guide.Guidance.size() > 0
-    ? std::max(
-        guide.Guidance.real().cwiseAbs().maxCoeff(), guide.Guidance.imag().cwiseAbs().maxCoeff())
-    : 0.0;
+  Eigen::VectorXd area = VertexAreas(mass);
+  ClearNear(guide.Given.Vertices, mass, area);
+  const double largest = LargestPart(guide.Guidance, area);
   if (!(largest > 0.0))
   {
     return {};

@@ -169,23 +169,9 @@ std::vector<Complex> EdgeTransport(
   ParallelFor(component.Edges(), HeavyPiece,
     [&](Index begin, Index end)
     {
-      constexpr Index most = 64;
-      std::array<double, most> angles;
-      std::array<double, most> cosines;
-      std::array<double, most> sines;
-      for (Index first = begin; first < end; first += most)
-      {
-        const Index count = std::min(most, end - first);
-        for (Index k = 0; k < count; ++k)
-        {
-          angles[k] = degree * connection.Rotation[component.FirstEdge + first + k];
-        }
-        CosinesAndSines(angles.data(), count, cosines.data(), sines.data());
-        for (Index k = 0; k < count; ++k)
-        {
-          transport[first + k] = Complex(cosines[k], sines[k]);
-        }
-      }
+      ForCosinesAndSines(
+        begin, end, [&](Index e) { return degree * connection.Rotation[component.FirstEdge + e]; },
+        [&](Index e, double cosine, double sine) { transport[e] = Complex(cosine, sine); });
     });
   return transport;
 }

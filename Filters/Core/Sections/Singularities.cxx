@@ -96,23 +96,10 @@ std::vector<double> EnergyDensity(
   ParallelFor(mesh.GetNumberOfEdges(), LightPiece,
     [&](Index begin, Index end)
     {
-      constexpr Index most = 64;
-      std::array<double, most> cosines;
-      std::array<double, most> sines;
-      for (Index first = begin; first < end; first += most)
-      {
-        // 2 - 2 cos omega without cancellation.
-        const Index count = std::min(most, end - first);
-        for (Index k = 0; k < count; ++k)
-        {
-          square[first + k] *= 0.5;
-        }
-        CosinesAndSines(square.data() + first, count, cosines.data(), sines.data());
-        for (Index k = 0; k < count; ++k)
-        {
-          square[first + k] = 4.0 * sines[k] * sines[k];
-        }
-      }
+      // 2 - 2 cos omega without cancellation.
+      ForCosinesAndSines(
+        begin, end, [&](Index e) { return 0.5 * square[e]; },
+        [&](Index e, double, double sine) { square[e] = 4.0 * sine * sine; });
     });
   std::vector<double> density(mesh.GetNumberOfVertices());
   ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,

@@ -6,6 +6,8 @@
 
 #include "Types.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace DirectionFields::Internal
@@ -30,6 +32,28 @@ inline Vector3 AnyOrthogonal(const Vector3& unit)
 
 /// @param angles in radians
 void CosinesAndSines(const double* angles, Index count, double* cosines, double* sines);
+/// The same for k = begin ... end - 1: angle(k) gives an angle, set(k, cosine, sine) takes what comes of it.
+template <typename Angle, typename Set>
+void ForCosinesAndSines(Index begin, Index end, const Angle& angle, const Set& set)
+{
+  constexpr Index most = 64;
+  std::array<double, most> angles;
+  std::array<double, most> cosines;
+  std::array<double, most> sines;
+  for (Index first = begin; first < end; first += most)
+  {
+    const Index count = std::min(most, end - first);
+    for (Index k = 0; k < count; ++k)
+    {
+      angles[k] = angle(first + k);
+    }
+    CosinesAndSines(angles.data(), count, cosines.data(), sines.data());
+    for (Index k = 0; k < count; ++k)
+    {
+      set(first + k, cosines[k], sines[k]);
+    }
+  }
+}
 void Arctangents(const double* values, Index count, double* angles);
 /// The arguments of complex numbers, -pi to pi; 0 for 0.
 void Arguments(const Complex* values, Index count, double* angles);

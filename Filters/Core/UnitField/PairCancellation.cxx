@@ -199,12 +199,7 @@ public:
     for (const Candidate& candidate : this->Batch)
     {
       this->Work += static_cast<double>(candidate.Patch->GetVertices().size());
-      if (candidate.OnApproval)
-      {
-        this->OnApproval.push_back(*candidate.Pair);
-      }
-      else if (!this->Owner.ReachesItself(*candidate.Patch) &&
-        this->Owner.PaysOff(*candidate.Patch, u))
+      if (!this->Owner.ReachesItself(*candidate.Patch) && this->Owner.PaysOff(*candidate.Patch, u))
       {
         this->Owner.Accept(*candidate.Patch, u);
         Finish(this->Problem, *candidate.Pair, this->Done);
@@ -293,8 +288,8 @@ private:
     const double prediction = Extrapolated(length, medium, second, wide, widened);
     if (prediction < bonus - LeastPrediction || widened < bonus)
     {
-      candidate.Patch = std::move(patch);
       candidate.OnApproval = widened >= bonus;
+      candidate.Patch = candidate.OnApproval ? nullptr : std::move(patch);
     }
   }
 
@@ -314,6 +309,10 @@ private:
     {
       this->Work += candidate.Work;
       candidate.Work = 0.0;
+      if (candidate.OnApproval)
+      {
+        this->OnApproval.push_back(*candidate.Pair);
+      }
     }
     this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
                           [](const Candidate& c) { return !c.Patch; }),

@@ -63,23 +63,9 @@ void Turn(const ComplexVector& from, double step, const Eigen::VectorXd& phases,
   ForRows(to,
     [&](Index begin, Index end)
     {
-      constexpr Index most = 64;
-      std::array<double, most> angles;
-      std::array<double, most> cosines;
-      std::array<double, most> sines;
-      for (Index first = begin; first < end; first += most)
-      {
-        const Index count = std::min(most, end - first);
-        for (Index k = 0; k < count; ++k)
-        {
-          angles[k] = step * phases[first + k];
-        }
-        CosinesAndSines(angles.data(), count, cosines.data(), sines.data());
-        for (Index k = 0; k < count; ++k)
-        {
-          to[first + k] = from[first + k] * Complex(cosines[k], sines[k]);
-        }
-      }
+      ForCosinesAndSines(
+        begin, end, [&](Index v) { return step * phases[v]; },
+        [&](Index v, double cosine, double sine) { to[v] = from[v] * Complex(cosine, sine); });
     });
 }
 }
