@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "DirectionField.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Sections/Singularities.h"
@@ -214,6 +215,36 @@ TEST(PairCancellation, ADipoleOnTheFlatSquareGoes)
       EXPECT_LT(problem.Energy(u), 1e-6);
     }
   }
+}
+
+TEST(PairCancellation, FarPairsAreCancelledOnApproval)
+{
+  // The path is so long that only narrow patches around it are made: what they leave, descent takes away.
+  const Surface torus = Torus(100, 40);
+  const Case system(torus, 4);
+  const UnitProblem problem = system.Problem();
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
+  const PhaseDescent descent(problem, hierarchy, nullptr);
+  Options options;
+  const Result smoothest = DirectionField(torus).Compute(options);
+  ComplexVector u(problem.Rows());
+  for (Index v = 0; v < u.size(); ++v)
+  {
+    u[v] = smoothest.Representation[system.Mesh.Point(v)];
+  }
+  MakeUnit(u);
+  descent.Polish(0.0, 1e-4, 20, {}, u);
+  PairCancellation cancellation(problem, 2.0 * Pi * std::log(2.0));
+  cancellation.Round(u, {});
+  const int before = system.Count(u);
+  const double energy = problem.Energy(u);
+  ComplexVector tried = u;
+  const int cancelled = cancellation.CancelOnApproval(tried);
+  ASSERT_GT(cancelled, 0);
+  EXPECT_GT(problem.Energy(tried), energy);
+  EXPECT_EQ(system.Count(tried), before - 2 * cancelled);
+  descent.Polish(0.0, 1e-4, 20, {}, tried);
+  EXPECT_LT(problem.Energy(tried), energy + 2.0 * cancelled * 2.0 * Pi * std::log(2.0));
 }
 
 TEST(PhaseDescent, NeverRaisesTheEnergyAndReachesTheHarmonicPhase)

@@ -177,6 +177,17 @@ TEST(UnitField, ATorusNeedsNoSingularitiesAndGetsNone)
   }
 }
 
+TEST(UnitField, WhatSingularitiesCostIsPaidOnlyWhereItPaysOff)
+{
+  const double unit = 2.0 * Pi * std::log(2.0);
+  const Surface surface = Torus(60, 30);
+  const Result dear = Compute(surface, Unit(4, 1.0));
+  const Result cheap = Compute(surface, Unit(4));
+  EXPECT_LE(2 * CountSingularities(dear), CountSingularities(cheap));
+  EXPECT_LT(dear.Components[0].UnitEnergyAfter + unit * CountSingularities(dear),
+    cheap.Components[0].UnitEnergyAfter + unit * CountSingularities(cheap));
+}
+
 TEST(UnitField, ASphereKeepsTheSingularitiesThatItNeeds)
 {
   for (const int degree : { 1, 2, 3, 4, 6 })
