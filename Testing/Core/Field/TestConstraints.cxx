@@ -305,9 +305,9 @@ TEST(Constraints, OneVertexOfManyTrianglesIsNoTrouble)
       }
     }
     const Eigen::MatrixXcd dense(k);
-    const ComplexVector right = -dense(Eigen::all, given.Vertices) * given.Values;
+    const ComplexVector right = -dense(Eigen::indexing::all, given.Vertices) * given.Values;
     const ComplexVector exact =
-      Eigen::MatrixXcd(dense(Eigen::all, free)).colPivHouseholderQr().solve(right);
+      Eigen::MatrixXcd(dense(Eigen::indexing::all, free)).colPivHouseholderQr().solve(right);
     const SystemSolution solution =
       MinimizeResidualDirectly(k, ComplexVector::Zero(k.rows()), given);
     EXPECT_LT((solution.Vector(free) - exact).norm(), 1e-7 * exact.norm());

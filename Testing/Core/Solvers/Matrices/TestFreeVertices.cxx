@@ -41,7 +41,8 @@ TEST(FreeVertices, MatricesAndVectorsAreThoseOfTheFreeRowsAndColumns)
   const Eigen::MatrixXcd dense = Numbered(n);
   const SparseMatrix matrix = dense.sparseView();
   EXPECT_EQ(Eigen::MatrixXcd(free.Principal(matrix)), Eigen::MatrixXcd(dense(expected, expected)));
-  EXPECT_EQ(Eigen::MatrixXcd(free.Columns(matrix)), Eigen::MatrixXcd(dense(Eigen::all, expected)));
+  EXPECT_EQ(Eigen::MatrixXcd(free.Columns(matrix)),
+    Eigen::MatrixXcd(dense(Eigen::indexing::all, expected)));
 
   const ComplexVector all = dense.col(2);
   const ComplexVector gathered = free.Gathered(all);

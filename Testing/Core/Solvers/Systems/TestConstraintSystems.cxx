@@ -46,8 +46,8 @@ TEST(ConstraintSystems, SolutionsEqualDenseMinimization)
         }
       }
       const Eigen::MatrixXcd dense(k);
-      const Eigen::MatrixXcd columns = dense(Eigen::all, free);
-      const ComplexVector right = b - dense(Eigen::all, given.Vertices) * given.Values;
+      const Eigen::MatrixXcd columns = dense(Eigen::indexing::all, free);
+      const ComplexVector right = b - dense(Eigen::indexing::all, given.Vertices) * given.Values;
 
       const SystemSolution least = MinimizeResidualDirectly(k, b, given);
       const ComplexVector denseLeast = columns.colPivHouseholderQr().solve(right);
@@ -57,8 +57,9 @@ TEST(ConstraintSystems, SolutionsEqualDenseMinimization)
       EXPECT_LE(least.Residual, 1e-10);
 
       const SystemSolution energy = MinimizeEnergyDirectly(k, b, given);
-      const ComplexVector denseEnergy =
-        Eigen::MatrixXcd(columns(free, Eigen::all)).ldlt().solve(ComplexVector(right(free)));
+      const ComplexVector denseEnergy = Eigen::MatrixXcd(columns(free, Eigen::indexing::all))
+                                          .ldlt()
+                                          .solve(ComplexVector(right(free)));
       EXPECT_LT((energy.Vector(free) - denseEnergy).norm(), 1e-9 * denseEnergy.norm());
       EXPECT_LE(energy.Residual, 1e-10);
       for (const SystemSolution& s : { least, energy })
