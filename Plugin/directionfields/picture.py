@@ -91,7 +91,8 @@ def white_view():
 def new(name, properties):
     """A filter of the plugin and, to find mistakes before anything is computed, a look at the names
     of its properties. paraview.simple knows the filter only if it has been told."""
-    if not hasattr(servermanager.filters, name):
+    # ParaView 6 always knows.
+    if not hasattr(servermanager.filters, name) and hasattr(servermanager, "updateModules"):
         servermanager.updateModules()
     if not hasattr(servermanager.filters, name):
         raise RuntimeError(f"ParaView does not know the filter {name}: load the plugin "
@@ -161,8 +162,9 @@ def show_surface(field, view):
     surface = field
     if not field.PointData.GetArray("Normals"):
         # This splits the surface at sharp edges only, and keeps the orientation of the mesh.
-        surface = simple.GenerateSurfaceNormals(
-            registrationName="Surface", Input=field, FeatureAngle=60.0, Consistency=0)
+        # ParaView 5.13 has given the filter another name.
+        normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals
+        surface = normals(registrationName="Surface", Input=field, FeatureAngle=60.0, Consistency=0)
     display = simple.Show(surface, view)
     display.SetRepresentationType("Surface")
     color(display, SURFACE_COLOR)

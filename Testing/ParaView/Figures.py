@@ -25,6 +25,13 @@ def figures(surface, singularities):
     return found
 
 
+def sets(trace, variable, name, value):
+    """Whether a Python trace gives a property of a variable that value. ParaView 6 sets all properties
+    in one call, one a line."""
+    return (f"{variable}.{name} = {value}\n" in trace
+            or f"    {name}={value}" in trace and f"{variable}.Set(" in trace)
+
+
 def pixels(path, condition):
     """How many pixels of a PNG file satisfy condition(red, green, blue)."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
