@@ -2,40 +2,77 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by the commands in this directory: what they need from Debian 12, and how they get it.
+# Sourced by the commands in this directory: what they need from Debian 12, 13 or sid, and how they get
+# it.
 #
 #   install_packages NAME...   installs those packages that are missing; silent when none is
 #
 # An installed package is removed only with consent: an answer at the terminal, or
-# DIRECTIONFIELDS_ALLOW_REMOVAL=1 in the environment.
+# DIRECTIONFIELDS_ALLOW_REMOVAL=1 in the environment. With DIRECTIONFIELDS_SKIP_PACKAGES=1 nothing is
+# looked for or installed, on any system.
+
+# Debian's release: its number, sid, which has none, or nothing on other systems.
+debian_release() {
+  local id='' version=''
+  if [[ -r /etc/os-release ]]; then
+    # shellcheck disable=SC1091
+    read -r id version < <(. /etc/os-release && echo "${ID:-} ${VERSION_ID:-sid}")
+  fi
+  if [[ $id == debian ]]; then
+    echo "$version"
+  fi
+}
+release=$(debian_release)
 
 # find_package(ParaView) asks for the development files of every library that ParaView was built
 # with; paraview-dev depends on a few of them only. What these packages depend on is not repeated.
-# xmlpatterns (qtxmlpatterns5-dev-tools) makes the plugin's help pages, Python's development files are
-# for the filters' Python package, dpkg-dev and file for the Debian packages.
+# Python's development files are for the filters' Python package, dpkg-dev and file for the Debian
+# packages.
 # shellcheck disable=SC2034
 plugin_packages=(
   g++ make cmake libeigen3-dev libsuitesparse-dev libgtest-dev
-  paraview-dev python3-paraview python3-numpy xvfb xauth libgl1-mesa-dri
-  qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools
-  libopenmpi-dev libgdal-dev libglew-dev libgl2ps-dev libfreetype-dev
-  libtheora-dev libavformat-dev libswscale-dev libutfcpp-dev libdouble-conversion-dev libpython3-dev
+  paraview paraview-dev python3-paraview python3-numpy libpython3-dev xvfb xauth libgl1-mesa-dri
   dpkg-dev file)
+paraview_packages=(
+  libopenmpi-dev libgdal-dev libglew-dev libgl2ps-dev libfreetype-dev libtheora-dev libavformat-dev
+  libswscale-dev libutfcpp-dev libdouble-conversion-dev)
+qt6_packages=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-svg-dev qt6-5compat-dev)
+# For VTK without ParaView: Debian's own VTK, its libraries, and what its CMake files ask for beyond the
+# above. Where its development package excludes python3-paraview it is unpacked beside instead of
+# installed.
+vtk_packages=()
+unpacked_vtk_packages=()
+# shellcheck disable=SC2034
+case $release in
+  12)
+    # xmlpatterns (qtxmlpatterns5-dev-tools) makes the plugin's help pages.
+    plugin_packages+=("${paraview_packages[@]}"
+      qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools)
+    vtk_packages=(libvtk9.1 libjsoncpp-dev libtbb-dev)
+    unpacked_vtk_packages=(libvtk9-dev libvtk9.1 vtk9 python3-vtk9)
+    ;;
+  13)
+    plugin_packages+=("${paraview_packages[@]}" "${qt6_packages[@]}")
+    vtk_packages=(libvtk9.3 libjsoncpp-dev libtbb-dev)
+    unpacked_vtk_packages=(libvtk9-dev libvtk9.3 vtk9 python3-vtk9)
+    ;;
+  sid)
+    # This ParaView is built upon Debian's VTK.
+    plugin_packages+=("${qt6_packages[@]}" libvtk9-dev python3-vtk9)
+    vtk_packages=(libvtk9-dev python3-vtk9)
+    ;;
+esac
 
 # What the tests need beyond.
 # shellcheck disable=SC2034
 benchmark_packages=(libbenchmark-dev)
 
-# For the checks of the sources' style.
+# For the checks of the sources' style; clang-format 14 has come with Debian 12 only.
 # shellcheck disable=SC2034
-style_packages=(clang-format-14 shellcheck)
-
-# Debian's own VTK 9.1: its libraries, and what its CMake files ask for beyond the above. Its
-# development package excludes python3-paraview and is unpacked beside instead of installed.
-# shellcheck disable=SC2034
-vtk91_packages=(libvtk9.1 libjsoncpp-dev libtbb-dev)
-# shellcheck disable=SC2034
-vtk91_unpacked_packages=(libvtk9-dev libvtk9.1 vtk9 python3-vtk9)
+style_packages=(shellcheck)
+if [[ $release == 12 ]]; then
+  style_packages+=(clang-format-14)
+fi
 
 say() {
   printf '== %s\n' "$*"
@@ -46,16 +83,31 @@ fail() {
   exit 1
 }
 
-require_debian_12() {
-  local id=unknown version=''
+require_debian() {
+  case $release in
+    12 | 13 | sid) return ;;
+  esac
+  local name=unknown
   if [[ -r /etc/os-release ]]; then
     # shellcheck disable=SC1091
-    read -r id version < <(. /etc/os-release && echo "${ID:-unknown} ${VERSION_ID:-}")
+    name=$(. /etc/os-release && echo "${PRETTY_NAME:-unknown}")
   fi
-  if [[ $id != debian || $version != 12 ]]; then
-    fail "this command installs packages of Debian 12, but this system is" \
-      "$id${version:+ $version}; build with CMake as the README describes instead."
-  fi
+  cat >&2 <<EOF
+${0##*/}: this command installs packages of Debian 12, 13 and sid only, but this system is $name:
+install what the build needs by name and run it again with DIRECTIONFIELDS_SKIP_PACKAGES=1 in the
+environment, or build with CMake as the README describes. Their names, not tried:
+  Ubuntu       sudo apt install ${plugin_packages[*]} ${paraview_packages[*]} ${qt6_packages[*]}
+  Fedora       sudo dnf install gcc-c++ make cmake eigen3-devel suitesparse-devel gtest-devel
+               paraview-devel python3-paraview python3-numpy python3-devel qt6-qtbase-devel
+               qt6-qttools-devel qt6-qtsvg-devel qt6-qt5compat-devel xorg-x11-server-Xvfb xauth
+  Arch         sudo pacman -S base-devel cmake eigen suitesparse gtest paraview python-numpy qt6-base
+               qt6-tools qt6-svg qt6-5compat xorg-server-xvfb xorg-xauth
+  conda-forge  conda install -c conda-forge cxx-compiler make cmake eigen suitesparse gtest paraview
+               numpy
+  Homebrew     brew install cmake eigen suite-sparse googletest vtk
+               (the filters without the plugin: its ParaView has no development files)
+EOF
+  exit 1
 }
 
 missing_packages() {
@@ -118,18 +170,54 @@ consent_to_removals() {
   removal=()
 }
 
-install_packages() {
-  local missing removal plan count privileged=()
-  require_debian_12
-  mapfile -t missing < <(missing_packages "$@")
-  if [[ ${#missing[@]} -eq 0 ]]; then
+# In Debian 13 and sid the files of ParaView's Python modules have other names than those by which the
+# CMake files of paraview-dev refer to them, without which find_package(ParaView) fails.
+link_python_modules() {
+  local name files links=() privileged
+  while read -r name; do
+    files=("/usr${name%.so}".cpython-*.so)
+    if [[ ! -e /usr$name && -e ${files[0]} ]]; then
+      links+=("/usr$name")
+    fi
+  done < <(grep -rhoE '/lib/python3/dist-packages/[^"]*\.so' /usr/lib/*/cmake/paraview-* | sort -u)
+  if [[ ${#links[@]} -eq 0 ]]; then
     return
   fi
+  become_root "Debian's paraview-dev refers to ${#links[@]} Python modules by names that they do not have" \
+    "(${links[0]} and others): links have to be made"
+  say "Making links for ${#links[@]} Python modules to which Debian's paraview-dev refers by names that" \
+    "they do not have: ${links[0]} and others"
+  for name in "${links[@]}"; do
+    files=("${name%.so}".cpython-*.so)
+    "${privileged[@]}" ln -s "${files[0]##*/}" "$name"
+  done
+}
+
+# become_root WHAT...: sets privileged to what makes a command run as root.
+become_root() {
+  privileged=()
   if [[ $EUID -ne 0 ]]; then
-    command -v sudo >/dev/null ||
-      fail "packages have to be installed, which takes root or sudo: ${missing[*]}"
+    command -v sudo >/dev/null || fail "$*, which takes root or sudo."
     privileged=(sudo)
   fi
+}
+
+install_packages() {
+  local missing
+  if [[ ${DIRECTIONFIELDS_SKIP_PACKAGES:-} == 1 ]]; then
+    return
+  fi
+  require_debian
+  mapfile -t missing < <(missing_packages "$@")
+  if [[ ${#missing[@]} -gt 0 ]]; then
+    install_missing
+  fi
+  link_python_modules
+}
+
+install_missing() {
+  local removal plan count privileged
+  become_root "these packages have to be installed: ${missing[*]}"
   local lists=(/var/lib/apt/lists/*_Packages*)
   if [[ ! -e ${lists[0]} ]]; then
     update_lists
