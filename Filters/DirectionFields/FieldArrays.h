@@ -36,6 +36,7 @@ constexpr const char* OriginalPointIds = "OriginalPointIds";
 constexpr const char* SingularityIndex = "SingularityIndex";
 constexpr const char* Repairs = "Repairs";
 constexpr const char* Warnings = "Warnings";
+constexpr const char* Summary = "Summary";
 
 /// The name of the array of the k-th direction at each point, k = 0 ... n-1.
 std::string Direction(int k);

@@ -12,15 +12,12 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
@@ -206,6 +203,18 @@ void AddUnitArrays(const Result& field, vtkFieldData* data)
   AddComponentArray<vtkIntArray>("UnitSteps", field, &ComponentReport::UnitSteps, data);
 }
 
+/// Adds an array of one text a tuple.
+void AddTexts(const char* name, const std::vector<std::string>& texts, vtkFieldData* data)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  data->AddArray(array);
+}
+
 /// Adds the figures of the components.
 void AddComponentArrays(const Result& field, vtkFieldData* data)
 {
@@ -224,25 +233,6 @@ void AddComponentArrays(const Result& field, vtkFieldData* data)
   AddUnitArrays(field, data);
 }
 
-/// The normal of a triangle on the side of its vertices' normals, which a triangle wound against
-/// its neighbours or one without area does not give by itself.
-Vector3 OutwardNormal(const Surface& mesh, std::size_t t, const Result& field)
-{
-  const Triangle& triangle = mesh.Triangles[t];
-  const Triangle& vertices = field.SplitTriangles.empty() ? triangle : field.SplitTriangles[t];
-  const Vector3& origin = mesh.Points[triangle[0]];
-  const Vector3 normal = (mesh.Points[triangle[1]] - origin)
-                           .stableNormalized()
-                           .cross((mesh.Points[triangle[2]] - origin).stableNormalized())
-                           .stableNormalized();
-  const Vector3 outward =
-    field.Normal[vertices[0]] + field.Normal[vertices[1]] + field.Normal[vertices[2]];
-  if (normal.squaredNorm() < 0.5)
-  {
-    return outward.stableNormalized();
-  }
-  return normal.dot(outward) < 0.0 ? Vector3(-normal) : normal;
-}
 }
 
 void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
@@ -291,52 +281,12 @@ void AddReport(
   data->RemoveArray(ArrayNames::Warnings);
   if (!warnings.empty())
   {
-    vtkNew<vtkStringArray> texts;
-    texts->SetName(ArrayNames::Warnings);
-    for (const std::string& warning : warnings)
-    {
-      texts->InsertNextValue(warning);
-    }
-    data->AddArray(texts);
+    AddTexts(ArrayNames::Warnings, warnings, data);
   }
 }
 
-void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,
-  vtkPolyData* singularities)
+void AddSummary(const std::string& summary, vtkFieldData* data)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataType(pointDataType == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
-  vtkNew<vtkCellArray> verts;
-  auto index = MakeArray<vtkIntArray>(ArrayNames::SingularityIndex, 1, 0);
-  auto fraction = MakeArray<vtkDoubleArray>("Index", 1, 0);
-  auto cells = MakeArray<vtkIdTypeArray>("CellId", 1, 0);
-  auto normals = MakeArray<vtkFloatArray>("Normals", 3, 0);
-
-  const Surface& mesh = input.Mesh;
-  for (std::size_t t = 0; t < field.SingularityIndex.size(); ++t)
-  {
-    if (field.SingularityIndex[t] == 0 || (!mesh.Ghost.empty() && mesh.Ghost[t] != 0))
-    {
-      continue;
-    }
-    const Triangle& triangle = mesh.Triangles[t];
-    // Divided first: the sum of the largest coordinates would overflow.
-    const Vector3 centroid = mesh.Points[triangle[0]] / 3.0 + mesh.Points[triangle[1]] / 3.0 +
-      mesh.Points[triangle[2]] / 3.0;
-    const vtkIdType id = points->InsertNextPoint(centroid.data());
-    verts->InsertNextCell(1, &id);
-    index->InsertNextValue(field.SingularityIndex[t]);
-    fraction->InsertNextValue(static_cast<double>(field.SingularityIndex[t]) / field.Degree);
-    cells->InsertNextValue(input.Cell(t));
-    normals->InsertNextTuple(OutwardNormal(mesh, t, field).data());
-  }
-
-  singularities->SetPoints(points);
-  singularities->SetVerts(verts);
-  vtkPointData* data = singularities->GetPointData();
-  data->AddArray(index);
-  data->AddArray(fraction);
-  data->AddArray(cells);
-  data->SetNormals(normals);
+  AddTexts(ArrayNames::Summary, { summary }, data);
 }
 }

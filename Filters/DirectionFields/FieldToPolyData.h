@@ -28,10 +28,8 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);
 
-/// Makes a vertex at the centroid of every triangle whose index is not 0, except for ghosts.
-/// @param pointDataType of the input's points; those of the singularities are double or float as well
-void MakeSingularities(const TriangulatedPolyData& input, const Result& field, int pointDataType,
-  vtkPolyData* singularities);
+/// Adds the line that says what the field is like.
+void AddSummary(const std::string& summary, vtkFieldData* data);
 }
 
 #endif

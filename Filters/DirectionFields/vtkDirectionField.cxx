@@ -8,6 +8,8 @@
 #include "FieldToPolyData.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToGuidance.h"
+#include "SingularPoints.h"
+#include "Summary.h"
 #include "Support/Threads.h"
 #include "Warnings.h"
 
@@ -250,8 +252,13 @@ void vtkDirectionField::ComputeOutputs(
   output->ShallowCopy(input);
   DirectionFields::AddFieldArrays(surface, field, output, progress.Part(ProgressSolved, 1.0));
   DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
-  DirectionFields::MakeSingularities(surface, field,
+  DirectionFields::MakeSingularPoints(surface, field,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
+  const std::string summary = DirectionFields::Summary(surface.Mesh, field, options);
+  for (vtkPolyData* const data : { output, singularities })
+  {
+    DirectionFields::AddSummary(summary, data->GetFieldData());
+  }
   this->UpdateProgress(1.0);
 }
 

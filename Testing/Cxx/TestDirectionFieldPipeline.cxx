@@ -310,7 +310,7 @@ void TestChain()
   }
   CHECK(FieldValue(first->GetOutput(), "IndexSum") == 12);
   CHECK(FieldValue(second->GetOutput(), "IndexSum") == 4);
-  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 10);
+  CHECK(second->GetOutput()->GetFieldData()->GetNumberOfArrays() == 11);
 
   // A filter whose degree was changed gives the same as a new one.
   first->SetDegree(2);

@@ -215,7 +215,7 @@ def test_field(degree):
     singularities = servermanager.Fetch(field, idx=1)
     assert singularities.GetNumberOfPoints() > 0
     assert sorted(names(singularities.GetPointData())) == [
-        "CellId", "Index", "Normals", "SingularityIndex"]
+        "CellId", "Index", "Normals", "SingularityIndex", "Size"]
     assert total(singularities.GetPointData().GetArray("SingularityIndex")) == 2 * degree
 
     # The second output is found by its name, in a pipeline of its own.
