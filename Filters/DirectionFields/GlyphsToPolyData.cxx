@@ -17,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,9 +28,6 @@ namespace DirectionFields
 {
 namespace
 {
-/// A dark teal.
-constexpr unsigned char GlyphColor[3] = { 0, 107, 117 };
-
 /// The point array of a name; null if there is none.
 vtkDataArray* FindArray(vtkPolyData* polyData, const std::string& name, int components)
 {
@@ -86,7 +82,7 @@ void AddCellArrays(const Glyphs& glyphs, vtkCellData* data)
   auto pointId = MakeArray<vtkIdTypeArray>("PointId", 1, size);
   auto branch = MakeArray<vtkIntArray>("Branch", 1, size);
   auto magnitude = MakeArray<vtkFloatArray>(ArrayNames::RepresentationMagnitude, 1, size);
-  auto color = MakeArray<vtkUnsignedCharArray>("GlyphColor", 3, size);
+  auto direction = MakeArray<vtkFloatArray>("Direction", 3, size);
   for (std::size_t i = 0; i < size; ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
@@ -95,14 +91,15 @@ void AddCellArrays(const Glyphs& glyphs, vtkCellData* data)
     pointId->SetValue(id, glyphs.Point[glyph]);
     branch->SetValue(id, mesh.Branch[i]);
     magnitude->SetValue(id, static_cast<float>(glyphs.Magnitude[glyph]));
-    color->SetTypedTuple(id, GlyphColor);
+    WriteVector(glyphs.Direction[static_cast<std::size_t>(glyph) * glyphs.Degree + mesh.Branch[i]],
+      direction->GetPointer(0), i);
   }
+  // None is the active scalars: viewers draw the glyphs in one color until they are told otherwise.
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
-         location.Get(), pointId.Get(), branch.Get(), magnitude.Get() })
+         location.Get(), pointId.Get(), branch.Get(), direction.Get(), magnitude.Get() })
   {
     data->AddArray(array);
   }
-  data->SetScalars(color);
 }
 
 /// Adds one number that describes all glyphs.

@@ -43,9 +43,10 @@
  *   between the direction nearest to Direction{k} of the point PointId.
  * - cell data `RepresentationMagnitude`: float. |u| of the interpolated field: small near
  *   singularities, where directions are the less certain.
- * - cell data `GlyphColor`: 3-component unsigned char, active scalars. The same dark color for all
- *   cells, so that viewers tell the glyphs from the surface; ParaView maps it to one color of its
- *   own.
+ * - cell data `Direction`: 3-component float. The unit tangent vector that the cell shows.
+ *
+ * None of the arrays is the active scalars or vectors, so that viewers draw the glyphs in one color until they are told
+ * to color by one. Beside them there are
  * - field data `NumberOfGlyphs`: vtkIdType, one tuple.
  * - field data `Spacing`: double, one tuple. The least distance between evenly spread glyphs that
  *   was kept, in the input's unit of length. For glyphs on all points the mean of the lengths that

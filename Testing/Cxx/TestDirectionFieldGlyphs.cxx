@@ -70,7 +70,7 @@ void TestArrays()
         vtkCellData* data = glyphs->GetCellData();
         CHECK(data->GetNumberOfArrays() == 5);
         for (const char* name :
-          { "Location", "PointId", "Branch", "RepresentationMagnitude", "GlyphColor" })
+          { "Location", "PointId", "Branch", "RepresentationMagnitude", "Direction" })
         {
           REQUIRE(data->GetArray(name) != nullptr);
           CHECK(data->GetArray(name)->GetNumberOfTuples() == cells);
@@ -79,9 +79,11 @@ void TestArrays()
         CHECK(data->GetArray("PointId")->GetDataType() == VTK_ID_TYPE);
         CHECK(data->GetArray("Branch")->GetDataType() == VTK_INT);
         CHECK(data->GetArray("RepresentationMagnitude")->GetDataType() == VTK_FLOAT);
-        CHECK(data->GetScalars() == data->GetArray("GlyphColor"));
-        CHECK(data->GetScalars()->GetDataType() == VTK_UNSIGNED_CHAR);
-        CHECK(data->GetScalars()->GetNumberOfComponents() == 3);
+        CHECK(data->GetArray("Direction")->GetDataType() == VTK_FLOAT);
+        CHECK(data->GetArray("Direction")->GetNumberOfComponents() == 3);
+        // Nothing that a viewer would color by unasked.
+        CHECK(data->GetScalars() == nullptr && data->GetVectors() == nullptr);
+        CHECK(glyphs->GetPointData()->GetScalars() == nullptr);
 
         const auto number = static_cast<vtkIdType>(FieldValue(glyphs, "NumberOfGlyphs"));
         CHECK(number <= 100 && number >= 85);
@@ -138,6 +140,10 @@ void TestAllPoints()
       const auto branch = static_cast<int>(CellValue(glyphs, "Branch", i));
       const double* expected = Direction(field, branch)->GetTuple3(point);
       worst = std::max(worst, vtkMath::AngleBetweenVectors(expected, direction));
+      double shown[3];
+      glyphs->GetCellData()->GetArray("Direction")->GetTuple(i, shown);
+      CHECK(std::abs(vtkMath::Norm(shown) - 1.0) < 1e-6);
+      worst = std::max(worst, vtkMath::AngleBetweenVectors(expected, shown));
       worstNormal = std::max(worstNormal,
         std::abs(vtkMath::AngleBetweenVectors(normals[static_cast<size_t>(point)].data(),
           glyphs->GetPointData()->GetNormals()->GetTuple3(ids->GetId(0)))));

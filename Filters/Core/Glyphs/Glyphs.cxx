@@ -55,6 +55,7 @@ public:
     }
     for (int k = 0; k < this->Degree; ++k)
     {
+      this->Result.Direction.push_back(at.Turned(k, this->Degree));
       this->Shapes.Draw(glyph, k, SimplifiedPath(this->Paths[k], ArmStations), length, height);
     }
     this->Result.Point.push_back(at.Point);
@@ -133,6 +134,7 @@ Glyphs Draw(const SurfaceIncidence& surface, const PointDirections& field,
 {
   const bool allPoints = options.Mode == GlyphMode::AllPoints;
   Glyphs glyphs;
+  glyphs.Degree = field.Degree;
   const FieldInterpolation interpolation(surface, field);
   Drawing drawing(surface, field.Degree, options, glyphs);
   for (std::size_t i = 0; i < samples.Points.size(); ++i)

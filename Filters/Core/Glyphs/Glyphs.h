@@ -47,6 +47,10 @@ struct Glyphs
   /// For each glyph the point of the surface that is nearest, and |u|.
   std::vector<Index> Point;
   std::vector<double> Magnitude;
+  /// The number of directions of each glyph, and their unit vectors: direction k of glyph g is the
+  /// element g Degree + k.
+  int Degree = 0;
+  std::vector<Vector3> Direction;
   /// Mean over the glyphs of the spacing that their size goes by; 0 without glyphs.
   double Spacing = 0.0;
   /// Stopped by the progress callback; there are no glyphs.
