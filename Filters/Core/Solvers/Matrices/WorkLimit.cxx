@@ -37,16 +37,23 @@ class SymbolicFactor
 {
 public:
   explicit SymbolicFactor(const SparseMatrix& matrix) { this->analyzePattern(matrix.real()); }
-  auto EntriesPerColumn() const { return this->m_nonZerosPerCol.cast<double>().array(); }
+  /// Without the diagonal.
+  Eigen::ArrayXd EntriesPerColumn() const
+  {
+    using Starts = Eigen::Map<const Eigen::Array<SparseMatrix::StorageIndex, Eigen::Dynamic, 1>>;
+    const Eigen::Index size = this->m_matrix.cols();
+    const SparseMatrix::StorageIndex* starts = this->m_matrix.outerIndexPtr();
+    return (Starts(starts + 1, size) - Starts(starts, size)).cast<double>();
+  }
 };
 }
 
 FactorWork::FactorWork(const SparseMatrix& matrix)
   : Rows(static_cast<double>(matrix.rows()))
 {
-  const SymbolicFactor factor(matrix);
-  this->Entries = factor.EntriesPerColumn().sum();
-  this->Operations = factor.EntriesPerColumn().square().sum();
+  const Eigen::ArrayXd entries = SymbolicFactor(matrix).EntriesPerColumn();
+  this->Entries = entries.sum();
+  this->Operations = entries.square().sum();
 }
 
 double FactorWork::OfFactor() const
