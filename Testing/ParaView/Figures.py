@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests read off a direction field."""
+import re
 
 
 def names(attributes):
@@ -29,7 +30,7 @@ def sets(trace, variable, name, value):
     """Whether a Python trace gives a property of a variable that value. ParaView 6 sets all properties
     in one call, one a line."""
     return (f"{variable}.{name} = {value}\n" in trace
-            or f"    {name}={value}" in trace and f"{variable}.Set(" in trace)
+            or re.search(rf"\b{variable}\.Set\([^)]*\b{name}={value}[,)\n]", trace) is not None)
 
 
 def pixels(path, condition):

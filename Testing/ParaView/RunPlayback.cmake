@@ -7,9 +7,12 @@ if (PLUGIN)
   get_filename_component(directory "${PLUGIN}" DIRECTORY)
   set(plugins "--plugin-search-paths=${directory}" --plugins=DirectionFields)
 endif ()
+# With --dr, newer versions of ParaView leave out the macros of their user.
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -E env "HOME=${HOME}" "XDG_CONFIG_HOME=${HOME}/.config"
-    "DIRECTIONFIELDS_TEST_OUTPUT=${OUTPUT}" "PARAVIEW_LOG_EXECUTION_VERBOSITY=OFF"
+    "PV_MACRO_PATH=${HOME}/.config/ParaView/Macros"
+    "DIRECTIONFIELDS_TEST_NAME=${NAME}" "DIRECTIONFIELDS_TEST_OUTPUT=${OUTPUT}"
+    "PARAVIEW_LOG_EXECUTION_VERBOSITY=OFF"
     "${PARAVIEW}" --dr ${plugins}
     "--test-directory=${OUTPUT}" "--data=${MESH}" "--test-script=${PLAYBACK}" --exit
   TIMEOUT 300
