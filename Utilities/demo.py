@@ -159,7 +159,8 @@ def draw(field, title, path):
 def main():
     plugin, path, output, degree = sys.argv[1:5]
     degree = int(degree)
-    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+    # ParaView 5.13 and newer load no relative path.
+    simple.LoadPlugin(os.path.abspath(plugin), remote=False, ns=vars(simple))
     import directionfields
     mesh = directionfields.read(path)
     mesh.UpdatePipeline()

@@ -3,7 +3,7 @@
 """Direction fields in ParaView scripts; comes with the DirectionFields plugin.
 
     from paraview.simple import *
-    LoadPlugin(".../DirectionFields.so", ns=globals())
+    LoadPlugin("/.../DirectionFields.so", ns=globals())
     import directionfields
 
     picture = directionfields.show("bunny.ply", degree=4)
