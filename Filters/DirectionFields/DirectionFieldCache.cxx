@@ -3,23 +3,12 @@
 
 #include "DirectionFieldCache.h"
 
-#include <cstring>
+#include "SameSurface.h"
+
 #include <utility>
 
 namespace DirectionFields
 {
-namespace
-{
-/// Whether two arrays have the same bytes. The values' own comparison would not do: unused points may
-/// have NaN, which is never equal.
-template <typename T>
-bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-}
-
 void DirectionFieldCache::SetInput(
   vtkPolyData* input, const std::optional<double>& time, const Progress& progress)
 {
@@ -28,9 +17,7 @@ void DirectionFieldCache::SetInput(
     return;
   }
   auto surface = std::make_shared<TriangulatedPolyData>(PolyDataToSurface(input, progress));
-  if (this->Solver && SameBytes(surface->Mesh.Points, this->Surface->Mesh.Points) &&
-    SameBytes(surface->Mesh.Triangles, this->Surface->Mesh.Triangles) &&
-    SameBytes(surface->Mesh.Ghost, this->Surface->Mesh.Ghost))
+  if (this->Solver && IsSameSurface(surface->Mesh, this->Surface->Mesh))
   {
     this->Surface->CellOfTriangle = std::move(surface->CellOfTriangle);
     this->Surface->FirstCell = surface->FirstCell;

@@ -284,21 +284,29 @@ void MarkGhosts(const GhostMarks& ghosts, TriangulatedPolyData& result)
 }
 }
 
-bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
+bool ArePointsOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
 {
   const std::vector<Vector3>& points = surface.Mesh.Points;
+  if (points.empty() || polyData->GetNumberOfPoints() != static_cast<vtkIdType>(points.size()))
+  {
+    return false;
+  }
+  vtkDataArray* data = polyData->GetPoints()->GetData();
+  return SamePoints<float>(data, points) || SamePoints<double>(data, points);
+}
+
+bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
+{
   const std::vector<Triangle>& triangles = surface.Mesh.Triangles;
   vtkCellArray* polys = polyData->GetPolys();
-  if (points.empty() || polyData->GetNumberOfPoints() != static_cast<vtkIdType>(points.size()) ||
-    polys->GetNumberOfCells() != static_cast<vtkIdType>(triangles.size()) ||
+  if (polys->GetNumberOfCells() != static_cast<vtkIdType>(triangles.size()) ||
     !surface.Mesh.Ghost.empty() || !surface.CellOfTriangle.empty() ||
     surface.FirstCell != polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() ||
     !AreCopied(polyData))
   {
     return false;
   }
-  vtkDataArray* data = polyData->GetPoints()->GetData();
-  return (SamePoints<float>(data, points) || SamePoints<double>(data, points)) &&
+  return ArePointsOf(polyData, surface) &&
     (SameTriangles<vtkTypeInt64>(polys, triangles) ||
       SameTriangles<vtkTypeInt32>(polys, triangles));
 }

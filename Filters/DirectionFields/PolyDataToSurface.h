@@ -49,6 +49,9 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& pr
 /// @param polyData has passed CheckPolyData
 bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface);
 
+/// Whether the points, in single or double precision, are those of this surface, by value.
+bool ArePointsOf(vtkPolyData* polyData, const TriangulatedPolyData& surface);
+
 /// For each point whether vtkGhostType marks it as a duplicate of another piece's, or as hidden. Empty
 /// where there is no such array.
 std::vector<char> GhostPoints(vtkPolyData* polyData);

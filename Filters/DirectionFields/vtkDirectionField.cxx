@@ -4,6 +4,7 @@
 #include "vtkDirectionField.h"
 
 #include "AlgorithmProgress.h"
+#include "DefaultThreads.h"
 #include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
 #include "PolyDataCheck.h"
@@ -18,12 +19,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
@@ -39,19 +37,6 @@ namespace
 // Where the phases of the progress end: reading the input, solving. The rest is writing the arrays.
 constexpr double ProgressRead = 0.05;
 constexpr double ProgressSolved = 0.9;
-
-/// The number of threads that NumberOfThreads = 0 stands for; 0 where Core is to choose it.
-int DefaultThreads()
-{
-  if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0)
-  {
-    return vtkSMPTools::GetEstimatedNumberOfThreads();
-  }
-  // VTK's default backend has one thread only, which says nothing about what the user wants.
-  const char* most = std::getenv("VTK_SMP_MAX_THREADS");
-  const int number = most ? std::atoi(most) : 0;
-  return number > 0 ? std::min(number, DirectionFields::Threads::GetDefaultNumber()) : 0;
-}
 
 /// The field where there is no triangle: zero at every point.
 DirectionFields::Result ZeroField(int degree, size_t points)
@@ -176,7 +161,8 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   options.Tolerance = this->Tolerance;
   options.MaximumIterations = this->MaximumIterations;
   options.Solver = static_cast<DirectionFields::Solver>(this->Solver);
-  options.NumberOfThreads = this->NumberOfThreads > 0 ? this->NumberOfThreads : DefaultThreads();
+  options.NumberOfThreads =
+    this->NumberOfThreads > 0 ? this->NumberOfThreads : DirectionFields::DefaultThreads();
   options.MergePoints = static_cast<DirectionFields::MergePoints>(this->MergePoints);
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.UnitLength = this->UnitLength;

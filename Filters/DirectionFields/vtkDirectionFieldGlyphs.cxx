@@ -4,10 +4,14 @@
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "AlgorithmProgress.h"
+#include "DefaultThreads.h"
+#include "GlyphSurfaceCache.h"
 #include "GlyphsToPolyData.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToSurface.h"
+#include "Support/Threads.h"
 
+#include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -30,15 +34,48 @@ constexpr double ProgressDrawn = 0.9;
 
 //------------------------------------------------------------------------------
 vtkDirectionFieldGlyphs::vtkDirectionFieldGlyphs()
+  : Surfaces(std::make_unique<DirectionFields::GlyphSurfaceCache>())
 {
   const DirectionFields::GlyphOptions defaults;
   this->GlyphType = static_cast<int>(defaults.Type);
   this->GlyphMode = static_cast<int>(defaults.Mode);
+  this->Side = static_cast<int>(defaults.Side);
   this->Spacing = defaults.Spacing;
   this->MaximumNumberOfGlyphs = defaults.MaximumNumber;
   this->Scale = defaults.Scale;
   this->Offset = defaults.Offset;
   this->FollowSurface = defaults.FollowSurface;
+  // The pipeline says when an input begins and ends, and newer ones do for each of its blocks, too. Each
+  // block is a call of RequestData.
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkDirectionFieldGlyphs::BeginBlocks);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkDirectionFieldGlyphs::EndBlocks);
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldGlyphs::~vtkDirectionFieldGlyphs() = default;
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::BeginBlocks()
+{
+  if (this->BlockDepth++ == 0)
+  {
+    this->Surfaces->Begin();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::EndBlocks()
+{
+  if (--this->BlockDepth == 0)
+  {
+    this->Surfaces->End();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::ReleaseSurfaces()
+{
+  *this->Surfaces = {};
 }
 
 //------------------------------------------------------------------------------
@@ -47,6 +84,7 @@ void vtkDirectionFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "GlyphType: " << this->GlyphType << "\n";
   os << indent << "GlyphMode: " << this->GlyphMode << "\n";
+  os << indent << "Side: " << this->Side << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "MaximumNumberOfGlyphs: " << this->MaximumNumberOfGlyphs << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
@@ -60,6 +98,7 @@ DirectionFields::GlyphOptions vtkDirectionFieldGlyphs::MakeOptions() const
   DirectionFields::GlyphOptions options;
   options.Type = static_cast<DirectionFields::GlyphType>(this->GlyphType);
   options.Mode = static_cast<DirectionFields::GlyphMode>(this->GlyphMode);
+  options.Side = static_cast<DirectionFields::GlyphSide>(this->Side);
   options.Spacing = this->Spacing;
   options.MaximumNumber = this->MaximumNumberOfGlyphs;
   options.Scale = this->Scale;
@@ -84,12 +123,18 @@ void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output
     throw std::invalid_argument("The input has no point array \"Direction0\" of 3 components. "
                                 "Apply Direction Field first and take its first output.");
   }
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
-    input, DirectionFields::Progress(report).Part(0.0, ProgressRead));
-  const DirectionFields::Glyphs glyphs = DirectionFields::MakeGlyphs(surface.Mesh, field,
-    surface.Mesh.Ghost, DirectionFields::GhostPoints(input), this->MakeOptions(),
-    DirectionFields::ReportTo(this, ProgressRead, ProgressDrawn));
+  if (this->BlockDepth == 0)
+  {
+    // Somebody has removed the observers: there is one block, as far as can be told.
+    this->Surfaces->Begin();
+  }
+  DirectionFields::GlyphSurface& surface =
+    this->Surfaces->Next(input, DirectionFields::Progress(report).Part(0.0, ProgressRead));
+  const DirectionFields::Glyphs glyphs = DirectionFields::MakeGlyphs(surface, field,
+    this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressDrawn));
   if (glyphs.Aborted || DirectionFields::IsAborted(this))
   {
     throw DirectionFields::Stopped();
@@ -121,6 +166,7 @@ int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
   }
   catch (const std::bad_alloc&)
   {
+    this->ReleaseSurfaces();
     error = "Out of memory. Lower MaximumNumberOfGlyphs or decimate the surface.";
   }
   catch (const std::exception& exception)

@@ -34,9 +34,10 @@
  * @section Output Output
  * Polygons, or lines for the glyph type Lines, with points that are double if the input's are, else
  * float, and
- * - point data `Normals`: 3-component float, active normals. Unit outward normals of the surface;
- *   for Tubes those of the tubes.
- * - cell data `Location`: vtkIdType. Number of the glyph that the cell belongs to, from 0.
+ * - point data `Normals`: 3-component float, active normals. Unit normals of the surface on the side that the glyph is
+ *   on; for Tubes those of the tubes.
+ * - cell data `Location`: vtkIdType. Number of the glyph that the cell belongs to, from 0; arms on both sides of a place
+ *   are one glyph.
  * - cell data `PointId`: vtkIdType. The point of the input that the glyph is on, or for glyphs that
  *   are spread evenly the nearest corner of the triangle that it is on.
  * - cell data `Branch`: int. Which direction the cell shows: k on a point means Direction{k}, in
@@ -52,9 +53,8 @@
  *   was kept, in the input's unit of length. For glyphs on all points the mean of the lengths that
  *   their sizes go by. 0 without glyphs.
  *
- * @warning
- * Outward is where the cells' winding says so; directions for n > 2 know it by themselves. On a
- * surface that is wound inside out, the glyphs are inside: take a negative Offset.
+ * The places depend on the points and cells of the input only: another field on the same surface has its glyphs at the
+ * same places, and in less time, because they are kept (ReleaseSurfaces).
  *
  * @warning
  * At a place where the interpolated field vanishes, the middle of a singularity, there is no glyph.
@@ -69,8 +69,11 @@
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
+
 namespace DirectionFields
 {
+class GlyphSurfaceCache;
 namespace Internal
 {
 struct GlyphOptions;
@@ -119,6 +122,27 @@ public:
   vtkGetMacro(GlyphMode, int);
   ///@}
 
+  enum GlyphSides
+  {
+    SIDE_AUTOMATIC = 0,
+    SIDE_FRONT = 1,
+    SIDE_BACK = 2,
+    SIDE_BOTH = 3
+  };
+
+  ///@{
+  /**
+   * Which side of the surface the glyphs are on: automatically (0, default), which is the outside of connected
+   * components that are closed, whatever their winding, and both sides of those that have a boundary or cannot be
+   * oriented, since either may face the camera; the front (1), where the cells' winding says that the normals are, and
+   * the directions themselves for n > 2; the back (2); both (3). Outside is where the signed volume of a component says
+   * so, by itself: the inner wall of a hollow body has its glyphs in the material. Components are connected across
+   * seams, where points share places. Clamped to 0 ... 3.
+   */
+  vtkSetClampMacro(Side, int, SIDE_AUTOMATIC, SIDE_BOTH);
+  vtkGetMacro(Side, int);
+  ///@}
+
   ///@{
   /**
    * Least distance between the centers of glyphs that are spread evenly, in the input's unit of
@@ -131,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Most glyphs. Range 1 to 1000000, default 2000.
+   * Most glyphs; what is on both sides of a place counts once. Range 1 to 1000000, default 2000.
    */
   vtkSetClampMacro(MaximumNumberOfGlyphs, int, 1, 1000000);
   vtkGetMacro(MaximumNumberOfGlyphs, int);
@@ -149,8 +173,8 @@ public:
 
   ///@{
   /**
-   * Height of the glyphs above the surface along its normal, relative to the same. Range -1 to 1,
-   * default 0.04.
+   * Height of the glyphs above the surface, on the side that they are on, relative to the same; negative heights are
+   * beyond the surface, on its other side. Range -1 to 1, default 0.04.
    */
   vtkSetClampMacro(Offset, double, -1.0, 1.0);
   vtkGetMacro(Offset, double);
@@ -167,9 +191,16 @@ public:
   vtkBooleanMacro(FollowSurface, bool);
   ///@}
 
+  /**
+   * Frees what is kept of the surface between executions, now: its triangles, the places of the glyphs and which side is
+   * outside. As long as points and cells stay the same, whatever becomes of the field, the next executions begin with
+   * that. It takes some 60 bytes a triangle.
+   */
+  void ReleaseSurfaces();
+
 protected:
   vtkDirectionFieldGlyphs();
-  ~vtkDirectionFieldGlyphs() override = default;
+  ~vtkDirectionFieldGlyphs() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -181,16 +212,23 @@ private:
   /// The options of the drawing, from the properties.
   DirectionFields::Internal::GlyphOptions MakeOptions() const;
 
+  /// What the pipeline says before and after an input, and before and after each of its blocks.
+  void BeginBlocks();
+  void EndBlocks();
+
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
   void DrawGlyphs(vtkPolyData* input, vtkPolyData* output);
 
   int GlyphType;
   int GlyphMode;
+  int Side;
   double Spacing;
   int MaximumNumberOfGlyphs;
   double Scale;
   double Offset;
   bool FollowSurface;
+  int BlockDepth = 0;
+  std::unique_ptr<DirectionFields::GlyphSurfaceCache> Surfaces;
 };
 
 #endif

@@ -23,6 +23,7 @@ int main()
   std::cout << std::setprecision(std::numeric_limits<double>::max_digits10) << "{\n";
   PRINT(GlyphType);
   PRINT(GlyphMode);
+  PRINT(Side);
   PRINT(Spacing);
   PRINT(MaximumNumberOfGlyphs);
   PRINT(Scale);

@@ -4,8 +4,8 @@
 // What the glyph filter draws, in numbers.
 
 #include "Checks.h"
+#include "Fields.h"
 
-#include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "vtkStaticCellLocator.h"
@@ -18,15 +18,6 @@ using namespace Checks;
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> Field(vtkPolyData* mesh, int degree)
-{
-  vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(mesh);
-  filter->SetDegree(degree);
-  filter->Update();
-  return filter->GetOutput();
-}
-
 vtkSmartPointer<vtkPolyData> Glyphs(vtkPolyData* field, int maximum = 200)
 {
   vtkNew<vtkDirectionFieldGlyphs> filter;

@@ -4,8 +4,8 @@
 // How the glyph filter behaves in a pipeline: parameters, errors, unusual input, progress, abort.
 
 #include "Checks.h"
+#include "Fields.h"
 
-#include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "vtkCallbackCommand.h"
@@ -21,15 +21,6 @@ using namespace Checks;
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> Field(vtkPolyData* mesh, int degree)
-{
-  vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(mesh);
-  filter->SetDegree(degree);
-  filter->Update();
-  return filter->GetOutput();
-}
-
 double CellValue(vtkPolyData* data, const char* name, vtkIdType cell)
 {
   vtkDataArray* array = data->GetCellData()->GetArray(name);
@@ -41,6 +32,7 @@ void TestParameters()
   vtkNew<vtkDirectionFieldGlyphs> filter;
   CHECK(filter->GetGlyphType() == vtkDirectionFieldGlyphs::AUTOMATIC);
   CHECK(filter->GetGlyphMode() == vtkDirectionFieldGlyphs::SPREAD_EVENLY);
+  CHECK(filter->GetSide() == vtkDirectionFieldGlyphs::SIDE_AUTOMATIC);
   CHECK(filter->GetSpacing() == 0.0);
   CHECK(filter->GetMaximumNumberOfGlyphs() == 2000);
   CHECK(filter->GetScale() == 1.0);
@@ -51,6 +43,7 @@ void TestParameters()
 
   filter->SetGlyphType(4);
   filter->SetGlyphMode(1);
+  filter->SetSide(2);
   filter->SetSpacing(0.25);
   filter->SetMaximumNumberOfGlyphs(77);
   filter->SetScale(0.5);
@@ -58,7 +51,7 @@ void TestParameters()
   filter->FollowSurfaceOff();
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line : { "GlyphType: 4\n", "GlyphMode: 1\n", "Spacing: 0.25\n",
+  for (const char* line : { "GlyphType: 4\n", "GlyphMode: 1\n", "Side: 2\n", "Spacing: 0.25\n",
          "MaximumNumberOfGlyphs: 77\n", "Scale: 0.5\n", "Offset: -0.125\n", "FollowSurface: 0\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
@@ -68,6 +61,10 @@ void TestParameters()
   CHECK(filter->GetGlyphType() == vtkDirectionFieldGlyphs::TUBES);
   filter->SetGlyphMode(-1);
   CHECK(filter->GetGlyphMode() == vtkDirectionFieldGlyphs::SPREAD_EVENLY);
+  filter->SetSide(4);
+  CHECK(filter->GetSide() == vtkDirectionFieldGlyphs::SIDE_BOTH);
+  filter->SetSide(-1);
+  CHECK(filter->GetSide() == vtkDirectionFieldGlyphs::SIDE_AUTOMATIC);
   filter->SetSpacing(-1.0);
   CHECK(filter->GetSpacing() == 0.0);
   filter->SetMaximumNumberOfGlyphs(0);

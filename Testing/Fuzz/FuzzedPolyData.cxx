@@ -280,6 +280,7 @@ std::string GlyphsFlaw(vtkPolyData* mesh, unsigned kind, unsigned number, bool i
   filter->SetGlyphType(static_cast<int>(kind % 5));
   filter->SetGlyphMode(static_cast<int>(kind / 5 % 2));
   filter->SetFollowSurface(kind / 10 % 2 != 0);
+  filter->SetSide(static_cast<int>(kind / 20 % 4));
   filter->SetMaximumNumberOfGlyphs(1 + static_cast<int>(number % 60));
   bool isValid = true;
   if (kind >= 200)

@@ -16,8 +16,9 @@ LoadPlugin(sys.argv[1], remote=False, ns=globals())
 ENUMERATIONS = {
     "GlyphType": ["Automatic", "Lines", "Arrows", "Ribbons", "Tubes"],
     "GlyphMode": ["Spread Evenly", "All Points"],
+    "Side": ["Automatic", "Front", "Back", "Both"],
 }
-ADVANCED = ("Offset", "FollowSurface")
+ADVANCED = ("Side", "Offset", "FollowSurface")
 # A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
 UNLIMITED = 1e299
 
@@ -74,7 +75,7 @@ def test_panel():
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert groups == {
-        "Glyphs": ["GlyphType", "Scale", "Offset", "FollowSurface"],
+        "Glyphs": ["GlyphType", "Scale", "Side", "Offset", "FollowSurface"],
         "Distribution": ["GlyphMode", "MaximumNumberOfGlyphs", "Spacing"]}, groups
     for name in sum(groups.values(), []):
         hints = glyphs.SMProxy.GetProperty(name).GetHints()
@@ -134,7 +135,7 @@ def test_state():
     if os.path.exists(state):
         os.remove(state)
     values = {"GlyphType": "Tubes", "GlyphMode": "All Points", "MaximumNumberOfGlyphs": 321,
-              "Spacing": 0.25, "Scale": 0.75, "Offset": 0.125, "FollowSurface": 0}
+              "Spacing": 0.25, "Scale": 0.75, "Side": "Back", "Offset": 0.125, "FollowSurface": 0}
     RenameSource("glyphs", make(6, **values)[1])
     SaveState(state)
     ResetSession()

@@ -7,6 +7,7 @@
 #include "Curvature/Rounding.h"
 #include "Curvature/ShapeFit.h"
 #include "Curvature/ShapeSmoothing.h"
+#include "Mesh/EnclosedVolume.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -92,38 +93,6 @@ double DefectCurvature(const SurfaceGeometry& geometry, Index v, std::vector<Ind
   }
   return (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
 }
-
-/// The volume that a closed component encloses, in unit^3; negative where it is wound inside out.
-double SignedVolume(
-  const SurfaceGeometry& geometry, const TriangleMesh::Component& component, double unit)
-{
-  const std::vector<Vector3>& positions = geometry.Positions;
-  const Vector3 origin = positions[component.FirstVertex];
-  return ParallelSum<double>(component.Triangles(), MediumPiece, 0.0,
-           [&](Index begin, Index end)
-           {
-             double sum = 0.0;
-             for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
-             {
-               const auto corner = [&](Index c) -> Vector3
-               { return (positions[geometry.Mesh.Tail(3 * t + c)] - origin) / unit; };
-               sum += corner(0).dot(corner(1).cross(corner(2)));
-             }
-             return sum;
-           }) /
-    6.0;
-}
-
-/// Whether a component is closed and wound inside out. Double sheets, which enclose next to nothing, are
-/// not.
-bool IsWoundInsideOut(const SurfaceGeometry& geometry, Index c)
-{
-  constexpr double leastVolume = 1e-6;
-  const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
-  return component.Closed && !component.IsCover &&
-    SignedVolume(geometry, component, geometry.Lengths.Unit[c]) <
-    -leastVolume * std::pow(geometry.Lengths.ComponentArea[c], 1.5);
-}
 }
 
 Curvature::Curvature(
@@ -141,10 +110,11 @@ Curvature::Curvature(
     [&](Index c)
     {
       const TriangleMesh::Component& component = mesh.GetComponents()[c];
-      insideOut[c] = IsWoundInsideOut(geometry, c) ? 1 : 0;
+      const double unit = geometry.Lengths.Unit[c];
+      insideOut[c] =
+        IsWoundInsideOut(mesh, c, geometry.Positions, unit, geometry.Lengths.ComponentArea[c]);
       const double side = insideOut[c] != 0 ? -1.0 : 1.0;
-      const double error =
-        Significant * (RoundingError(geometry.Positions, component) / geometry.Lengths.Unit[c]);
+      const double error = Significant * (RoundingError(geometry.Positions, component) / unit);
       ParallelFor(component.Vertices(), MediumPiece,
         [&](Index begin, Index end)
         {

@@ -3,26 +3,36 @@
 
 #include "Glyphs/Glyphs.h"
 
+#include "Support/Threads.h"
 #include "Tracing/SurfacePath.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
 namespace
 {
-/// The share of reading the surface and of sampling in the progress.
-constexpr double ProgressRead = 0.3;
+/// The share of sampling in the progress.
 constexpr double ProgressSampled = 0.7;
-constexpr std::size_t GlyphsPerReport = 1024;
+/// How many places a thread takes at a time, and how many of such pieces there are between reports.
+constexpr Index PlacesPerPiece = 32;
+constexpr Index PiecesPerReport = 16;
 /// Places of a bent arm.
 constexpr int ArmStations = 6;
 /// A flat glyph is raised above a hollow surface by at most this part of its arms: a wall across it
 /// would hide it at any height.
 constexpr double MostRaised = 0.5;
+
+/// On which sides of a place there are arms.
+struct Sides
+{
+  bool Front;
+  bool Back;
+};
 
 /// One glyph after the other.
 class Drawing
@@ -35,28 +45,27 @@ public:
     , Result(glyphs)
     , Shapes(TypeFor(options.Type, degree), degree, glyphs.Mesh)
   {
+    glyphs.Degree = degree;
   }
 
   /// @param triangle of the place; None for a point of the surface
-  void Draw(const DirectionsAt& at, Index triangle, double spacing)
+  void Draw(const DirectionsAt& at, Index triangle, double spacing, const Sides& sides)
   {
-    const auto glyph = static_cast<Index>(this->Result.Point.size());
     const double length = 0.5 * this->Options.Scale * spacing;
     this->Paths.clear();
     for (int k = 0; k < this->Degree; ++k)
     {
-      this->Paths.push_back(this->Trace(at, triangle, at.Turned(k, this->Degree), length));
+      const Vector3 direction = at.Turned(k, this->Degree);
+      this->Result.Direction.push_back(direction);
+      this->Paths.push_back(this->Trace(at, triangle, direction, length));
     }
-    double height = this->Options.Offset * spacing;
-    if (!this->Options.FollowSurface)
+    if (sides.Front)
     {
-      const double raised = this->Straighten(at, length);
-      height += this->Options.Offset < 0.0 ? -raised : raised;
+      this->DrawSide(at, 1.0, length, spacing);
     }
-    for (int k = 0; k < this->Degree; ++k)
+    if (sides.Back)
     {
-      this->Result.Direction.push_back(at.Turned(k, this->Degree));
-      this->Shapes.Draw(glyph, k, SimplifiedPath(this->Paths[k], ArmStations), length, height);
+      this->DrawSide(at, -1.0, length, spacing);
     }
     this->Result.Point.push_back(at.Point);
     this->Result.Magnitude.push_back(at.Magnitude);
@@ -83,19 +92,48 @@ private:
                             : Joined(TracePath(this->Surface, start, -direction, length), forward);
   }
 
-  /// Lays the paths into the tangent plane. Returns how high the surface rises above that.
-  double Straighten(const DirectionsAt& at, double length)
+  /// Draws the arms on the side that the normal points to, or on the other one.
+  /// @param side 1 or -1
+  void DrawSide(const DirectionsAt& at, double side, double length, double spacing)
   {
-    const Vector3 side = this->Options.Offset < 0.0 ? Vector3(-at.Normal) : at.Normal;
-    double raised = 0.0;
+    const auto glyph = static_cast<Index>(this->Result.Point.size());
+    double height = this->Options.Offset * spacing;
+    if (!this->Options.FollowSurface)
+    {
+      const double up = this->Options.Offset < 0.0 ? -1.0 : 1.0;
+      height += up * this->Raised(at, side * up, length);
+    }
     for (int k = 0; k < this->Degree; ++k)
     {
-      SurfacePath& path = this->Paths[k];
-      raised = std::max(raised, HeightAbove(path, at.Position, side));
-      const Vector3 direction = at.Turned(k, this->Degree);
-      const double begin = path.Stations.front().Distance;
-      path.Stations = { { begin, at.Position + begin * direction, at.Normal },
-        { length, at.Position + length * direction, at.Normal } };
+      SurfacePath arm = this->Options.FollowSurface ? SimplifiedPath(this->Paths[k], ArmStations)
+                                                    : this->Straight(at, k, length);
+      if (side < 0.0)
+      {
+        for (SurfacePath::Station& station : arm.Stations)
+        {
+          station.Normal = -station.Normal;
+        }
+      }
+      this->Shapes.Draw(glyph, k, arm, length, height);
+    }
+  }
+
+  /// An arm in the tangent plane.
+  SurfacePath Straight(const DirectionsAt& at, int k, double length) const
+  {
+    const Vector3 direction = at.Turned(k, this->Degree);
+    const double begin = this->Paths[k].Stations.front().Distance;
+    return { { { begin, at.Position + begin * direction, at.Normal },
+      { length, at.Position + length * direction, at.Normal } } };
+  }
+
+  /// How high the surface rises above the tangent plane on a side, along the arms.
+  double Raised(const DirectionsAt& at, double side, double length) const
+  {
+    double raised = 0.0;
+    for (const SurfacePath& path : this->Paths)
+    {
+      raised = std::max(raised, HeightAbove(path, at.Position, side * at.Normal));
     }
     return std::min(raised, MostRaised * length);
   }
@@ -108,19 +146,6 @@ private:
   std::vector<SurfacePath> Paths;
 };
 
-SurfaceSamples Places(const SurfaceIncidence& surface, const std::vector<char>& excludedTriangles,
-  const std::vector<char>& excludedPoints, const GlyphOptions& options, const Progress& progress)
-{
-  if (options.Mode == GlyphMode::AllPoints)
-  {
-    return SamplePoints(surface, excludedPoints, options.MaximumNumber, progress);
-  }
-  SamplingOptions sampling;
-  sampling.Spacing = options.Spacing;
-  sampling.MaximumNumber = options.MaximumNumber;
-  return SampleSurface(surface, excludedTriangles, sampling, progress);
-}
-
 /// The point of the surface that a place is.
 Index PointAt(const Surface& surface, const SurfacePoint& place)
 {
@@ -128,44 +153,147 @@ Index PointAt(const Surface& surface, const SurfacePoint& place)
   return surface.Triangles[place.Triangle][corner - place.Weights.begin()];
 }
 
-/// Throws Stopped.
-Glyphs Draw(const SurfaceIncidence& surface, const PointDirections& field,
-  const SurfaceSamples& samples, const GlyphOptions& options, const Progress& progress)
+/// What the glyphs of a surface are drawn of.
+class GlyphPlaces
 {
-  const bool allPoints = options.Mode == GlyphMode::AllPoints;
-  Glyphs glyphs;
-  glyphs.Degree = field.Degree;
-  const FieldInterpolation interpolation(surface, field);
-  Drawing drawing(surface, field.Degree, options, glyphs);
-  for (std::size_t i = 0; i < samples.Points.size(); ++i)
+public:
+  GlyphPlaces(GlyphSurface& surface, const SurfaceSamples& samples, const PointDirections& field,
+    const GlyphOptions& options)
+    : Surface(surface.GetIncidence())
+    , Samples(samples)
+    , Options(options)
+    , Interpolation(this->Surface, field)
+    , Degree(field.Degree)
   {
-    if (i % GlyphsPerReport == 0)
+    if (options.Side == GlyphSide::Automatic)
     {
-      progress.Report(static_cast<double>(i) / samples.Points.size());
-    }
-    const SurfacePoint& place = samples.Points[i];
-    DirectionsAt at;
-    double spacing = samples.Spacing;
-    if (allPoints)
-    {
-      const Index point = PointAt(surface.GetSurface(), place);
-      at = interpolation.AtPoint(point);
-      spacing = spacing > 0.0 ? spacing : surface.ShortestEdge(point);
-    }
-    else
-    {
-      at = interpolation.At(place);
-    }
-    if (at.Magnitude > 0.0)
-    {
-      drawing.Draw(at, allPoints ? None : place.Triangle, spacing);
+      this->Outward = &surface.GetOutwardSides();
     }
   }
-  if (!glyphs.Point.empty())
+
+  Index GetNumber() const { return static_cast<Index>(this->Samples.Points.size()); }
+
+  /// The glyphs of the places begin ... end - 1.
+  Glyphs Draw(Index begin, Index end) const
   {
-    glyphs.Spacing = samples.Spacing > 0.0
-      ? samples.Spacing
-      : glyphs.Spacing / static_cast<double>(glyphs.Point.size());
+    Glyphs glyphs;
+    Drawing drawing(this->Surface, this->Degree, this->Options, glyphs);
+    for (Index i = begin; i < end; ++i)
+    {
+      const SurfacePoint& place = this->Samples.Points[i];
+      DirectionsAt at;
+      double spacing = this->Samples.Spacing;
+      const bool onPoint = this->Options.Mode == GlyphMode::AllPoints;
+      if (onPoint)
+      {
+        const Index point = PointAt(this->Surface.GetSurface(), place);
+        at = this->Interpolation.AtPoint(point);
+        spacing = spacing > 0.0 ? spacing : this->Surface.ShortestEdge(point);
+      }
+      else
+      {
+        at = this->Interpolation.At(place);
+      }
+      if (at.Magnitude > 0.0)
+      {
+        drawing.Draw(at, onPoint ? None : place.Triangle, spacing, this->SidesOf(at, place));
+      }
+    }
+    return glyphs;
+  }
+
+private:
+  Sides SidesOf(const DirectionsAt& at, const SurfacePoint& place) const
+  {
+    if (!this->Outward)
+    {
+      return { this->Options.Side != GlyphSide::Back, this->Options.Side != GlyphSide::Front };
+    }
+    const signed char side = (*this->Outward)[place.Triangle];
+    if (side == 0)
+    {
+      return { true, true };
+    }
+    Vector3 outward = side * this->Surface.Normal(place.Triangle);
+    if (this->Options.Mode == GlyphMode::AllPoints)
+    {
+      // A single triangle may stand on edge beside the normal of its point.
+      outward.setZero();
+      const Index* const end = this->Surface.EndTriangles(at.Point);
+      for (const Index* t = this->Surface.BeginTriangles(at.Point); t != end; ++t)
+      {
+        outward += (*this->Outward)[*t] * this->Surface.Area(*t) * this->Surface.Normal(*t);
+      }
+    }
+    const bool front = outward.dot(at.Normal) >= 0.0;
+    return { front, !front };
+  }
+
+  const SurfaceIncidence& Surface;
+  const SurfaceSamples& Samples;
+  const GlyphOptions& Options;
+  FieldInterpolation Interpolation;
+  int Degree;
+  /// Null where the outside does not matter.
+  const std::vector<signed char>* Outward = nullptr;
+};
+
+template <typename T>
+void Append(std::vector<T>& all, const std::vector<T>& more)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Appends glyphs, which get the next numbers.
+void Append(Glyphs& all, const Glyphs& more)
+{
+  const auto glyphs = static_cast<Index>(all.Point.size());
+  const auto points = static_cast<std::int64_t>(all.Mesh.Points.size());
+  const auto corners = static_cast<std::int64_t>(all.Mesh.Connectivity.size());
+  all.Mesh.AreLines = more.Mesh.AreLines;
+  Append(all.Mesh.Points, more.Mesh.Points);
+  Append(all.Mesh.Normals, more.Mesh.Normals);
+  Append(all.Mesh.Branch, more.Mesh.Branch);
+  for (std::size_t i = 1; i < more.Mesh.Offsets.size(); ++i)
+  {
+    all.Mesh.Offsets.push_back(corners + more.Mesh.Offsets[i]);
+  }
+  for (const std::int64_t point : more.Mesh.Connectivity)
+  {
+    all.Mesh.Connectivity.push_back(points + point);
+  }
+  for (const Index glyph : more.Mesh.Glyph)
+  {
+    all.Mesh.Glyph.push_back(glyphs + glyph);
+  }
+  Append(all.Point, more.Point);
+  Append(all.Magnitude, more.Magnitude);
+  Append(all.Direction, more.Direction);
+  all.Spacing += more.Spacing;
+}
+
+/// Draws all places, on the threads of the computation. Throws Stopped.
+Glyphs DrawAll(const GlyphPlaces& places, const Progress& progress)
+{
+  Glyphs glyphs = places.Draw(0, 0);
+  const Index pieces = NumberOfPieces(places.GetNumber(), PlacesPerPiece);
+  for (Index first = 0; first < pieces; first += PiecesPerReport)
+  {
+    progress.Report(static_cast<double>(first) / pieces);
+    std::vector<Glyphs> drawn(std::min(PiecesPerReport, pieces - first));
+    ParallelFor(static_cast<Index>(drawn.size()), 1,
+      [&](Index begin, Index end)
+      {
+        for (Index piece = begin; piece < end; ++piece)
+        {
+          const Index place = (first + piece) * PlacesPerPiece;
+          drawn[piece] = places.Draw(place, std::min(place + PlacesPerPiece, places.GetNumber()));
+        }
+      });
+    for (const Glyphs& part : drawn)
+    {
+      Append(glyphs, part);
+    }
   }
   return glyphs;
 }
@@ -187,75 +315,37 @@ void Check(const GlyphOptions& options)
   require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
 }
 
-/// The exponent of the power of two above all coordinates of finite points that triangles use.
-int ExponentOf(const Surface& surface)
+/// Takes the glyphs from the unit of their surface to that of the user.
+void Rescale(int exponent, Glyphs& glyphs)
 {
-  const auto points = static_cast<Index>(surface.Points.size());
-  double largest = 0.0;
-  for (const Triangle& triangle : surface.Triangles)
+  if (exponent != 0)
   {
-    for (const Index i : triangle)
+    for (Vector3& point : glyphs.Mesh.Points)
     {
-      if (i >= 0 && i < points && surface.Points[i].allFinite())
-      {
-        largest = std::max(largest, surface.Points[i].lpNorm<Eigen::Infinity>());
-      }
+      point = point.unaryExpr([exponent](double x) { return TimesPower(x, exponent); });
     }
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent;
-}
-
-/// A number times a power of two, but finite.
-double Times(double number, int exponent)
-{
-  constexpr double most = std::numeric_limits<double>::max();
-  return std::isfinite(number) ? std::clamp(std::ldexp(number, exponent), -most, most) : number;
-}
-
-void Multiply(std::vector<Vector3>& points, int exponent)
-{
-  for (Vector3& point : points)
-  {
-    point = point.unaryExpr([exponent](double number) { return Times(number, exponent); });
+    glyphs.Spacing = TimesPower(glyphs.Spacing, exponent);
   }
 }
-
-Glyphs MakeGlyphsOf(const SurfaceIncidence& surface, const PointDirections& field,
-  const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
-  const GlyphOptions& options, const Progress& progress)
-{
-  progress.Report(ProgressRead);
-  const SurfaceSamples samples = Places(surface, excludedTriangles, excludedPoints, options,
-    progress.Part(ProgressRead, ProgressSampled));
-  return Draw(surface, field, samples, options, progress.Part(ProgressSampled, 1.0));
-}
 }
 
-Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
-  const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
-  const GlyphOptions& options, const ProgressFunction& progress)
+Glyphs MakeGlyphs(GlyphSurface& surface, const PointDirections& field, const GlyphOptions& options,
+  const ProgressFunction& progress)
 {
   Check(options);
   const Progress steps(progress);
   try
   {
-    const SurfaceIncidence incidence(surface);
-    if (incidence.HasUsualSize())
+    const SurfaceSamples& samples = surface.GetPlaces(options, steps.Part(0.0, ProgressSampled));
+    const GlyphPlaces places(surface, samples, field, options);
+    Glyphs glyphs = DrawAll(places, steps.Part(ProgressSampled, 1.0));
+    if (!glyphs.Point.empty())
     {
-      return MakeGlyphsOf(incidence, field, excludedTriangles, excludedPoints, options, steps);
+      glyphs.Spacing = samples.Spacing > 0.0
+        ? samples.Spacing
+        : glyphs.Spacing / static_cast<double>(glyphs.Point.size());
     }
-    // In another unit of length, a power of two, which rounds nothing.
-    const int exponent = ExponentOf(surface);
-    Surface scaled = surface;
-    Multiply(scaled.Points, -exponent);
-    GlyphOptions scaledOptions = options;
-    scaledOptions.Spacing = Times(options.Spacing, -exponent);
-    Glyphs glyphs = MakeGlyphsOf(
-      SurfaceIncidence(scaled), field, excludedTriangles, excludedPoints, scaledOptions, steps);
-    Multiply(glyphs.Mesh.Points, exponent);
-    glyphs.Spacing = Times(glyphs.Spacing, exponent);
+    Rescale(surface.GetExponent(), glyphs);
     return glyphs;
   }
   catch (const Stopped&)
@@ -264,5 +354,15 @@ Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
     nothing.Aborted = true;
     return nothing;
   }
+}
+
+Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
+  const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
+  const GlyphOptions& options, const ProgressFunction& progress)
+{
+  // The caller's surface lives as long as this.
+  GlyphSurface once(std::shared_ptr<const Surface>(std::shared_ptr<void>(), &surface),
+    excludedTriangles, excludedPoints);
+  return MakeGlyphs(once, field, options, progress);
 }
 }

@@ -4,45 +4,21 @@
 #ifndef DirectionFields_Glyphs_h
 #define DirectionFields_Glyphs_h
 
+#include "Glyphs/GlyphOptions.h"
 #include "Glyphs/GlyphShapes.h"
+#include "Glyphs/GlyphSurface.h"
 #include "Progress.h"
 #include "Surface.h"
 #include "Tracing/FieldInterpolation.h"
-#include "Tracing/SurfaceSampling.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
-/// Where the glyphs are.
-enum class GlyphMode
-{
-  /// Spread evenly over the surface.
-  SpreadEvenly = 0,
-  /// One on each point of the surface, or on an evenly spread part of them.
-  AllPoints = 1
-};
-
-struct GlyphOptions
-{
-  GlyphType Type = GlyphType::Automatic;
-  GlyphMode Mode = GlyphMode::SpreadEvenly;
-  /// Least distance between glyphs that are spread evenly, not negative; 0: by MaximumNumber. What
-  /// exceeds the diagonal of the box around the surface is taken for that.
-  double Spacing = 0.0;
-  /// Most glyphs, 1 to 1000000.
-  Index MaximumNumber = 2000;
-  /// Diameter of a glyph as a part of the spacing, 0.01 to 10.
-  double Scale = 1.0;
-  /// Height above the surface as a part of the spacing, -1 to 1.
-  double Offset = 0.04;
-  /// Arms follow the surface; else they are straight and lie in the tangent plane.
-  bool FollowSurface = true;
-};
-
 /// Glyphs and where they are.
 struct Glyphs
 {
+  /// What is on both sides of a place is one glyph.
   GlyphMesh Mesh;
   /// For each glyph the point of the surface that is nearest, and |u|.
   std::vector<Index> Point;
@@ -58,12 +34,17 @@ struct Glyphs
 };
 
 /// Draws all n directions of a field at many places, as one glyph each. Places without directions,
-/// in the middle of a singularity and at points that no triangle uses, have none.
+/// in the middle of a singularity and at points that no triangle uses, have none. The places depend on the
+/// surface only, and are there already if glyphs were drawn on it before.
 ///
 /// Throws std::invalid_argument for options out of their ranges.
+/// @param progress stops the drawing: no glyphs are returned then
+Glyphs MakeGlyphs(GlyphSurface& surface, const PointDirections& field, const GlyphOptions& options,
+  const ProgressFunction& progress = {});
+
+/// The same for a surface that is drawn on once.
 /// @param excludedTriangles not 0 for triangles without glyphs; empty for none
 /// @param excludedPoints    not 0 for points without glyphs; empty for none
-/// @param progress          stops the drawing: no glyphs are returned then
 Glyphs MakeGlyphs(const Surface& surface, const PointDirections& field,
   const std::vector<char>& excludedTriangles, const std::vector<char>& excludedPoints,
   const GlyphOptions& options, const ProgressFunction& progress = {});

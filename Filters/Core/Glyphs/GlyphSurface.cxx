@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Glyphs/GlyphSurface.h"
+
+#include "Glyphs/OutwardSides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// The exponent of the power of two above all coordinates of finite points that triangles use.
+int ExponentOf(const Surface& surface)
+{
+  const auto points = static_cast<Index>(surface.Points.size());
+  double largest = 0.0;
+  for (const Triangle& triangle : surface.Triangles)
+  {
+    for (const Index i : triangle)
+    {
+      if (i >= 0 && i < points && surface.Points[i].allFinite())
+      {
+        largest = std::max(largest, surface.Points[i].lpNorm<Eigen::Infinity>());
+      }
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+}
+
+double TimesPower(double number, int exponent)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  return std::isfinite(number) ? std::clamp(std::ldexp(number, exponent), -most, most) : number;
+}
+
+GlyphSurface::GlyphSurface(std::shared_ptr<const Surface> surface,
+  std::vector<char> excludedTriangles, std::vector<char> excludedPoints)
+  : Triangles(std::move(surface))
+  , ExcludedTriangles(std::move(excludedTriangles))
+  , ExcludedPoints(std::move(excludedPoints))
+{
+  this->Incidence.emplace(*this->Triangles);
+  if (!this->Incidence->HasUsualSize())
+  {
+    // In another unit of length, a power of two, which rounds nothing.
+    this->Exponent = ExponentOf(*this->Triangles);
+    auto scaled = std::make_shared<Surface>(*this->Triangles);
+    for (Vector3& point : scaled->Points)
+    {
+      point = point.unaryExpr([this](double x) { return TimesPower(x, -this->Exponent); });
+    }
+    this->Triangles = std::move(scaled);
+    this->Incidence.emplace(*this->Triangles);
+  }
+}
+
+const SurfaceSamples& GlyphSurface::GetPlaces(const GlyphOptions& options, const Progress& progress)
+{
+  const Key key = { options.Mode, options.Spacing, options.MaximumNumber };
+  if (this->PlacesKey == key)
+  {
+    return this->Places;
+  }
+  ++this->NumberOfSamplings;
+  if (options.Mode == GlyphMode::AllPoints)
+  {
+    this->Places =
+      SamplePoints(*this->Incidence, this->ExcludedPoints, options.MaximumNumber, progress);
+  }
+  else
+  {
+    SamplingOptions sampling;
+    sampling.Spacing = TimesPower(options.Spacing, -this->Exponent);
+    sampling.MaximumNumber = options.MaximumNumber;
+    this->Places = SampleSurface(*this->Incidence, this->ExcludedTriangles, sampling, progress);
+  }
+  this->PlacesKey = key;
+  return this->Places;
+}
+
+const std::vector<signed char>& GlyphSurface::GetOutwardSides()
+{
+  if (!this->Sides)
+  {
+    this->Sides = OutwardSides(*this->Triangles);
+  }
+  return *this->Sides;
+}
+}

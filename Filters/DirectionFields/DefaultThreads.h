@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DefaultThreads_h
+#define DefaultThreads_h
+
+namespace DirectionFields
+{
+/// The number of threads where the user does not say any: as many as VTK's SMP backend has; 0, which
+/// leaves the choice to Core, where the backend has but one and no environment variable says otherwise.
+int DefaultThreads();
+}
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fields for the tests of what is done with them.
+
+#ifndef Fields_h
+#define Fields_h
+
+#include "vtkDirectionField.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+/// The smoothest field on a mesh.
+inline vtkSmartPointer<vtkPolyData> Field(vtkPolyData* mesh, int degree)
+{
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  filter->SetDegree(degree);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+#endif
