@@ -47,17 +47,17 @@ void Check(const Options& options)
   const bool usesCurvature =
     options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature;
   Require(!usesCurvature || options.Degree == 2 || options.Degree == 4,
-    "Principal curvature gives a line or a cross field: set Degree to 2 or 4, or give vectors to "
-    "align the field to (Point Vectors).");
+    "Set Directions per point (Degree) to 2 or 4: principal curvature gives a line or a cross "
+    "field. For others turn Alignment and Constrain Curvature off, or align to Point Vectors.");
 }
 
 void Check(const Guidance& guidance, const Options& options, std::size_t points)
 {
   const bool needed = options.Alignment == Alignment::PointVectors || options.ConstrainGuidance;
   Require(!needed || guidance.Vectors.size() == points,
-    "Point Vectors and Constrain Guidance need a guidance vector at each point: choose a point "
-    "array of three components as Guidance Vectors.");
+    "Choose a point array of three components as Guidance Vectors: Point Vectors and Constrain "
+    "Guidance need a vector at each point.");
   Require(!needed || guidance.Weights.empty() || guidance.Weights.size() == points,
-    "The guidance weights must be one a point.");
+    "Choose other Guidance Weights: they must be one number a point.");
 }
 }

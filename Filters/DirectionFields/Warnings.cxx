@@ -69,11 +69,11 @@ std::string DescribeUnsolvedSystems(const Result& field, const Options& options)
     return {};
   }
   std::ostringstream text;
-  text << "The aligned or constrained system of " << systems.Number << " of "
+  text << (options.Solver == Solver::Multigrid ? "Set Solver to Automatic"
+                                               : "Remesh the surface more evenly")
+       << ": the aligned or constrained system of " << systems.Number << " of "
        << field.Components.size() << " connected components was solved to a relative residual of "
-       << systems.WorstResidual << " only. "
-       << (options.Solver == Solver::Multigrid ? "Set Solver to Automatic."
-                                               : "Remesh the surface more evenly.");
+       << systems.WorstResidual << " only.";
   return text.str();
 }
 
@@ -95,22 +95,21 @@ std::string DescribeUnsolvedEigenvalues(const Result& field, const Options& opti
     return {};
   }
   std::ostringstream text;
-  text << "The field of " << eigenpairs.Number << " of " << field.Components.size()
-       << " connected components has not converged: the residual is " << eigenpairs.WorstResidual
-       << ", not " << options.Tolerance;
   if (exhausted)
   {
-    text << ". Raise MaximumIterations.";
+    text << "Raise Maximum Iterations";
   }
   else if (options.Solver == Solver::Multigrid)
   {
-    text << ". Multigrid does not get further here: set Solver to Automatic.";
+    text << "Set Solver to Automatic, since multigrid does not get further here";
   }
   else
   {
-    text << ". More iterations would not help: the triangles are of too different sizes or shapes, "
-            "remesh them.";
+    text << "Remesh the surface, since its triangles are of too different sizes or shapes";
   }
+  text << ": the field of " << eigenpairs.Number << " of " << field.Components.size()
+       << " connected components has not converged, the residual is " << eigenpairs.WorstResidual
+       << ", not " << options.Tolerance << '.';
   return text.str();
 }
 }
@@ -120,15 +119,12 @@ std::vector<std::string> Warnings(const Result& field, const Options& options)
   std::string repairs = Describe(field.Repaired);
   if (!repairs.empty())
   {
-    repairs = "The surface was mended for the computation: " + repairs + ".";
+    repairs = "Check the mesh if this is unexpected, it was mended: " + repairs + ".";
   }
-  std::string notes;
-  for (const std::string& note : field.Notes)
-  {
-    notes += (notes.empty() ? "" : " ") + note;
-  }
-  std::vector<std::string> warnings = { repairs, notes, DescribeUnsolvedSystems(field, options),
-    DescribeUnsolvedEigenvalues(field, options) };
+  std::vector<std::string> warnings = { repairs };
+  warnings.insert(warnings.end(), field.Notes.begin(), field.Notes.end());
+  warnings.push_back(DescribeUnsolvedSystems(field, options));
+  warnings.push_back(DescribeUnsolvedEigenvalues(field, options));
   warnings.erase(std::remove(warnings.begin(), warnings.end(), ""), warnings.end());
   return warnings;
 }

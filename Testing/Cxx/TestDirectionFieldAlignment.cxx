@@ -389,34 +389,48 @@ void TestNotes()
   };
   auto mesh = WithArrays();
   check(mesh, [](vtkDirectionField* filter) { filter->ConstrainBoundaryOn(); },
-    { "ConstrainBoundary changes nothing", "no boundary" });
+    { "Turn Constrain Boundary off: it changes nothing", "no boundary" });
   check(mesh,
     [](vtkDirectionField* filter)
     {
       filter->ConstrainSharpEdgesOn();
       filter->SetFeatureAngle(170.0);
     },
-    { "ConstrainSharpEdges changes nothing", "FeatureAngle" });
+    { "Lower the Feature Angle: Constrain Sharp Edges changes nothing" });
   check(mesh,
     [](vtkDirectionField* filter)
     {
       filter->SetGuidanceVectors("zero");
       filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
     },
-    { "Alignment changes nothing" });
-  check(mesh,
-    [](vtkDirectionField* filter)
-    {
-      filter->SetGuidanceVectors("zero");
-      filter->ConstrainGuidanceOn();
-      filter->ConstrainBoundaryOn();
-      filter->ConstrainSharpEdgesOn();
-      filter->SetFeatureAngle(170.0);
-      filter->ConstrainCurvatureOn();
-      filter->SetCurvatureTolerance(1000.0);
-    },
-    { "ConstrainGuidance changes nothing", "ConstrainBoundary changes nothing",
-      "ConstrainSharpEdges changes nothing", "ConstrainCurvature changes nothing" });
+    { "Choose another Alignment: this one changes nothing" });
+}
+
+/// Each constraint that changes nothing has a warning of its own, which begins with the remedy.
+void TestIdleConstraints()
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(WithArrays());
+  filter->SetGuidanceVectors("zero");
+  filter->ConstrainGuidanceOn();
+  filter->ConstrainBoundaryOn();
+  filter->ConstrainSharpEdgesOn();
+  filter->SetFeatureAngle(170.0);
+  filter->ConstrainCurvatureOn();
+  filter->SetCurvatureTolerance(1000.0);
+  filter->Update();
+  CHECK(messages->Errors.empty());
+  const std::vector<std::string> remedies = { "Choose other Guidance Vectors or Weights:",
+    "Turn Constrain Boundary off:", "Lower the Feature Angle:", "Lower the Curvature Tolerance:" };
+  CHECK(messages->Warnings.size() == remedies.size());
+  for (std::size_t i = 0; i < remedies.size(); ++i)
+  {
+    // After the filter's name and address.
+    CHECK(messages->Warnings[i].find(": " + remedies[i]) != std::string::npos);
+    CHECK(messages->Warnings[i].find("changes nothing") != std::string::npos);
+  }
 }
 }
 
@@ -428,5 +442,6 @@ int TestDirectionFieldAlignment(int, char*[])
   TestGuidanceErrors();
   TestDegrees();
   TestNotes();
+  TestIdleConstraints();
   return Result();
 }

@@ -259,7 +259,7 @@ void TestConvergence()
   filter->SetMaximumIterations(1);
   filter->SetTolerance(1e-12);
   filter->Update();
-  CHECK(messages->IsOneWarning({ "not converged", "1e-12", "Raise MaximumIterations" }));
+  CHECK(messages->IsOneWarning({ "not converged", "1e-12", "Raise Maximum Iterations" }));
   CHECK(FieldValue(filter->GetOutput(), "Residual") > 1e-12);
   CHECK(FieldValue(filter->GetOutput(), "Iterations") >= 1);
   CheckDirections(filter->GetOutput(), 4, 1e-9);

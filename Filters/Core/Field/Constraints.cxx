@@ -53,9 +53,9 @@ void RequireInReach(const TriangleMesh& mesh, const std::vector<ConstraintKind>&
         [](ConstraintKind one) { return one != ConstraintKind::None; }))
     {
       throw std::invalid_argument(
-        "ConstraintSolver Least Squares takes connected components of up to " +
+        "Set Constraint Solver to Energy: Least Squares takes connected components of up to " +
         std::to_string(MostLeastSquaresVertices) + " points, and one has " +
-        std::to_string(component.Vertices()) + ": choose Energy.");
+        std::to_string(component.Vertices()) + ".");
     }
   }
 }
@@ -78,8 +78,8 @@ Constraints::Constraints(
   {
     this->AddGiven(input);
     note(true, ConstraintKind::Given,
-      "ConstrainGuidance changes nothing: no guidance vector has positive weight and a part in the "
-      "tangent plane.");
+      "Choose other Guidance Vectors or Weights: Constrain Guidance changes nothing, since no "
+      "vector has positive weight and a part in the tangent plane.");
   }
   this->AddBoundary(input, options);
   this->MirrorBoundary(input, options);
@@ -88,13 +88,15 @@ Constraints::Constraints(
     [](const TriangleMesh::Component& component) { return !component.Closed; });
   if (options.ConstrainBoundary && !anyBoundary)
   {
-    notes.emplace_back("ConstrainBoundary changes nothing: the surface has no boundary.");
+    notes.emplace_back(
+      "Turn Constrain Boundary off: it changes nothing, since the surface has no boundary.");
   }
   if (options.ConstrainSharpEdges)
   {
     this->AddSharpEdges(input, options);
     note(true, ConstraintKind::SharpEdge,
-      "ConstrainSharpEdges changes nothing: no free vertex has an edge sharper than FeatureAngle.");
+      "Lower the Feature Angle: Constrain Sharp Edges changes nothing, since no free vertex has an "
+      "edge that is sharper.");
   }
   if (options.ConstrainCurvature)
   {
@@ -109,8 +111,8 @@ Constraints::Constraints(
       this->DropAtSingularities(input, options);
     }
     note(true, ConstraintKind::Curvature,
-      "ConstrainCurvature changes nothing: no free vertex has a curvature above "
-      "CurvatureTolerance with a consistent direction.");
+      "Lower the Curvature Tolerance: Constrain Curvature changes nothing, since no free vertex has "
+      "a stronger curvature with a consistent direction.");
   }
   this->MirrorInterior(input, options);
   this->Count = static_cast<Index>(

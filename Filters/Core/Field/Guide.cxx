@@ -33,15 +33,15 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
     stages.GetMesh().GetRepairs().NonOrientableComponents > 0)
   {
     notes.emplace_back(
-      "A line field cannot follow the curvature of a surface that cannot be "
-      "oriented: the larger and the smaller curvature change places on a "
-      "walk around it. Take Degree 4, or the direction that is bent least or most.");
+      "Set Curvature Direction to Least Bent or Most Bent, or take 4 directions per point: on a "
+      "surface that cannot be oriented the larger and the smaller curvature change places on a "
+      "walk around it.");
   }
   if (UsesCurvature(options) && stages.GetCurvature(options.CurvatureScale).IsInsideOut)
   {
     notes.emplace_back(
-      "A closed part of the surface is wound inside out: its curvature is taken as "
-      "seen from outside.");
+      "Turn the triangles if that was not meant: a closed part of the surface is wound inside out. "
+      "Its curvature is taken as seen from outside.");
   }
   return Constraints(
     { stages.GetGeometry(),
@@ -112,7 +112,8 @@ std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
   }
   if (std::all_of(drawn.begin(), drawn.end(), [](const Complex& q) { return q == 0.0; }))
   {
-    notes.emplace_back("Alignment changes nothing: the guidance is zero everywhere.");
+    notes.emplace_back(
+      "Choose another Alignment: this one changes nothing, since the guidance is zero everywhere.");
     drawn.clear();
   }
   else if (options.Alignment == Alignment::PrincipalCurvature)

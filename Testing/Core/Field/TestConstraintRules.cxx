@@ -247,6 +247,6 @@ TEST(ConstraintRules, LeastSquaresBeyondTheirReachAreRefused)
   }
   catch (const std::invalid_argument& error)
   {
-    EXPECT_NE(std::string(error.what()).find("choose Energy"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("Set Constraint Solver to Energy"), std::string::npos);
   }
 }
