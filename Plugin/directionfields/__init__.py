@@ -9,12 +9,11 @@
     picture = directionfields.show("bunny.ply", degree=4)
     SaveScreenshot("field.png", picture.view)
 
-show() computes a field and builds the whole picture of it, read() reads a mesh, and
-install_macro() adds a button "Show direction field" to ParaView's toolbar.
+show() computes a field and builds the whole picture of it, show_active() does so for the active
+source, as the button "Show direction field" of ParaView's window, and read() reads a mesh.
 """
 
 from directionfields.files import read
-from directionfields.macro import install_macro
-from directionfields.picture import Picture, show
+from directionfields.picture import Picture, show, show_active
 
-__all__ = ["Picture", "install_macro", "read", "show"]
+__all__ = ["Picture", "read", "show", "show_active"]

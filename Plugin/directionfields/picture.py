@@ -11,15 +11,22 @@ import numpy as np
 from paraview import servermanager
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 from directionfields.files import read
+from directionfields.pipeline import field_of, fields_of, follower, input_of, proxy_of
 
 SURFACE_COLOR = [0.93, 0.91, 0.87]
-GLYPH_COLOR = [0.00, 0.42, 0.46]
-POSITIVE_COLOR = [0.84, 0.10, 0.11]
-NEGATIVE_COLOR = [0.09, 0.30, 0.86]
 DARK, LIGHT = [0.15, 0.15, 0.17], [1.0, 1.0, 1.0]
 MOST_DIRECTIONS = 16
+# The summaries and, below them, the warnings of all blocks. It is evaluated where the data are: a
+# server does not know this module.
+CAPTION = (
+    "'\\n'.join([prefix + array.GetValue(k)[:120]"
+    " for data in (inputs[0] if inputs[0].IsA('vtkCompositeDataSet') else [inputs[0]])"
+    " for name, prefix in (('Summary', ''), ('Warnings', 'Warning: '))"
+    " for array in [data.VTKObject.GetFieldData().GetAbstractArray(name)] if array"
+    " for k in range(array.GetNumberOfValues())][:8])")
 
 Picture = collections.namedtuple("Picture", "field surface glyphs legend caption view")
 Picture.__doc__ = """What show() has built.
@@ -28,7 +35,7 @@ field    the filter Direction Field; its second output port are the singularitie
 surface  the surface that is shown: the field with normals for smooth shading
 glyphs   the filter Direction Field Glyphs
 legend   the scalar bar of the singularities, or None
-caption  the annotation that counts the singularities, or None
+caption  the annotation with the summary and the warnings, or None
 view     the render view"""
 
 
@@ -36,8 +43,10 @@ def show(mesh, degree=4, view=None, *, glyphs=None, legend=True, **properties):
     """Computes the direction field of a mesh and builds the whole picture of it in a view.
 
     The surface is shown in a light solid colour, with glyphs of all directions and, at the
-    singularities, spheres that are red for a positive and blue for a negative index and as large as
-    the index. Everything stays a pipeline: properties can be changed afterwards.
+    singularities, balls that are red for a positive and blue for a negative index and as large as
+    the index; below them a line that says what the field is like, and the warnings if there are
+    any. Everything stays a pipeline: properties can be changed afterwards. What else the view
+    shows of the mesh and of its fields is hidden.
 
     mesh        a source, an output port of one, a Direction Field filter, which is shown as it is,
                 or the name of a .ply, .obj, .stl or .vtp file
@@ -45,13 +54,13 @@ def show(mesh, degree=4, view=None, *, glyphs=None, legend=True, **properties):
     view        a render view; by default the active one, or else a new one with a white background.
                 In an empty view the camera is placed in front of the mesh
     glyphs      properties of the filter Direction Field Glyphs, as a dictionary
-    legend      whether to add a legend and the number of singularities
+    legend      whether to add a legend and the line that sums the field up
     properties  other properties of the filter Direction Field: EnergyBias=1.0, ...
 
     Returns a Picture of the proxies."""
-    marks = new("DirectionFieldGlyphs", glyphs or {})
+    check_properties("DirectionFieldGlyphs", glyphs or {})
     field = compute(mesh, degree, properties)
-    marks = connect(marks, field, glyphs or {})
+    marks = glyphs_of(field, glyphs or {})
     if view is None:
         view = simple.GetActiveView()
         if not is_render_view(view):
@@ -59,20 +68,56 @@ def show(mesh, degree=4, view=None, *, glyphs=None, legend=True, **properties):
     if not is_render_view(view):
         raise TypeError("show() draws in a render view.")
     empty = not any(shown.Visibility for shown in view.Representations)
-    if simple.GetRepresentation(field.Input, view):
-        simple.Hide(field.Input, view)
+    # The first render would reset the camera.
+    simple._DisableFirstRenderCameraReset()
 
     surface = show_surface(field, view)
     marks = show_glyphs(marks, view)
     lookup = show_singularities(field, view)
-    bar = caption = None
+    bar = words = None
     if legend:
-        bar, caption = show_legend(field, lookup, view)
+        bar, words = show_legend(field, lookup, view)
+    # Only now, since ParaView places the camera anew where something is shown in an empty view.
+    hide_others(field, [marks, surface, words], view)
     if empty:
         place_camera(view, field)
     simple.SetActiveSource(field)
     simple.Render(view)
-    return Picture(field, surface, marks, bar, caption, view)
+    return Picture(field, surface, marks, bar, words, view)
+
+
+def show_active():
+    """Shows the active source as show() does: what the button "Show direction field" does.
+
+    The source may be a mesh, its field, or anything made of that, as its glyphs: a field that is
+    there is shown as it is, with the glyphs that it has. Returns the Picture, or None where there
+    is nothing to show; why is said in ParaView's messages."""
+    source = simple.GetActiveSource()
+    try:
+        if source is None:
+            raise ValueError("There is no mesh: open one, press Apply, and select it.")
+        fields = fields_of(source)
+        field = field_of(source) or (fields[-1] if fields else None)
+        view = simple.GetActiveView()
+        if not is_render_view(view):
+            view = simple.FindViewOrCreate("RenderView1", "RenderView")
+        return show(field or source, view=view)
+    except (ValueError, TypeError, RuntimeError) as problem:
+        vtkOutputWindow.GetInstance().DisplayWarningText(f"Show direction field: {problem}\n")
+        return None
+
+
+def hide_others(field, parts, view):
+    """Hides the mesh, and what the view shows of fields of it that is not a part of the picture."""
+    kept = {(proxy_of(part), 0) for part in parts if part is not None} | {(proxy_of(field), 1)}
+    mesh = proxy_of(input_of(field))
+    for source in list(simple.GetSources().values()):
+        before = field_of(source)
+        belongs = before is not None and proxy_of(input_of(before)) == mesh
+        for port in range(source.GetNumberOfOutputPorts()):
+            if ((belongs or proxy_of(source) == mesh) and (proxy_of(source), port) not in kept and
+                    view.FindRepresentation(source.SMProxy, port)):
+                simple.Hide(simple.OutputPort(source, port), view)
 
 
 def is_render_view(view):
@@ -88,10 +133,9 @@ def white_view():
     return view
 
 
-def new(name, properties):
-    """A filter of the plugin and, to find mistakes before anything is computed, a look at the names
-    of its properties. paraview.simple knows the filter only if it has been told."""
-    # ParaView 6 always knows.
+def check_properties(name, properties):
+    """Finds mistakes before anything is computed. paraview.simple knows the filter only if it has
+    been told; ParaView 6 always knows."""
     if not hasattr(servermanager.filters, name) and hasattr(servermanager, "updateModules"):
         servermanager.updateModules()
     if not hasattr(servermanager.filters, name):
@@ -117,6 +161,16 @@ def connect(proxy, source, properties):
     return proxy
 
 
+def glyphs_of(field, properties):
+    """The glyphs that a field has, or new ones."""
+    marks = follower(field, "DirectionFieldGlyphs")
+    if marks is None:
+        return connect(check_properties("DirectionFieldGlyphs", {}), field, properties)
+    for name, value in properties.items():
+        setattr(marks, name, value)
+    return marks
+
+
 def compute(mesh, degree, properties):
     """The filter with a field that is known to be good."""
     if isinstance(mesh, (str, os.PathLike)):
@@ -135,7 +189,7 @@ def compute(mesh, degree, properties):
         if isinstance(degree, bool) or degree not in range(1, MOST_DIRECTIONS + 1):
             raise ValueError(f"The degree is a whole number from 1 to {MOST_DIRECTIONS}, not "
                              f"{degree!r}.")
-        field = new("DirectionField", properties)
+        field = check_properties("DirectionField", properties)
         mesh.UpdatePipeline()
         if mesh.GetDataInformation().GetNumberOfCells() == 0:
             raise ValueError("The mesh has no cells.")
@@ -164,54 +218,24 @@ def show_surface(field, view):
         # This splits the surface at sharp edges only, and keeps the orientation of the mesh.
         # ParaView 5.13 has given the filter another name.
         normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals
-        surface = normals(registrationName="Surface", Input=field, FeatureAngle=60.0, Consistency=0)
+        surface = follower(field, "PPolyDataNormals", "PolyDataNormals", "SurfaceNormals") or normals(
+            registrationName="Surface", Input=field, FeatureAngle=60.0, Consistency=0)
     display = simple.Show(surface, view)
     display.SetRepresentationType("Surface")
     color(display, SURFACE_COLOR)
     display.Specular = 0.1
     display.Ambient = 0.2
-    if surface is not field and simple.GetRepresentation(field, view):
-        simple.Hide(field, view)
     return surface
 
 
 def show_glyphs(marks, view):
-    display = simple.Show(marks, view)
-    display.SetRepresentationType("Surface")
-    color(display, GLYPH_COLOR)
-    display.Ambient = 0.3
+    # The plugin gives glyphs and singularities their look.
+    simple.Show(marks, view)
     return marks
 
 
 def show_singularities(field, view):
-    singularities = simple.OutputPort(field, 1)
-    display = simple.Show(singularities, view)
-    display.SetRepresentationType("3D Glyphs")
-    display.GlyphType = "Sphere"
-    display.GlyphType.ThetaResolution = 24
-    display.GlyphType.PhiResolution = 16
-    # The size follows the magnitude of the index: a negative one would turn its sphere inside out,
-    # which cannot be seen.
-    display.Scaling = 1
-    display.ScaleMode = "Magnitude"
-    display.SelectScaleArray = "SingularityIndex"
-    display.ScaleFactor = 0.022 * diagonal(field)
-    display.Specular = 0.4
-    # The spheres have a color map of their own, which the index of the cells does not share. It is
-    # set by hand because ColorBy() warns where there is no singularity to take the range from.
-    display.UseSeparateColorMap = 1
-    lookup = simple.GetColorTransferFunction("SingularityIndex", display, separate=True)
-    display.ColorArrayName = ["POINTS", "SingularityIndex"]
-    display.LookupTable = lookup
-    lookup.AutomaticRescaleRangeMode = "Never"
-    lookup.ColorSpace = "Step"
-    lookup.Discretize = 1
-    lookup.NumberOfTableValues = 2
-    lookup.RGBPoints = [-1.0, *NEGATIVE_COLOR, 0.0, *NEGATIVE_COLOR,
-                        0.0, *POSITIVE_COLOR, 1.0, *POSITIVE_COLOR]
-    lookup.AnnotationsInitialized = 1
-    lookup.Annotations = ["-0.5", "negative", "0.5", "positive"]
-    return lookup
+    return simple.Show(simple.OutputPort(field, 1), view).LookupTable
 
 
 def text_color(view):
@@ -220,28 +244,21 @@ def text_color(view):
 
 
 def show_legend(field, lookup, view):
+    display = simple.GetRepresentation(simple.OutputPort(field, 1), view)
+    display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(lookup, view)
-    bar.Title = "Singularities"
-    bar.ComponentTitle = ""
-    bar.HorizontalTitle = 1
-    bar.DrawTickMarks = bar.DrawTickLabels = bar.AddRangeLabels = 0
-    bar.ScalarBarLength = 0.12
     bar.WindowLocation = "Any Location"
     # Legend and caption must fit side by side even into a small window.
     bar.Position = [0.87, 0.03]
     bar.TitleFontSize = bar.LabelFontSize = 13
     bar.TitleColor = bar.LabelColor = text_color(view)
-    bar.Visibility = 1
-    caption = simple.PythonAnnotation(
-        registrationName="Number of singularities", Input=simple.OutputPort(field, 1),
-        ArrayAssociation="Point Data",
-        Expression="'%d positive, %d negative singularities' % "
-                   "(sum(SingularityIndex > 0), sum(SingularityIndex < 0))")
-    display = simple.Show(caption, view)
+    words = follower(field, "PythonAnnotation") or simple.PythonAnnotation(
+        registrationName="Summary", Input=field, Expression=CAPTION)
+    display = simple.Show(words, view)
     display.Color = text_color(view)
     display.WindowLocation = "Lower Left Corner"
     display.FontSize = 14
-    return bar, caption
+    return bar, words
 
 
 def extremes(field):
@@ -279,8 +296,6 @@ def place_camera(view, field):
     aspect = view.ViewSize[0] / max(view.ViewSize[1], 1)
     distance = max(np.max(z + x / (0.92 * slope * aspect)), np.max(z + y / (0.84 * slope)), 1e-6)
     middle[1] -= 0.05 * distance * slope
-    # The first render would reset the camera.
-    simple._DisableFirstRenderCameraReset()
     view.CameraFocalPoint = list(middle @ axes)
     view.CameraPosition = list((middle + [0.0, 0.0, distance]) @ axes)
     view.CameraViewUp = list(axes[1])

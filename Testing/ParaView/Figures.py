@@ -50,3 +50,7 @@ def red(r, g, b):
 
 def blue(r, g, b):
     return (b > 100) & (r < b / 2.5) & (g < b / 1.8)
+
+
+def teal(r, g, b):
+    return (g > 1.6 * r) & (b > 1.6 * r) & (b < 1.5 * g) & (g > 60)

@@ -78,34 +78,37 @@ def test_properties():
 
 
 def test_alignments_of_degrees():
-    """Principal curvature is offered where there is a field of it, also before Apply."""
+    """An alignment is kept while the degree passes through one that has none of that kind; where it
+    is applied with such a degree, the reason and the remedy are said."""
     field = DirectionField(Input=Sphere())
-    degree = field.SMProxy.GetProperty("Degree")
-    for n in list(range(1, 17)) + [4]:
-        expected = [text for text in ENUMERATIONS["Alignment"]
-                    if text != "Principal Curvature" or n in (2, 4)]
-        degree.SetUncheckedElement(0, n)
-        assert field.GetProperty("Alignment").Available == expected, n
-        degree.ClearUncheckedElements()
-        field.Degree = n
-        assert field.GetProperty("Alignment").Available == expected, n
+    field.Degree = 2
     field.Alignment = "Principal Curvature"
-    assert field.SMProxy.GetProperty("Alignment").GetElement(0) == 1
-    field.Alignment = "None"
-    field.Degree = 6
+    for n in (3, 4):
+        field.Degree = n
+        assert field.Alignment == "Principal Curvature", n
+    field.Degree = 3
+    messages = []
+
+    def hear(source, event, message):
+        messages.append(message)
+    hear.CallDataType = "string0"
+    # Both tell of the error, and are silent where somebody listens.
+    field.GetClientSideObject().AddObserver("ErrorEvent", hear)
+    field.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", hear)
+    field.UpdatePipeline()
+    text = "\n".join(messages)
+    assert "Set Directions per point (Degree) to 2 or 4" in text, text
     try:
-        field.Alignment = "Principal Curvature"
-    except ValueError:
-        pass
+        field.Alignment = "Curvature"
+    except ValueError as problem:
+        assert "Curvature" in str(problem), problem
     else:
-        raise AssertionError("Degree 6 took the principal curvature.")
-    field.Alignment = "Point Vectors"
-    assert field.SMProxy.GetProperty("Alignment").GetElement(0) == 2
+        raise AssertionError("There is no such alignment.")
     Delete(field)
 
 
 def is_true(element, values):
-    """Whether a decorator, or an expression of them, lets a property be shown."""
+    """Whether a decorator, or an expression of them, lets a property be shown or used."""
     children = [element.GetNestedElement(i) for i in range(element.GetNumberOfNestedElements())]
     if element.GetName() == "Expression":
         combine = {"and": all, "or": any}[element.GetAttribute("type")]
@@ -115,23 +118,56 @@ def is_true(element, values):
         assert len(children) == 1
         return is_true(children[0], values)
     assert element.GetAttribute("type") == "GenericDecorator"
-    assert element.GetAttribute("mode") == "visibility"
+    assert element.GetAttribute("mode") in ("visibility", "enabled_state")
     several = element.GetAttribute("values")
     allowed = several.split() if several else [element.GetAttribute("value")]
     return str(values[element.GetAttribute("property")]) in allowed
 
 
-def shown(field, **values):
-    """The properties, other than those that always are, that the panel shows."""
+def used(field, **values):
+    """The properties, other than those that always are, that the panel shows or lets be used."""
     names = [name for name in field.ListProperties() if name != "Input"]
     values = {**{name: field.SMProxy.GetProperty(name).GetElement(0) for name in names}, **values}
     result = set()
     for name in names:
         hints = field.SMProxy.GetProperty(name).GetHints()
-        if hints and all(is_true(hints.GetNestedElement(i), values)
-                         for i in range(hints.GetNumberOfNestedElements())):
+        elements = [hints.GetNestedElement(i) for i in range(hints.GetNumberOfNestedElements())
+                    ] if hints else []
+        decorators = [element for element in elements if element.GetName() != "Row"]
+        if decorators and all(is_true(decorator, values) for decorator in decorators):
             result.add(name)
     return result
+
+
+def test_rows():
+    """What appears or disappears with a property stands below it, so that nothing moves under the
+    mouse."""
+    field = DirectionField(Input=Sphere())
+    order = []
+    for i in range(field.SMProxy.GetNumberOfPropertyGroups()):
+        group = field.SMProxy.GetPropertyGroup(i)
+        order += [group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
+
+    def switches(element):
+        own = [element.GetAttribute("property")] if element.GetAttribute("property") else []
+        return own + sum((switches(element.GetNestedElement(i))
+                          for i in range(element.GetNumberOfNestedElements())), [])
+
+    def is_hidden_by(element):
+        return (element.GetAttribute("mode") == "visibility" or any(
+            is_hidden_by(element.GetNestedElement(i))
+            for i in range(element.GetNumberOfNestedElements())))
+    moving = 0
+    for name in order:
+        hints = field.SMProxy.GetProperty(name).GetHints()
+        for i in range(hints.GetNumberOfNestedElements() if hints else 0):
+            decorator = hints.GetNestedElement(i)
+            if decorator.GetName() == "PropertyWidgetDecorator" and is_hidden_by(decorator):
+                moving += 1
+                for switch in set(switches(decorator)) & set(order):
+                    assert order.index(switch) < order.index(name), (switch, name)
+    assert moving >= 6, moving
+    Delete(field)
 
 
 def test_panel():
@@ -142,10 +178,8 @@ def test_panel():
         group = field.SMProxy.GetPropertyGroup(i)
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
-    assert list(groups) == ["Alignment", "Constraints"], groups
-    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "MergePoints",
-               "Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
-               "IntrinsicDelaunay", "Input"}
+    assert list(groups) == ["Alignment", "Guidance", "Constraints", "Mesh", "Solver"], groups
+    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}
@@ -173,7 +207,7 @@ def test_panel():
              curvature | scale | consistency | solver | {"CurvatureDirection"}),
             # Constraints of another degree are an error, which the user must be able to switch off.
             ({"ConstrainCurvature": 1, "Degree": 6}, curvature | scale | consistency | solver)):
-        assert shown(field, **settings) == expected, (settings, shown(field, **settings))
+        assert used(field, **settings) == expected, (settings, used(field, **settings))
     Delete(field)
 
 
@@ -233,6 +267,7 @@ def test_field(degree):
 test_properties()
 test_alignments_of_degrees()
 test_panel()
+test_rows()
 test_menu_and_ports()
 for n in (1, 2, 4, 6):
     test_field(n)

@@ -51,7 +51,7 @@ def client(port):
     import directionfields
     shown = directionfields.show(simple.Sphere(ThetaResolution=24, PhiResolution=16))
     caption = servermanager.Fetch(shown.caption).GetColumn(0).GetValue(0)
-    assert caption.startswith("8 positive"), caption
+    assert caption.startswith("8 singularities (8 +, 0 -), index sum 8"), caption
 
 
 if len(sys.argv) == 4:

@@ -35,6 +35,7 @@ def picture_of(view, name):
 
 
 def test_errors():
+    assert directionfields.show_active() is None
     fails(ValueError, "no mesh", None)
     fails(TypeError, "not int", 7)
     fails(ValueError, "1 to 16", simple.Sphere(), degree=0)
@@ -66,7 +67,7 @@ def test_file():
     assert spheres.Representation == "3D Glyphs"
     assert spheres.GlyphType.GetXMLName() == "SphereSource"
     assert (spheres.Scaling, spheres.ScaleMode, spheres.SelectScaleArray) == (
-        1, "Magnitude", "SingularityIndex")
+        1, "Magnitude", "Size")
     lookup = spheres.LookupTable.GetClientSideObject()
     for index in range(1, 4):
         assert red(*color_of(lookup, index)), index
@@ -119,22 +120,55 @@ def test_options():
     again.caption.UpdatePipeline()
     text = servermanager.Fetch(again.caption).GetColumn(0).GetValue(0)
     count = servermanager.Fetch(field, idx=1).GetNumberOfPoints()
-    assert text.startswith(f"{count} positive, 0 negative"), text
+    assert text.startswith(f"{count} singularities ({count} +, 0 -), index sum 12"), text
     fails(TypeError, "does not change", field, EnergyBias=1.0)
 
 
-def test_macro():
-    """The macro does what show() does, for the active source."""
-    path = directionfields.install_macro(os.path.join(output, "Macros"))
-    assert os.path.basename(path) == "Show direction field.py"
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    assert repr(plugin) in text, text
-    simple.SetActiveSource(simple.Sphere())
-    exec(compile(text, path, "exec"), {})
+def visible(view):
+    """The names of what a view shows, annotations and legends included."""
+    names = []
+    for display in view.Representations:
+        if display.Visibility:
+            source = display.Input if display.GetProperty("Input") is not None else None
+            names.append(source.GetXMLName() if source is not None else display.GetXMLName())
+    return sorted(names)
+
+
+def test_active():
+    """show_active() finds the field of whatever is selected, shows it once, and hides what it
+    replaces."""
+    view = simple.CreateView("RenderView")
+    sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    simple.Show(sphere, view)
+    camera = view.CameraPosition = [1.0, 2.0, 3.0]
+    simple.SetActiveSource(sphere)
+    first = directionfields.show_active()
     assert simple.GetActiveSource().GetXMLName() == "DirectionField"
-    spheres = simple.GetRepresentation(simple.OutputPort(simple.GetActiveSource(), 1))
-    assert spheres.Representation == "3D Glyphs"
+    assert list(view.CameraPosition) == camera
+    count, once = len(simple.GetSources()), visible(view)
+    assert "SphereSource" not in once and len(once) == 5, once
+    first.field.Degree = 2
+    for source in (sphere, first.field, first.glyphs, first.surface, first.caption,
+                   simple.OutputPort(first.field, 1)):
+        simple.SetActiveSource(source)
+        again = directionfields.show_active()
+        assert again.field.SMProxy is first.field.SMProxy and again.field.Degree == 2
+        assert (len(simple.GetSources()), visible(view)) == (count, once), visible(view)
+
+    # Another field of the same mesh replaces the picture, another view has one of its own.
+    other = directionfields.show(sphere, 6, view)
+    assert visible(view) == once, visible(view)
+    assert simple.GetRepresentation(other.glyphs, view).Visibility == 1
+    assert simple.GetRepresentation(first.glyphs, view).Visibility == 0
+    beside = simple.CreateView("RenderView")
+    directionfields.show(sphere, 1, beside)
+    assert visible(view) == visible(beside) == once, (visible(view), visible(beside))
+
+    # Warnings are in the picture.
+    other.field.ConstrainBoundary = 1
+    other.field.GetClientSideObject().AddObserver("WarningEvent", lambda *_: None)
+    lines = servermanager.Fetch(other.caption).GetColumn(0).GetValue(0).split("\n")
+    assert len(lines) == 2 and lines[1].startswith("Warning: Turn Constrain Boundary off"), lines
     simple.ResetSession()
 
 
@@ -159,6 +193,6 @@ def test_state():
 test_errors()
 test_file()
 test_options()
-test_macro()
+test_active()
 test_state()
 print("passed")

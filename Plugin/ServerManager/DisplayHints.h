@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the hints of a filter say of how its output looks; see vtkSMDirectionFieldDisplay.
+ */
+
+#ifndef DisplayHints_h
+#define DisplayHints_h
+
+#include <functional>
+#include <string>
+
+class vtkPVXMLElement;
+class vtkSMProxy;
+
+namespace display_hints
+{
+/// Calls `visit` with the nested elements of a name.
+void ForNested(vtkPVXMLElement* element, const std::string& name,
+  const std::function<void(vtkPVXMLElement*)>& visit);
+
+/// Calls `visit` with the elements DirectionFieldDisplay for the output that a display shows.
+void ForDisplay(vtkSMProxy* display, const std::function<void(vtkPVXMLElement*)>& visit);
+
+/// Gives a proxy the properties that an element names, those for which `isFree` is true. Other
+/// versions of ParaView may lack one; what is shown looks a little different then.
+void SetProperties(vtkSMProxy* proxy, vtkPVXMLElement* element,
+  const std::function<bool(const std::string&)>& isFree);
+}
+
+#endif
