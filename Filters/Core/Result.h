@@ -23,6 +23,9 @@ struct ComponentReport
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
   /// rounding, relative to 1e-7 ||A||u||, or 0 if it is no more than rounding.
   double Residual = 0.0;
+  /// What Residual has to be: Options::Tolerance, or less where other eigenvalues are so near that it takes less to
+  /// tell the smallest one from them.
+  double RequiredResidual = 0.0;
   /// Solves with the factored matrix, or V-cycles after the nested iteration; 0 where that was
   /// enough or the component small enough for a dense solver.
   int Iterations = 0;
@@ -56,7 +59,7 @@ struct ComponentReport
   Index Constraints = 0;
   /// The component has no boundary and no ghosts.
   bool Closed = false;
-  /// Residual <= Options::Tolerance, and SystemResidual <= that or 1e-8.
+  /// Residual <= RequiredResidual, and SystemResidual <= Options::Tolerance or 1e-8.
   bool Converged = false;
 };
 

@@ -81,11 +81,13 @@ std::string DescribeUnsolvedSystems(const Result& field, const Options& options)
 std::string DescribeUnsolvedEigenvalues(const Result& field, const Options& options)
 {
   Unsolved eigenpairs;
+  double required = options.Tolerance;
   bool exhausted = false;
   for (const ComponentReport& component : field.Components)
   {
-    if (component.Residual > options.Tolerance)
+    if (component.Residual > component.RequiredResidual)
     {
+      required = std::min(required, component.RequiredResidual);
       eigenpairs.Add(component.Residual);
       exhausted = exhausted || component.Iterations >= options.MaximumIterations;
     }
@@ -109,7 +111,7 @@ std::string DescribeUnsolvedEigenvalues(const Result& field, const Options& opti
   }
   text << ": the field of " << eigenpairs.Number << " of " << field.Components.size()
        << " connected components has not converged, the residual is " << eigenpairs.WorstResidual
-       << ", not " << options.Tolerance << '.';
+       << ", not " << required << '.';
   return text.str();
 }
 }

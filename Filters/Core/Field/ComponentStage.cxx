@@ -233,9 +233,9 @@ ComplexVector ComponentStage::Finish(
   const Eigenpair& smoothest = this->Smoothest.First;
   report.Eigenvalue = PerSquare(smoothest.Value, this->Unit);
   report.Residual = smoothest.Residual;
+  report.RequiredResidual = smoothest.RequiredResidual;
   report.Iterations = smoothest.Iterations;
-  report.Converged =
-    smoothest.Residual <= options.Tolerance && report.SystemResidual <= SystemTolerance(options);
+  report.Converged = HasConverged(smoothest) && report.SystemResidual <= SystemTolerance(options);
   if (size > 0.0)
   {
     const double factor = std::sqrt(area / size);

@@ -36,8 +36,7 @@ SmallestPairs FindSmallestPairs(const Operators& operators,
     pairs.First =
       SolveByJacobiDavidson(operators, *pairs.Hierarchy, limited, progress, pairs.Lowest);
     pairs.SolverUsed = Solver::Multigrid;
-    if (pairs.First.Residual <= settings.Tolerance ||
-      (!automatic && std::isfinite(pairs.First.Residual)))
+    if (HasConverged(pairs.First) || (!automatic && std::isfinite(pairs.First.Residual)))
     {
       return pairs;
     }

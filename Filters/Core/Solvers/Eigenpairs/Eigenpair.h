@@ -19,19 +19,26 @@ struct Eigenpair
   ComplexVector Vector;
   /// RelativeResidual of the pair.
   double Residual = 0.0;
+  /// Up to this residual the pair counts as the smallest one: the tolerance, or less where other eigenvalues are so
+  /// near that it takes less to tell the smallest one from them.
+  double RequiredResidual = 0.0;
   /// Solves with the factor, or V-cycles; 0 where the dense solver was used.
   int Iterations = 0;
 };
 
 struct EigenpairSettings
 {
-  /// Largest residual of a converged pair.
+  /// Largest residual of a converged pair. No eigenvalue is below that of such a pair by more than this part of
+  /// it and of NextToNothing: the direct solver proves it where a residual of this size does not tell.
   double Tolerance = 1e-6;
   /// The pair is returned as it is after this many solves.
   int MaximumIterations = 200;
   /// The order of magnitude of the smallest eigenvalue of a typical surface. A shift by a small
   /// part of it makes the matrix definite where the smallest eigenvalue is 0.
   double Scale = 1.0;
+  /// Far enough from a smallest eigenvalue 0 for a factorization, too near to blur small eigenvalues that lie
+  /// close together.
+  double NextToNothing() const { return 1e-5 * this->Scale; }
   /// Ends the iteration where another solver takes less work; null for no limit.
   const WorkLimit* Limit = nullptr;
 };
@@ -39,6 +46,11 @@ struct EigenpairSettings
 /// The part of the work, 0 to 1, that this number of solves is likely to be: convergence takes 10 to 20 of
 /// them as a rule, yet may take many more.
 double FractionDone(int solves);
+
+inline bool HasConverged(const Eigenpair& pair)
+{
+  return pair.Residual <= pair.RequiredResidual;
+}
 
 /// Counts the solves of an iteration and tells its caller how far it is.
 class SolveCounter

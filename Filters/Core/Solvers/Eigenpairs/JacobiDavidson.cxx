@@ -30,16 +30,23 @@ constexpr double InnerReduction = 0.001;
 constexpr double InnerPart = 0.1;
 /// How far it goes where all steps are kept: that space gains by each of them, so many short steps pay.
 constexpr double InnerReductionInSpace = 0.2;
-constexpr int MostInnerSteps = 40;
+constexpr int MostInnerSteps = 8;
+constexpr int MostInnerStepsInSpace = 6;
 /// How far the last step goes, in parts of the tolerance: the residual of the pair is a little larger
 /// than that of the equation.
 constexpr double Margin = 0.9;
-/// A step that does not reduce the residual by this factor is slow. FewSlowSteps of them in a row, or a
-/// matrix that is not positive definite, show that other eigenvalues are near: from there on all steps are
-/// kept. The iteration has stalled where slow steps in a row have taken MostSlowCycles V-cycles.
+/// A step that does not reduce the residual by this factor is slow, unless it halves the value, as where the
+/// smallest one is 0. FewSlowSteps of them in a row, or a matrix that is not positive definite, show that other
+/// eigenvalues are near: from there on all steps are kept. So does a step of MostInnerSteps that does not reach
+/// ReductionOfLongStep. The iteration has stalled where slow steps in a row have taken MostSlowCycles V-cycles.
 constexpr double SlowReduction = 0.7;
+constexpr double ReductionOfLongStep = 0.2;
 constexpr int FewSlowSteps = 2;
 constexpr int MostSlowCycles = 100;
+/// The iteration goes on to this residual though a larger one be allowed, and to that of many close eigenvalues
+/// where all steps are kept: mixtures of sections, and others than the smallest, leave residuals above.
+constexpr double TellingResidual = 1e-3;
+constexpr double TellingResidualInSpace = 1e-5;
 /// The work of a step besides its cycles (see WorkLimit), by the row: with the space of all steps for each of
 /// its sections.
 constexpr double StepWork = 250.0;
@@ -235,6 +242,7 @@ public:
       SetFirst(this->Best.Vector, this->Block.Vectors);
       this->Values[0] = this->Best.Value;
     }
+    this->Best.RequiredResidual = this->RequiredResidual();
     this->Best.Iterations = this->Cycles.GetCount();
     return std::move(this->Best);
   }
@@ -282,14 +290,15 @@ private:
   /// stalled or used up its V-cycles.
   bool IsDone()
   {
-    if (this->Relative < SlowReduction * this->Best.Residual)
+    const double reduction = this->IsLong ? ReductionOfLongStep : SlowReduction;
+    if (this->Relative < reduction * this->Best.Residual || this->Value < 0.5 * this->Best.Value)
     {
       this->Slow = 0;
       this->GoodCycles = this->Cycles.GetCount();
     }
     else
     {
-      ++this->Slow;
+      this->Slow += this->IsLong ? FewSlowSteps : 1;
     }
     if (this->Relative < this->Best.Residual)
     {
@@ -297,7 +306,7 @@ private:
       Copy(this->U.Vector, this->Best.Vector);
       this->Best.Residual = this->Relative;
     }
-    return this->Best.Residual <= this->Settings.Tolerance || this->CyclesLeft() <= 0 ||
+    return this->Best.Residual <= this->RequiredResidual() || this->CyclesLeft() <= 0 ||
       this->Cycles.GetCount() - this->GoodCycles >= MostSlowCycles || this->IsTooMuchWork();
   }
 
@@ -316,7 +325,13 @@ private:
       1;
     return !this->Settings.Limit->Allows(work,
       RemainingWork(
-        work - half->Work, half->Residual, this->Best.Residual, this->Settings.Tolerance));
+        work - half->Work, half->Residual, this->Best.Residual, this->RequiredResidual()));
+  }
+
+  double RequiredResidual() const
+  {
+    return std::min(
+      this->Settings.Tolerance, this->Space ? TellingResidualInSpace : TellingResidual);
   }
 
   int CyclesLeft() const { return this->Settings.MaximumIterations - this->Cycles.GetCount(); }
@@ -328,13 +343,15 @@ private:
     const double reduction = std::max(this->Space
         ? InnerReductionInSpace
         : std::clamp(InnerPart * this->Relative / this->Before, InnerReduction, InnerPart),
-      Margin * this->Settings.Tolerance / this->Relative);
+      Margin * this->RequiredResidual() / this->Relative);
     this->Before = this->Relative;
     this->Cycles.Spend(
       this->Block.Rows() * (StepWork + (this->Space ? SpaceWork * this->Space->Size() : 0.0)));
+    const int mostSteps = this->Space ? MostInnerStepsInSpace : MostInnerSteps;
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = this->Gradients.Solve(this->Residual, -this->Value,
-      reduction, std::min(this->CyclesLeft(), MostInnerSteps), this->Cycles, correction);
+      reduction, std::min(this->CyclesLeft(), mostSteps), this->Cycles, correction);
+    this->IsLong = !this->Space && outcome.Steps >= MostInnerSteps;
     if (!this->Space && (outcome.Indefinite || this->Slow >= FewSlowSteps))
     {
       this->BeginSpace();
@@ -412,6 +429,8 @@ private:
   SectionProducts Last;
   /// The number of slow steps in a row, and the V-cycles done before the first of them.
   int Slow = 0;
+  /// The last step took as many V-cycles as a step may.
+  bool IsLong = false;
   int GoodCycles = 0;
   /// The space of all steps, where u and the last one do not suffice.
   std::optional<RitzSpace> Space;

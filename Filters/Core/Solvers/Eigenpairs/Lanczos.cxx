@@ -28,9 +28,12 @@ constexpr int FewestSolves = 6;
 /// are small at once.
 constexpr double MostRise = 0.1;
 constexpr double LoosestTolerance = 1e-3;
-/// The shift below zero, relative to the scale of the eigenvalues: far enough from a smallest
-/// eigenvalue 0 for the factorization, too near to blur small eigenvalues that lie close together.
-constexpr double RelativeShift = 1e-5;
+/// A residual up to this is not reached before the smallest pair has come out, unless the shift hides it.
+constexpr double TellingResidual = 1e-5;
+/// By how much less the residual has to be where that of another pair has passed for the smallest one's.
+constexpr double Tightening = 0.1;
+/// The rounding errors of a factorization, relative to u^* diag(A) u.
+constexpr double Rounding = 1e-14;
 
 double RayleighQuotient(const ComplexVector& u, const ComplexVector& au, const ComplexVector& mu)
 {
@@ -184,30 +187,50 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
   pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);
 }
 
-/// Factors A plus the smallest multiple of M that makes it definite. Throws std::runtime_error, and Stopped.
-void FactorShifted(const SparseMatrix& energy, const SparseMatrix& mass, double scale,
-  const Progress& progress, Factorization& factor)
+/// Factors A plus the smallest multiple of M that makes it definite, at least NextToNothing, which is returned.
+/// Throws std::runtime_error, and Stopped.
+double FactorShifted(const SparseMatrix& energy, const SparseMatrix& mass,
+  const EigenpairSettings& settings, const Progress& progress, Factorization& factor)
 {
-  double shift = RelativeShift * scale;
+  double shift = settings.NextToNothing();
   while (!factor.Compute(energy + shift * mass, progress))
   {
     shift *= 100.0;
-    if (shift > 1e3 * scale)
+    if (shift > 1e3 * settings.Scale)
     {
       throw std::runtime_error("The energy matrix could not be factored: the mesh has triangles "
                                "of too different sizes or shapes. Remesh it more evenly.");
     }
   }
+  return shift;
+}
+
+/// Whether no eigenvalue is below that of the pair by more than the settings let it. By Sylvester's law of inertia
+/// A - x M is positive definite if and only if x is below all of them.
+/// @param shift with which A could be factored
+bool IsSmallest(const SparseMatrix& energy, const SparseMatrix& mass, const Eigenpair& pair,
+  const EigenpairSettings& settings, double shift, const Progress& progress)
+{
+  // Where a larger shift than wanted was necessary, rounding hides eigenvalues of that size.
+  const double hidden = shift - settings.NextToNothing() +
+    Rounding * (energy.diagonal().real().array() * pair.Vector.array().abs2()).sum();
+  const double below =
+    pair.Value - settings.Tolerance * (pair.Value + settings.NextToNothing()) - hidden;
+  // A has no eigenvalue below zero.
+  return below <= 0.0 || Factorization().Compute(energy - below * mass, progress);
 }
 
 /// Expands a Krylov space until its best pair has converged.
-Eigenpair Iterate(const Factorization& factor, const SparseMatrix& energy, const SparseMatrix& mass,
-  const ComplexVector& start, const EigenpairSettings& settings, const Progress& progress)
+Eigenpair Iterate(const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start,
+  const EigenpairSettings& settings, const Progress& progress)
 {
+  Factorization factor;
+  const double shift = FactorShifted(energy, mass, settings, progress, factor);
   KrylovSpace space(factor, mass, start);
   Eigenpair best;
   best.Residual = std::numeric_limits<double>::infinity();
   Eigenpair candidate;
+  double required = settings.Tolerance;
   // A space of all dimensions does not grow.
   const int mostSolves = energy.rows() > KrylovDimension
     ? settings.MaximumIterations
@@ -225,12 +248,23 @@ Eigenpair Iterate(const Factorization& factor, const SparseMatrix& energy, const
     }
     // The start can hide the smallest pair behind the next one for some steps, and where lambda = 0
     // on very thin triangles a small residual comes before a good vector.
-    if (best.Residual <= settings.Tolerance && solves >= FewestSolves &&
-      space.Rise() <= MostRise * std::min(settings.Tolerance, LoosestTolerance))
+    if (best.Residual <= required && solves >= FewestSolves &&
+      space.Rise() <= MostRise * std::min(required, LoosestTolerance))
     {
-      break;
+      const bool tells = required <= TellingResidual && required == settings.Tolerance &&
+        best.Value >= settings.NextToNothing();
+      if (tells || IsSmallest(energy, mass, best, settings, shift, progress))
+      {
+        break;
+      }
+      required = Tightening * std::min(required, best.Residual);
+      if (solves < mostSolves)
+      {
+        best.Residual = std::numeric_limits<double>::infinity();
+      }
     }
   }
+  best.RequiredResidual = required;
   best.Iterations = candidate.Iterations;
   return best;
 }
@@ -244,14 +278,13 @@ Eigenpair SolveByLanczos(const SparseMatrix& energy, const SparseMatrix& mass,
   {
     Eigenpair pair = DenseEigenpair(energy, mass, start);
     Measure(energy, mass, pair);
+    pair.RequiredResidual = settings.Tolerance;
     if (pair.Residual <= settings.Tolerance || energy.rows() < 3)
     {
       return pair;
     }
     // The dense solver is accurate to the largest eigenvalue, which may be too far from the smallest.
   }
-  Factorization factor;
-  FactorShifted(energy, mass, settings.Scale, progress, factor);
-  return Iterate(factor, energy, mass, start, settings, progress);
+  return Iterate(energy, mass, start, settings, progress);
 }
 }

@@ -78,19 +78,68 @@ TEST(JacobiDavidson, TakesFewCyclesWhateverTheMeshAndTheDegree)
   }
 }
 
-/// Where the surface is round, eigenvalues agree in pairs, which takes up to 121.
 TEST(JacobiDavidson, TakesFewCyclesForStronglyBiasedEnergies)
 {
   for (const auto& [name, surface] : Cases())
   {
     for (const double bias : { -0.9, 0.9 })
     {
-      const bool round = name == "torus" || name == "hemisphere";
       const Eigenpair pair = ByMultigrid(System(surface, 6, bias));
       EXPECT_LE(pair.Residual, 1e-6) << name << ", " << bias;
-      EXPECT_LE(pair.Iterations, round ? 130 : 45) << name << ", " << bias;
+      EXPECT_LE(pair.Iterations, 45) << name << ", " << bias;
     }
   }
+}
+
+/// Mixtures of the many sections with small values, and sections of others, pass for that of the smallest value if
+/// a residual of the tolerance is all that is asked for.
+TEST(JacobiDavidson, FindsTheSmallestPairAtLooseTolerances)
+{
+  for (const Surface& surface : { Potato(4), Square(60) })
+  {
+    for (const double noise : { 1.0, 3.0 })
+    {
+      for (const int degree : { 2, 6 })
+      {
+        for (const double bias : { -1.0, 0.0, 1.0 })
+        {
+          const System system(Roughened(surface, noise, 1), degree, bias);
+          const double exact = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
+            RandomVector(system.Matrices.Energy.rows(), 5), Settings(system))
+                                 .Value;
+          const Hierarchy hierarchy(system.Matrices, system.Scale);
+          for (const double tolerance : { 1e-3, 1e-2, 0.1 })
+          {
+            EigenpairSettings settings = Settings(system);
+            settings.Tolerance = tolerance;
+            LowestSections lowest;
+            const Eigenpair pair =
+              SolveByJacobiDavidson(system.Matrices, hierarchy, settings, {}, lowest);
+            EXPECT_TRUE(HasConverged(pair));
+            EXPECT_LE(pair.Value, (1.0 + tolerance) * exact)
+              << noise << ", " << degree << ", " << bias << ", " << tolerance;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// On a round sphere 17 eigenvalues are nearly the same.
+TEST(JacobiDavidson, AsksForASmallerResidualWhereEigenvaluesAreClose)
+{
+  const System system(Icosphere(4), 8, 0.0);
+  const Hierarchy hierarchy(system.Matrices, system.Scale);
+  EigenpairSettings settings = Settings(system);
+  settings.Tolerance = 0.1;
+  LowestSections lowest;
+  const Eigenpair pair = SolveByJacobiDavidson(system.Matrices, hierarchy, settings, {}, lowest);
+  EXPECT_TRUE(HasConverged(pair));
+  EXPECT_LE(pair.RequiredResidual, 1e-5);
+  settings.MaximumIterations = pair.Iterations / 2;
+  const Eigenpair early = SolveByJacobiDavidson(system.Matrices, hierarchy, settings, {}, lowest);
+  EXPECT_LE(early.Residual, settings.Tolerance);
+  EXPECT_FALSE(HasConverged(early));
 }
 
 /// The smallest sections are concentrated on few triangles each, at places that only their values tell.

@@ -24,6 +24,23 @@ Eigen::VectorXd DenseEigenvalues(const Operators& o)
     .eigenvalues();
 }
 
+/// So many quads in a row, of length 1.
+Surface Strip(Index quads, double width)
+{
+  Surface strip;
+  for (Index i = 0; i <= quads; ++i)
+  {
+    strip.Points.emplace_back(i, 0.0, 0.0);
+    strip.Points.emplace_back(i, width, 0.0);
+  }
+  for (Index a = 0; a < 2 * quads; a += 2)
+  {
+    strip.Triangles.push_back({ a, a + 2, a + 3 });
+    strip.Triangles.push_back({ a, a + 3, a + 1 });
+  }
+  return strip;
+}
+
 bool PositiveDefinite(const SparseMatrix& m)
 {
   const Eigen::SimplicialLDLT<SparseMatrix> solver(m);
@@ -59,18 +76,7 @@ TEST(Lanczos, EqualsTheDenseSolver)
 /// that a loose tolerance lets pass.
 TEST(Lanczos, FindsTheSmallestPairOfAStripAtLooseTolerances)
 {
-  Surface strip;
-  constexpr Index quads = 3000;
-  for (Index i = 0; i <= quads; ++i)
-  {
-    strip.Points.emplace_back(i, 0.0, 0.0);
-    strip.Points.emplace_back(i, 1.0, 0.0);
-  }
-  for (Index a = 0; a < 2 * quads; a += 2)
-  {
-    strip.Triangles.push_back({ a, a + 2, a + 3 });
-    strip.Triangles.push_back({ a, a + 3, a + 1 });
-  }
+  const Surface strip = Strip(3000, 1.0);
   for (const int degree : { 2, 4, 6 })
   {
     for (const double bias : { -0.9, 0.0, 0.9 })
@@ -89,6 +95,66 @@ TEST(Lanczos, FindsTheSmallestPairOfAStripAtLooseTolerances)
           << degree << ", " << bias << ", " << tolerance;
       }
     }
+  }
+}
+
+/// The energies of bias 1 and -1 have hundreds of eigenvalues next to nothing there.
+TEST(Lanczos, LeavesNoEigenvalueBelowWhatTheTolerancePromises)
+{
+  for (const double width : { 0.1, 1.0 })
+  {
+    for (const int degree : { 1, 4, 6 })
+    {
+      for (const double bias : { -1.0, 1.0 })
+      {
+        const System system(Strip(3000, width), degree, bias);
+        for (const double tolerance : { 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1 })
+        {
+          EigenpairSettings settings;
+          settings.Scale = system.Scale;
+          settings.Tolerance = tolerance;
+          const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
+            RandomVector(system.Matrices.Energy.rows(), 2), settings);
+          EXPECT_TRUE(HasConverged(pair)) << degree << ", " << bias << ", " << tolerance;
+          // The second term is what rounding hides.
+          const double below = pair.Value - 1.5 * tolerance * (pair.Value + 1e-5 * system.Scale) -
+            1.5e-14 *
+              (system.Matrices.Energy.diagonal().real().array() * pair.Vector.array().abs2()).sum();
+          EXPECT_TRUE(
+            below <= 0.0 || PositiveDefinite(system.Matrices.Energy - below * system.Matrices.Mass))
+            << width << ", " << degree << ", " << bias << ", " << tolerance;
+        }
+      }
+    }
+  }
+}
+
+/// At a loose tolerance the second pair passes for the smallest one, if the start is hardly anything else.
+TEST(Lanczos, DoubtsThePairOfAPoorStart)
+{
+  const System system(Potato(3), 4, 0.0);
+  const SparseMatrix& a = system.Matrices.Energy;
+  const SparseMatrix& m = system.Matrices.Mass;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> dense{ Eigen::MatrixXcd(a),
+    Eigen::MatrixXcd(m) };
+  const Eigen::VectorXd& values = dense.eigenvalues();
+  for (const double tolerance : { 1e-4, 1e-3, 1e-2 })
+  {
+    EXPECT_GT(values[1], (1.0 + 2.0 * tolerance) * values[0]) << "the promise tells them apart";
+    EigenpairSettings settings;
+    settings.Tolerance = tolerance;
+    settings.Scale = system.Scale;
+    const ComplexVector start = dense.eigenvectors().col(1) + 1e-9 * dense.eigenvectors().col(0);
+    const Eigenpair pair = SolveByLanczos(a, m, start, settings);
+    EXPECT_TRUE(HasConverged(pair));
+    EXPECT_LT(pair.RequiredResidual, tolerance);
+    EXPECT_LE(pair.Value, (1.0 + tolerance) * values[0] + tolerance * settings.NextToNothing());
+    // Without the solves that it takes to find the smallest one, it says so.
+    settings.MaximumIterations = pair.Iterations - 1;
+    EXPECT_FALSE(HasConverged(SolveByLanczos(a, m, start, settings)));
+    // A start that has all of them in it needs no second look.
+    EXPECT_EQ(
+      SolveByLanczos(a, m, RandomVector(a.rows(), 3), settings).RequiredResidual, tolerance);
   }
 }
 
