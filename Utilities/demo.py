@@ -181,6 +181,11 @@ def main():
     print(f"Wrote {image}")
     if not agree:
         stop("the singularity indices do not sum up to the Euler characteristic.")
+    print(f"""
+To see it in ParaView's window:
+  1. Tools > Manage Plugins > Load New..., choose {os.path.abspath(plugin)}
+  2. File > Open, choose {os.path.abspath(path)}, and press Apply
+  3. Tools > Show direction field""")
 
 
 main()
