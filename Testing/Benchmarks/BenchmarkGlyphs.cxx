@@ -89,8 +89,14 @@ void Glyphs(benchmark::State& state)
   filter->SetMaximumNumberOfGlyphs(static_cast<int>(state.range(1)));
   filter->SetGlyphType(static_cast<int>(state.range(2)));
   filter->SetGlyphMode(static_cast<int>(state.range(3)));
+  const bool keep = state.range(4) != 0;
+  filter->Update();
   for (auto _ : state)
   {
+    if (!keep)
+    {
+      filter->ReleaseSurfaces();
+    }
     filter->Modified();
     filter->Update();
   }
@@ -133,13 +139,15 @@ void Glyph3D(benchmark::State& state)
 }
 }
 
-// Points along each circle, most glyphs, type, mode.
+// Points along each circle, most glyphs, type, mode, and whether the places of the run before are kept.
 BENCHMARK(Glyphs)
-  ->Args({ 1000, 20000, 0, 0 })
-  ->Args({ 1000, 20000, 4, 0 })
-  ->Args({ 1000, 2000, 0, 0 })
-  ->Args({ 1000, 20000, 0, 1 })
-  ->Args({ 500, 20000, 0, 0 })
+  ->Args({ 1000, 20000, 0, 0, 0 })
+  ->Args({ 1000, 20000, 0, 0, 1 })
+  ->Args({ 1000, 20000, 4, 0, 0 })
+  ->Args({ 1000, 2000, 0, 0, 0 })
+  ->Args({ 1000, 2000, 0, 0, 1 })
+  ->Args({ 1000, 20000, 0, 1, 0 })
+  ->Args({ 500, 20000, 0, 0, 0 })
   ->Unit(benchmark::kMillisecond);
 BENCHMARK(PointNormals)->Args({ 1000 })->Unit(benchmark::kMillisecond);
 BENCHMARK(Glyph3D)->Args({ 1000, 20000 })->Unit(benchmark::kMillisecond);

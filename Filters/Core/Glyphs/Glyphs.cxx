@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -238,64 +240,105 @@ private:
   const std::vector<signed char>* Outward = nullptr;
 };
 
-template <typename T>
-void Append(std::vector<T>& all, const std::vector<T>& more)
+/// How much there is of what glyphs consist of.
+struct Sizes
 {
-  all.insert(all.end(), more.begin(), more.end());
+  std::size_t Places = 0;
+  std::size_t Points = 0;
+  std::size_t Cells = 0;
+  std::size_t Corners = 0;
+
+  void Add(const Glyphs& glyphs)
+  {
+    this->Places += glyphs.Point.size();
+    this->Points += glyphs.Mesh.Points.size();
+    this->Cells += glyphs.Mesh.Glyph.size();
+    this->Corners += glyphs.Mesh.Connectivity.size();
+  }
+};
+
+/// Makes room for glyphs.
+void Resize(const Sizes& sizes, Glyphs& glyphs)
+{
+  glyphs.Point.resize(sizes.Places);
+  glyphs.Magnitude.resize(sizes.Places);
+  glyphs.Direction.resize(sizes.Places * glyphs.Degree);
+  glyphs.Mesh.Points.resize(sizes.Points);
+  glyphs.Mesh.Normals.resize(sizes.Points);
+  glyphs.Mesh.Glyph.resize(sizes.Cells);
+  glyphs.Mesh.Branch.resize(sizes.Cells);
+  glyphs.Mesh.Offsets.resize(sizes.Cells + 1);
+  glyphs.Mesh.Connectivity.resize(sizes.Corners);
 }
 
-/// Appends glyphs, which get the next numbers.
-void Append(Glyphs& all, const Glyphs& more)
+/// Copies some of the glyphs to where they begin; they get the numbers that follow those before.
+void Place(const Glyphs& part, const Sizes& begin, Glyphs& all)
 {
-  const auto glyphs = static_cast<Index>(all.Point.size());
-  const auto points = static_cast<std::int64_t>(all.Mesh.Points.size());
-  const auto corners = static_cast<std::int64_t>(all.Mesh.Connectivity.size());
-  all.Mesh.AreLines = more.Mesh.AreLines;
-  Append(all.Mesh.Points, more.Mesh.Points);
-  Append(all.Mesh.Normals, more.Mesh.Normals);
-  Append(all.Mesh.Branch, more.Mesh.Branch);
-  for (std::size_t i = 1; i < more.Mesh.Offsets.size(); ++i)
+  const auto copy = [](const auto& from, std::size_t first, auto& to)
+  { std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(first)); };
+  copy(part.Point, begin.Places, all.Point);
+  copy(part.Magnitude, begin.Places, all.Magnitude);
+  copy(part.Direction, begin.Places * all.Degree, all.Direction);
+  copy(part.Mesh.Points, begin.Points, all.Mesh.Points);
+  copy(part.Mesh.Normals, begin.Points, all.Mesh.Normals);
+  copy(part.Mesh.Branch, begin.Cells, all.Mesh.Branch);
+  for (std::size_t i = 0; i < part.Mesh.Glyph.size(); ++i)
   {
-    all.Mesh.Offsets.push_back(corners + more.Mesh.Offsets[i]);
+    all.Mesh.Glyph[begin.Cells + i] = static_cast<Index>(begin.Places) + part.Mesh.Glyph[i];
+    all.Mesh.Offsets[begin.Cells + i + 1] =
+      static_cast<std::int64_t>(begin.Corners) + part.Mesh.Offsets[i + 1];
   }
-  for (const std::int64_t point : more.Mesh.Connectivity)
+  for (std::size_t i = 0; i < part.Mesh.Connectivity.size(); ++i)
   {
-    all.Mesh.Connectivity.push_back(points + point);
+    all.Mesh.Connectivity[begin.Corners + i] =
+      static_cast<std::int64_t>(begin.Points) + part.Mesh.Connectivity[i];
   }
-  for (const Index glyph : more.Mesh.Glyph)
+}
+
+/// The glyphs of all parts, which are emptied, one behind the other.
+/// @param glyphs without glyphs, for the degree and the kind of cells
+Glyphs Joined(std::vector<Glyphs>& parts, Glyphs glyphs)
+{
+  std::vector<Sizes> begins;
+  Sizes sizes;
+  for (const Glyphs& part : parts)
   {
-    all.Mesh.Glyph.push_back(glyphs + glyph);
+    begins.push_back(sizes);
+    sizes.Add(part);
+    glyphs.Spacing += part.Spacing;
   }
-  Append(all.Point, more.Point);
-  Append(all.Magnitude, more.Magnitude);
-  Append(all.Direction, more.Direction);
-  all.Spacing += more.Spacing;
+  Resize(sizes, glyphs);
+  ParallelFor(static_cast<Index>(parts.size()), 1,
+    [&](Index begin, Index end)
+    {
+      for (Index p = begin; p < end; ++p)
+      {
+        Place(parts[p], begins[p], glyphs);
+        parts[p] = {};
+      }
+    });
+  return glyphs;
 }
 
 /// Draws all places, on the threads of the computation. Throws Stopped.
 Glyphs DrawAll(const GlyphPlaces& places, const Progress& progress)
 {
-  Glyphs glyphs = places.Draw(0, 0);
   const Index pieces = NumberOfPieces(places.GetNumber(), PlacesPerPiece);
+  std::vector<Glyphs> drawn(pieces);
   for (Index first = 0; first < pieces; first += PiecesPerReport)
   {
     progress.Report(static_cast<double>(first) / pieces);
-    std::vector<Glyphs> drawn(std::min(PiecesPerReport, pieces - first));
-    ParallelFor(static_cast<Index>(drawn.size()), 1,
+    ParallelFor(std::min(PiecesPerReport, pieces - first), 1,
       [&](Index begin, Index end)
       {
-        for (Index piece = begin; piece < end; ++piece)
+        for (Index piece = first + begin; piece < first + end; ++piece)
         {
-          const Index place = (first + piece) * PlacesPerPiece;
+          const Index place = piece * PlacesPerPiece;
           drawn[piece] = places.Draw(place, std::min(place + PlacesPerPiece, places.GetNumber()));
         }
       });
-    for (const Glyphs& part : drawn)
-    {
-      Append(glyphs, part);
-    }
   }
-  return glyphs;
+  return Joined(drawn, places.Draw(0, 0));
 }
 
 /// Throws std::invalid_argument with a sentence for the user; NaN is in no range.
