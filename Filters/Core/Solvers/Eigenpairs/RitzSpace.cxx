@@ -15,6 +15,8 @@ namespace
 {
 /// A section of unit length is new where projection leaves more of it than this: the rest is rounding.
 constexpr double LeastNew = 1e-10;
+/// Where the first projection leaves more of it than this, a second one would add no digit.
+constexpr double LargePart = 0.5;
 constexpr int Width = SectionBlock::Width;
 
 /// v^* x of the given member v of each section.
@@ -77,6 +79,10 @@ void RitzSpace::Add(ComplexVector section)
         section.segment(begin, end - begin) -=
           LinearCombination(this->Basis, &SectionProducts::Vector, along, begin, end);
       });
+    if (Norm(section) > LargePart * length)
+    {
+      break;
+    }
   }
   if (!(Norm(section) > LeastNew * length))
   {
