@@ -40,6 +40,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "direction-fields (= ${version}), libeigen3-dev, paraview-dev")
+if (NOT VTK_DIR MATCHES "/paraview-")
+  # ParaView is built upon Debian's VTK.
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libvtk9-dev")
+endif ()
 if (DIRECTIONFIELDS_HAVE_CHOLMOD)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libsuitesparse-dev")
 endif ()
@@ -47,20 +51,40 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "This package has the headers, the static library DirectionFields::Core and the
 CMake package for programs that compute direction fields, with VTK or without.")
 
-# What a Debian package has besides: its scripts tell ParaView of the plugin.
 set(debian "${PROJECT_BINARY_DIR}/Debian")
-foreach (script IN ITEMS postinst postrm)
-  configure_file("${CMAKE_CURRENT_LIST_DIR}/Debian/${script}.in" "${debian}/${script}" @ONLY
-    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
-      GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-endforeach ()
+# What a Debian package has besides tells ParaView of the plugin: from Debian 13 on its configuration
+# names a directory for lists of plugins and, beside them, the plugins; before, scripts do it.
+set(scripts)
+set(pluginLists)
+get_filename_component(name "${PARAVIEW_PLUGIN_SUBDIR}" DIRECTORY)
+set(configuration "${ParaView_DIR}/../../${name}/paraview.conf")
+if (EXISTS "${configuration}")
+  file(STRINGS "${configuration}" pluginLists REGEX "^/usr/share/" LIMIT_COUNT 1)
+endif ()
+if (pluginLists)
+  file(RELATIVE_PATH pluginDirectory "${pluginLists}"
+    "/usr/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/DirectionFields")
+  file(MAKE_DIRECTORY "${debian}")
+  file(CREATE_LINK "${pluginDirectory}" "${debian}/DirectionFields" SYMBOLIC)
+  file(RELATIVE_PATH destination /usr "${pluginLists}")
+  install(
+    FILES "${debian}/DirectionFields" "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${DIRECTIONFIELDS_PLUGINS_FILE}"
+    DESTINATION "${destination}" COMPONENT runtime EXCLUDE_FROM_ALL)
+else ()
+  foreach (script IN ITEMS postinst postrm)
+    configure_file("${CMAKE_CURRENT_LIST_DIR}/Debian/${script}.in" "${debian}/${script}" @ONLY
+      FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+        GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    list(APPEND scripts "${debian}/${script}")
+  endforeach ()
+endif ()
 set(soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 file(WRITE "${debian}/shlibs"
 "libvtkDirectionFieldsFilters ${soversion} direction-fields (= ${version})
 libvtkDirectionFieldsServerManager ${soversion} direction-fields (= ${version})
 ")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
-  "${debian}/postinst;${debian}/postrm;${debian}/shlibs;${CMAKE_CURRENT_LIST_DIR}/Debian/triggers")
+  ${scripts} "${debian}/shlibs" "${CMAKE_CURRENT_LIST_DIR}/Debian/triggers")
 file(READ LICENSE license)
 string(REGEX REPLACE "\n\n" "\n.\n" license "${license}")
 string(REGEX REPLACE "\n([^\n])" "\n \\1" license "${license}")

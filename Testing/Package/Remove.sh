@@ -6,11 +6,12 @@
 set -e
 rm "$1/installed"
 dpkg --purge direction-fields-dev direction-fields
-for remains in /usr/lib/*/paraview-*/plugins/*irection*ields* /usr/lib/*/libvtkDirectionFields* \
+for remains in /usr/lib/*/paraview-*/plugins/*irection*ields* \
+  /usr/share/paraview/plugins/*irection*ields* /usr/lib/*/libvtkDirectionFields* \
   /usr/lib/*/libDirectionFields* /usr/lib/*/cmake/DirectionFields /usr/include/DirectionFields* \
   /usr/lib/python3/dist-packages/directionfields_vtk /usr/share/doc/direction-fields*
 do
-  if [ -e "$remains" ]
+  if [ -e "$remains" ] || [ -L "$remains" ]
   then
     echo "$remains remains." >&2
     exit 1
