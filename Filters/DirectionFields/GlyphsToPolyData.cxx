@@ -21,25 +21,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
-#include <stdexcept>
-#include <string>
 
 namespace DirectionFields
 {
 namespace
 {
-/// The point array of a name; null if there is none.
-vtkDataArray* FindArray(vtkPolyData* polyData, const std::string& name, int components)
-{
-  vtkDataArray* array = polyData->GetPointData()->GetArray(name.c_str());
-  if (array && array->GetNumberOfComponents() != components)
-  {
-    throw std::invalid_argument("The point array \"" + name + "\" must have " +
-      std::to_string(components) + (components == 1 ? " component" : " components") +
-      ". Apply Direction Field first and take its first output, or rename the array.");
-  }
-  return array;
-}
 
 vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids)
 {
@@ -110,28 +96,6 @@ void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData*
   array->SetValue(0, value);
   data->AddArray(array);
 }
-}
-
-PointDirections FindDirections(vtkPolyData* polyData)
-{
-  PointDirections field;
-  std::vector<vtkDataArray*> arrays;
-  while (vtkDataArray* array =
-           FindArray(polyData, ArrayNames::Direction(static_cast<int>(arrays.size())), 3))
-  {
-    arrays.push_back(array);
-  }
-  field.Degree = static_cast<int>(arrays.size());
-  field.Direction = [arrays](Index point, int k)
-  {
-    Vector3 direction;
-    arrays[k]->GetTuple(point, direction.data());
-    return direction;
-  };
-  vtkDataArray* magnitude = FindArray(polyData, ArrayNames::RepresentationMagnitude, 1);
-  field.Magnitude = [magnitude](Index point)
-  { return magnitude ? magnitude->GetComponent(point, 0) : 1.0; };
-  return field;
 }
 
 void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* output)

@@ -8,6 +8,7 @@
 #include "GlyphSurfaceCache.h"
 #include "GlyphsToPolyData.h"
 #include "PolyDataCheck.h"
+#include "PolyDataToField.h"
 #include "PolyDataToSurface.h"
 #include "Support/Threads.h"
 
@@ -20,7 +21,6 @@
 
 #include <exception>
 #include <new>
-#include <stdexcept>
 #include <string>
 
 vtkStandardNewMacro(vtkDirectionFieldGlyphs);
@@ -117,12 +117,7 @@ void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output
     DirectionFields::PolyDataToSurface(input);
     return;
   }
-  const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
-  if (field.Degree == 0)
-  {
-    throw std::invalid_argument("The input has no point array \"Direction0\" of 3 components. "
-                                "Apply Direction Field first and take its first output.");
-  }
+  const DirectionFields::PointDirections field = DirectionFields::RequireDirections(input);
   DirectionFields::Threads threads(DirectionFields::DefaultThreads());
   const DirectionFields::Threads::Scope scope(threads);
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);

@@ -4,23 +4,11 @@
 #ifndef DirectionFields_FieldInterpolation_h
 #define DirectionFields_FieldInterpolation_h
 
+#include "Interpolation/GivenField.h"
 #include "Tracing/SurfaceIncidence.h"
-
-#include <functional>
 
 namespace DirectionFields::Internal
 {
-/// n directions at each point of a surface.
-struct PointDirections
-{
-  /// n.
-  int Degree = 0;
-  /// The k-th unit tangent vector at a point, k = 0 ... n-1, counter-clockwise about the normal.
-  std::function<Vector3(Index point, int k)> Direction;
-  /// |u|, the weight of a point's directions against those of its neighbours.
-  std::function<double(Index point)> Magnitude;
-};
-
 /// The n directions at one place.
 struct DirectionsAt
 {

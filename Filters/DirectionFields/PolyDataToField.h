@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef PolyDataToField_h
+#define PolyDataToField_h
+
+#include "Interpolation/GivenField.h"
+
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// The directions in the point data of a vtkPolyData, which must outlive them: what Direction Field or a
+/// reader left there. Degree is the number of the consecutive arrays Direction0, Direction1, ...; 0 if
+/// there is none. Magnitude is 1 where there is no array RepresentationMagnitude. Throws
+/// std::invalid_argument where one of these has another number of components, 3 and 1.
+///
+/// Together with PolyDataToSurface it is what Internal::GivenField makes a field of.
+/// @param polyData has passed CheckPolyData
+PointDirections FindDirections(vtkPolyData* polyData);
+
+/// The same for input that must have a field: throws std::invalid_argument with a sentence for the user
+/// where there is none.
+PointDirections RequireDirections(vtkPolyData* polyData);
+}
+
+#endif
