@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FieldLines_h
+#define DirectionFields_FieldLines_h
+
+#include "Interpolation/GivenField.h"
+#include "Lines/LineTrace.h"
+#include "Progress.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Where lines start.
+enum class SeedType
+{
+  /// So that each family of lines covers the surface evenly.
+  EvenlySpaced = 0,
+  /// At the singularities: the lines that end in them (separatrices).
+  Singularities = 1,
+  /// At points given.
+  Points = 2
+};
+
+/// Which way lines from points run, for n = 1.
+enum class LineWay
+{
+  Both = 0,
+  Forward = 1,
+  Backward = 2
+};
+
+/// Lengths are in the unit of the surface.
+struct LineOptions
+{
+  SeedType Seeds = SeedType::EvenlySpaced;
+  /// Distance between lines of a family, not negative; 0: the root of the area / 40. No less than the root
+  /// of the area / 1000.
+  double Spacing = 0.0;
+  /// Evenly spaced lines end where they would come nearer to others than this part of it, 0.1 to 0.9.
+  double Ratio = 0.5;
+  /// Not negative; 0: 20 times the root of the area.
+  double MostLength = 0.0;
+  /// Shorter lines are left out, not negative; 0: the spacing for evenly spaced lines, else nothing.
+  double LeastLength = 0.0;
+  /// Lines from singularities end where they cross each other (FieldGraph.h).
+  bool StopAtCrossings = false;
+  LineWay Way = LineWay::Both;
+  /// Most lines, 1 to 10000000.
+  Index MostLines = 100000;
+  /// Height of the lines above the surface as a part of the spacing, -1 to 1.
+  double Offset = 0.03;
+};
+
+/// A place of the surface where lines start.
+struct LineSeed
+{
+  /// Of the surface; None gives no line.
+  Index Triangle = None;
+  std::array<double, 3> Weights = {};
+};
+
+/// What lines start and end at.
+enum class NodeType
+{
+  Singularity = 0,
+  Crossing = 1,
+  Boundary = 2
+};
+
+struct LineNode
+{
+  Vector3 Position;
+  NodeType Type = NodeType::Singularity;
+  /// Of a singularity, in units of 1/n; else 0.
+  int SingularityIndex = 0;
+  /// The triangle of the surface.
+  Index Triangle = None;
+};
+
+/// Lines along a field. Points and lines are numbered line by line.
+struct FieldLines
+{
+  std::vector<Vector3> Points;
+  /// Unit vectors: of the surface, along the line.
+  std::vector<Vector3> Normals, Directions;
+  /// Length from the line's begin; |u|.
+  std::vector<double> Arc, Magnitude;
+  /// The corner of the triangle that is nearest, and which of the directions there is nearest to the line's.
+  std::vector<Index> Point;
+  std::vector<int> Branch;
+  /// The points of line i: Offsets[i] ... Offsets[i + 1] - 1. A closed line ends in its first point.
+  std::vector<std::int64_t> Offsets = { 0 };
+
+  /// The number of the seed: of the point given, of the singularity's node, or of the line itself.
+  std::vector<Index> Seed;
+  std::vector<int> Family;
+  std::vector<double> Length;
+  std::vector<char> Closed;
+  std::vector<std::array<LineEnd, 2>> Ends;
+  /// The nodes where the line begins and ends; None where it does not in one.
+  std::vector<std::array<Index, 2>> Nodes_;
+
+  /// All singularities, crossings and ends at the boundary, in this order.
+  std::vector<LineNode> Nodes;
+
+  /// The distance that was kept between lines, or that the offset goes by; the largest of the components'.
+  double Spacing = 0.0;
+  /// There would be more than MostLines.
+  bool IsLimited = false;
+  /// Stopped by the progress callback; there are no lines.
+  bool Aborted = false;
+};
+
+/// Traces lines along a field. Where the surface cannot be oriented, lines run on over both of its sides.
+///
+/// Throws std::invalid_argument for options out of their ranges.
+/// @param directions as they were given to the field
+/// @param seeds      for SeedType::Points
+FieldLines TraceFieldLines(const GivenField& field, const PointDirections& directions,
+  const std::vector<LineSeed>& seeds, const LineOptions& options,
+  const ProgressFunction& progress = {});
+}
+
+#endif

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Lines/FieldZeros.h"
+
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr Index FewZeros = 16;
+/// Radius of the circle around a singularity, as a part of the size of its triangle.
+constexpr double Circle = 0.02;
+/// Places on the circle where it is looked at; the angles between them are found by bisection.
+constexpr int Places = 360;
+constexpr int Bisections = 50;
+
+/// How the difference of n beta and arg q goes around a circle.
+class Turning
+{
+public:
+  Turning(const PowerOnTriangle& power, const Complex& center, double radius)
+    : Power(power)
+    , Center(center)
+    , Radius(radius)
+  {
+  }
+
+  Complex ValueAt(double angle) const
+  {
+    return this->Power.At(this->Center + std::polar(this->Radius, angle));
+  }
+  /// (n beta - arg q) up to multiples of 2 pi, -pi to pi.
+  double DifferenceAt(double angle) const
+  {
+    return std::arg(
+      std::polar(1.0, this->Power.Degree() * angle) * std::conj(this->ValueAt(angle)));
+  }
+  /// The part of q that turns k times: its argument at angle 0.
+  double PhaseOf(int k) const
+  {
+    Complex sum = 0.0;
+    for (int i = 0; i < Places; ++i)
+    {
+      const double angle = 2.0 * Pi * i / Places;
+      sum += this->ValueAt(angle) * std::polar(1.0, -k * angle);
+    }
+    return std::arg(sum);
+  }
+  /// Differences at places from an angle on, all around, without jumps: Places + 1 of them.
+  std::vector<double> Unwrapped(double first) const
+  {
+    std::vector<double> differences = { this->DifferenceAt(first) };
+    for (int i = 1; i <= Places; ++i)
+    {
+      const double next = this->DifferenceAt(first + 2.0 * Pi * i / Places);
+      const double step = next - differences.back();
+      differences.push_back(differences.back() + step - 2.0 * Pi * std::round(step / (2.0 * Pi)));
+    }
+    return differences;
+  }
+  /// Where the difference has a value modulo 2 pi, between two angles where it is less and more.
+  double Solve(double low, double high, double value) const
+  {
+    const auto above = [&](double angle)
+    { return std::arg(std::polar(1.0, this->DifferenceAt(angle) - value)); };
+    const bool rises = above(high) > 0.0;
+    for (int i = 0; i < Bisections; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (above(middle) > 0.0) == rises ? high = middle : low = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+private:
+  const PowerOnTriangle& Power;
+  Complex Center;
+  double Radius;
+};
+
+/// The angles where n beta - arg q is `value` modulo 2 pi, one for each time it should be.
+/// @param phase of the isotropic part of q at angle 0
+std::vector<double> RayAngles(
+  const Turning& turning, int degree, int index, double phase, double value)
+{
+  const int count = degree - index;
+  std::vector<double> angles;
+  if (count == 0)
+  {
+    return angles;
+  }
+  // From the middle between two rays of the isotropic part on.
+  const double first = (phase + value - Pi) / count;
+  const std::vector<double> differences = turning.Unwrapped(first);
+  const double step = 2.0 * Pi / Places;
+  const double gained = differences.back() - differences.front();
+  const bool isRegular = std::abs(gained - 2.0 * Pi * count) < 1.0;
+  // The level that the isotropic part passes next.
+  const double sign = count > 0 ? 1.0 : -1.0;
+  const double next =
+    value + 2.0 * Pi * std::round((differences.front() + sign * Pi - value) / (2.0 * Pi));
+  for (int m = 0; m < std::abs(count); ++m)
+  {
+    const double isotropic = first + (2 * m + 1) * Pi / std::abs(count);
+    const double level = next + sign * 2.0 * Pi * m;
+    double best = isotropic;
+    double least = -1.0;
+    for (int i = 0; isRegular && i < Places; ++i)
+    {
+      const bool passes = (differences[i] < level) != (differences[i + 1] < level);
+      const double away = std::abs(first + (i + 0.5) * step - isotropic);
+      if (passes && (least < 0.0 || away < least))
+      {
+        least = away;
+        best = turning.Solve(first + i * step, first + (i + 1) * step, value);
+      }
+    }
+    angles.push_back(best);
+  }
+  return angles;
+}
+
+double DistanceToRim(const FlatTriangle& flat, const Complex& place)
+{
+  double least = -1.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double distance = 2.0 * flat.Area() * flat.Weight(c, place) / flat.Length((c + 1) % 3);
+    least = least < 0.0 ? distance : std::min(least, distance);
+  }
+  return least;
+}
+}
+
+FieldZeros::FieldZeros(const GivenField& field)
+  : Field(field)
+  , ZeroOfTriangle(field.GetMesh().GetNumberOfTriangles())
+{
+  const TriangleMesh& mesh = field.GetMesh();
+  const std::vector<int> indices = field.Indices();
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    this->ZeroOfTriangle[t] = None;
+    if (indices[t] != 0 && mesh.IsFront(t))
+    {
+      this->ZeroOfTriangle[t] = static_cast<Index>(this->Zeros.size());
+      this->Zeros.push_back({ t, indices[t], 0.0 });
+    }
+  }
+  ParallelFor(static_cast<Index>(this->Zeros.size()), FewZeros,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        FieldZero& zero = this->Zeros[i];
+        const PowerOnTriangle power(
+          field.GetGeometry(), field.GetDegree(), field.GetSection().data(), zero.Triangle);
+        zero.Place = FindZero(power, zero.Index_ > 0 ? 1 : -1).Place;
+      }
+    });
+  for (Index i = 0; i < static_cast<Index>(this->Zeros.size()); ++i)
+  {
+    const Index mirror = mesh.Mirror(3 * this->Zeros[i].Triangle);
+    if (mirror != None)
+    {
+      this->ZeroOfTriangle[mirror / 3] = i;
+    }
+  }
+}
+
+Complex FieldZeros::PlaceIn(Index meshTriangle) const
+{
+  const FieldZero& zero = this->Zeros[this->ZeroOfTriangle[meshTriangle]];
+  return zero.Triangle == meshTriangle ? zero.Place
+                                       : Mirrored(this->Field, zero.Triangle, zero.Place);
+}
+
+std::vector<ZeroRay> FieldZeros::Rays(Index zero) const
+{
+  const FieldZero& at = this->Zeros[zero];
+  const int n = this->Field.GetDegree();
+  const PowerOnTriangle power(
+    this->Field.GetGeometry(), n, this->Field.GetSection().data(), at.Triangle);
+  const double radius = std::min(
+    Circle * std::sqrt(2.0 * power.Flat().Area()), 0.5 * DistanceToRim(power.Flat(), at.Place));
+  const Turning turning(power, at.Place, radius);
+  const double phase = turning.PhaseOf(at.Index_);
+  std::vector<ZeroRay> rays;
+  for (int sense = 1; sense >= (n % 2 == 1 ? -1 : 1); sense -= 2)
+  {
+    for (const double angle : RayAngles(turning, n, at.Index_, phase, sense > 0 ? 0.0 : Pi))
+    {
+      rays.push_back({ zero, angle, radius, sense });
+    }
+  }
+  std::stable_sort(
+    rays.begin(), rays.end(), [](const ZeroRay& a, const ZeroRay& b) { return a.Angle < b.Angle; });
+  return rays;
+}
+
+Complex Mirrored(const GivenField& field, Index triangle, const Complex& place)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  const std::array<double, 3> weights = FlatTriangle(geometry, triangle).Weights(place);
+  const FlatTriangle other(geometry, geometry.Mesh.Mirror(3 * triangle) / 3);
+  // What runs from corner c on one side runs to corner -c on the other.
+  return other.Place({ weights[0], weights[2], weights[1] });
+}
+}

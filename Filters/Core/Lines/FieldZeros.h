@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FieldZeros_h
+#define DirectionFields_FieldZeros_h
+
+#include "Interpolation/GivenField.h"
+#include "Interpolation/PowerZero.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A singularity of a field: a triangle whose index is not 0, and the place in it where the field is not
+/// defined.
+struct FieldZero
+{
+  /// Of the mesh, on the front.
+  Index Triangle = None;
+  /// In units of 1/n.
+  int Index_ = 0;
+  /// In the flat triangle.
+  Complex Place;
+};
+
+/// A line that ends in a singularity: the angle in the flat triangle under which it leaves.
+struct ZeroRay
+{
+  /// Number of the singularity.
+  Index Zero = None;
+  double Angle = 0.0;
+  /// Distance from the singularity at which the angle holds, in the unit of the component.
+  double Radius = 0.0;
+  /// -1 where the field points along the line to the singularity: half of the rays for odd n.
+  int Sense = 1;
+};
+
+/// All singularities of a field, the front's only, in the order of their triangles. On the back of what
+/// cannot be oriented there are the same ones once more, as places only.
+class FieldZeros
+{
+public:
+  /// Takes time linear in the triangles, on the threads of the scope.
+  explicit FieldZeros(const GivenField& field);
+
+  const std::vector<FieldZero>& GetZeros() const { return this->Zeros; }
+  /// The number of the singularity in a triangle of the mesh, on the front or the back; None if none is.
+  Index ZeroIn(Index meshTriangle) const { return this->ZeroOfTriangle[meshTriangle]; }
+  /// Its place in that flat triangle.
+  Complex PlaceIn(Index meshTriangle) const;
+
+  /// The rays of a singularity of index k/n, counter-clockwise: |n - k| of them, and 2 |n - k| for odd n,
+  /// on which the field points outwards, or along every second one inwards. None for k = n: there are
+  /// only lines that run around, into or out of it.
+  ///
+  /// On a small circle around a singularity, the field points outwards where n beta = arg q(beta). Both
+  /// sides are continuous; their difference grows by 2 pi (n - k) around the circle and so passes that
+  /// many multiples of 2 pi. Where it passes one of them several times, which takes a strongly
+  /// anisotropic singularity, the passage nearest to that of the isotropic part counts.
+  std::vector<ZeroRay> Rays(Index zero) const;
+
+private:
+  const GivenField& Field;
+  std::vector<FieldZero> Zeros;
+  LargeArray<Index> ZeroOfTriangle;
+};
+
+/// A place in a flat triangle of the mesh as seen in the flat triangle on the other side of a cover.
+Complex Mirrored(const GivenField& field, Index triangle, const Complex& place);
+}
+
+#endif

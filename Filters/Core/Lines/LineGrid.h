@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LineGrid_h
+#define DirectionFields_LineGrid_h
+
+#include "Types.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A place on a line.
+struct LineSample
+{
+  Vector3 Position;
+  /// Unit vectors: of the surface, and along the line.
+  Eigen::Vector3f Normal, Tangent;
+  /// Where on its line it is.
+  double Arc = 0.0;
+};
+
+/// Samples of lines on a surface, and quick answers to which are near. A hash table over cubic cells, as
+/// large as the radius that is asked for at most; it grows by itself.
+///
+/// Only lines of one family see each other: those whose tangents, whichever way they run, are less than
+/// half the angle apart that there is between families. So do only places on the same side of the surface
+/// (normals up to 105 degrees apart), except where the surface has one side only.
+class LineGrid
+{
+public:
+  LineGrid(const Vector3& origin, double cell, int families, bool isOneSided);
+
+  void Insert(const LineSample& sample);
+
+  /// Whether a sample of the family is nearer to a place than a radius, which is no larger than a cell,
+  /// among those for which counts(sample) is true.
+  template <typename Counts>
+  bool IsNear(const LineSample& place, double radius, const Counts& counts) const
+  {
+    return this->Search(place, radius,
+      [&](const LineSample& sample)
+      { return this->SeesEachOther(sample, place) && counts(sample); });
+  }
+  bool IsNear(const LineSample& place, double radius) const
+  {
+    return this->Search(
+      place, radius, [&](const LineSample& sample) { return this->SeesEachOther(sample, place); });
+  }
+  bool SeesEachOther(const LineSample& a, const LineSample& b) const
+  {
+    const float side = a.Normal.dot(b.Normal);
+    return std::abs(a.Tangent.dot(b.Tangent)) > this->LeastCosine &&
+      (this->IsOneSided || side > -0.25f);
+  }
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+  Cell CellOf(const Vector3& position) const;
+  std::size_t Slot(const Cell& cell) const;
+  void Grow();
+
+  template <typename Visit>
+  bool Search(const LineSample& place, double radius, const Visit& visit) const
+  {
+    const Vector3 scaled = (place.Position - this->Origin) / this->CellSize;
+    const double reach = radius / this->CellSize;
+    Cell low;
+    Cell high;
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = Floor(scaled[c] - reach);
+      high[c] = Floor(scaled[c] + reach);
+    }
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+    {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+      {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        {
+          for (Index i = this->Heads[this->Slot({ x, y, z })]; i != None; i = this->Next[i])
+          {
+            const LineSample& sample = this->Samples[i];
+            if ((sample.Position - place.Position).squaredNorm() < radius * radius && visit(sample))
+            {
+              return true;
+            }
+          }
+        }
+      }
+    }
+    return false;
+  }
+  static std::int64_t Floor(double scaled);
+
+  Vector3 Origin;
+  double CellSize;
+  float LeastCosine;
+  bool IsOneSided;
+  std::vector<Index> Heads;
+  std::vector<Index> Next;
+  std::vector<LineSample> Samples;
+};
+}
+
+#endif

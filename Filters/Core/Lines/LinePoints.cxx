@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Lines/LinePoints.h"
+
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr Index FewLines = 4;
+
+/// Writes the points of one line after the other.
+class Writer
+{
+public:
+  Writer(
+    const GivenField& field, const PointDirections& directions, double height, FieldLines& result)
+    : Field(field)
+    , Directions(directions)
+    , Height(height)
+    , Result(result)
+  {
+  }
+
+  void Write(const TracedLine& line, Index number) const
+  {
+    auto at = static_cast<std::size_t>(this->Result.Offsets[number]);
+    const double unit = this->Field.GetGeometry().Lengths.Unit[line.Component];
+    const double first = line.Pieces.front().Arc;
+    for (const LinePiece& piece : line.Pieces)
+    {
+      this->WritePoint(piece.Triangle, piece.Begin, piece.BeginDirection, line.Sense, at);
+      this->Result.Arc[at++] = unit * (piece.Arc - first);
+    }
+    const LinePiece& last = line.Pieces.back();
+    this->WritePoint(last.Triangle, last.End, last.EndDirection, line.Sense, at);
+    this->Result.Arc[at] = unit * line.Length();
+    if (line.IsClosed)
+    {
+      this->Result.Points[at] = this->Result.Points[this->Result.Offsets[number]];
+    }
+  }
+
+private:
+  void WritePoint(
+    Index triangle, const Complex& place, const Complex& direction, int sense, std::size_t at) const
+  {
+    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    const PowerOnTriangle power(
+      geometry, this->Field.GetDegree(), this->Field.GetSection().data(), triangle);
+    const TriangleInSpace space = this->Field.InSpace(triangle);
+    const std::array<double, 3> weights = power.Flat().Weights(place);
+    Vector3 normal = Vector3::Zero();
+    for (int c = 0; c < 3; ++c)
+    {
+      normal += weights[c] * geometry.Frames.Normal[geometry.Mesh.Tail(3 * triangle + c)];
+    }
+    normal = normal.norm() > 1e-6 ? Vector3(normal.normalized()) : space.Normal;
+    this->Result.Points[at] = space.Position(weights) + this->Height * normal;
+    this->Result.Normals[at] = normal;
+    this->Result.Directions[at] = space.Direction(direction);
+    this->Result.Magnitude[at] = std::abs(power.At(place));
+    const auto corner =
+      static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+    const Index point = this->Field.PointAt(triangle, corner);
+    this->Result.Point[at] = point;
+    this->Result.Branch[at] = this->BranchAt(power, geometry.Mesh.Tail(3 * triangle + corner),
+      corner, point, place, static_cast<double>(sense) * direction);
+  }
+
+  /// Which of the directions at a point is nearest to one in a triangle.
+  int BranchAt(const PowerOnTriangle& power, Index vertex, int corner, Index point,
+    const Complex& place, const Complex& direction) const
+  {
+    const TangentFrames& frames = this->Field.GetGeometry().Frames;
+    const int degree = this->Field.GetDegree();
+    const Vector3 given = this->Directions.Direction(point, 0);
+    const Complex first = frames.Tangential(vertex, given);
+    if (!(std::norm(first) > 0.0) || !std::isfinite(std::norm(first)))
+    {
+      return 0;
+    }
+    const double angle = power.AngleInFlat(corner, std::arg(first), place);
+    int turns = static_cast<int>(
+      std::lround(std::arg(direction * std::polar(1.0, -angle)) / (2.0 * Pi / degree)));
+    if (degree > 2 &&
+      given.cross(this->Directions.Direction(point, 1)).dot(frames.Normal[vertex]) < 0.0)
+    {
+      // They count the other way around.
+      turns = -turns;
+    }
+    return (turns % degree + degree) % degree;
+  }
+
+  const GivenField& Field;
+  const PointDirections& Directions;
+  double Height;
+  FieldLines& Result;
+};
+
+Vector3 PositionOn(const GivenField& field, Index triangle, const Complex& place)
+{
+  return field.InSpace(triangle).Position(
+    FlatTriangle(field.GetGeometry(), triangle).Weights(place));
+}
+
+/// Adds the singularities, then the other ends of lines, and says which the lines end in.
+void AddNodes(const GivenField& field, const FieldZeros& zeros,
+  const std::vector<TracedLine>& lines, FieldLines& result)
+{
+  const TriangleMesh& mesh = field.GetMesh();
+  for (const FieldZero& zero : zeros.GetZeros())
+  {
+    result.Nodes.push_back({ PositionOn(field, zero.Triangle, zero.Place), NodeType::Singularity,
+      zero.Index_, mesh.InputTriangle(zero.Triangle) });
+  }
+  result.Nodes_.assign(lines.size(), { None, None });
+  for (const NodeType type : { NodeType::Crossing, NodeType::Boundary })
+  {
+    const LineEnd reason = type == NodeType::Crossing ? LineEnd::Crossing : LineEnd::Boundary;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      for (int e = 0; e < 2; ++e)
+      {
+        if (lines[i].Ends[e] == LineEnd::Singularity)
+        {
+          result.Nodes_[i][e] = lines[i].Zeros[e];
+        }
+        else if (lines[i].Ends[e] == reason)
+        {
+          const LinePiece& piece = e == 0 ? lines[i].Pieces.front() : lines[i].Pieces.back();
+          result.Nodes_[i][e] = static_cast<Index>(result.Nodes.size());
+          result.Nodes.push_back(
+            { PositionOn(field, piece.Triangle, e == 0 ? piece.Begin : piece.End), type, 0,
+              mesh.InputTriangle(piece.Triangle) });
+        }
+      }
+    }
+  }
+}
+}
+
+FieldLines ToFieldLines(const GivenField& field, const PointDirections& directions,
+  const FieldZeros& zeros, const std::vector<TracedLine>& lines, double height)
+{
+  FieldLines result;
+  for (const TracedLine& line : lines)
+  {
+    result.Offsets.push_back(
+      result.Offsets.back() + static_cast<std::int64_t>(line.Pieces.size()) + 1);
+  }
+  const auto points = static_cast<std::size_t>(result.Offsets.back());
+  for (std::vector<Vector3>* vectors : { &result.Points, &result.Normals, &result.Directions })
+  {
+    vectors->resize(points);
+  }
+  result.Arc.resize(points);
+  result.Magnitude.resize(points);
+  result.Point.resize(points);
+  result.Branch.resize(points);
+  const Writer writer(field, directions, height, result);
+  ParallelFor(static_cast<Index>(lines.size()), FewLines,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        writer.Write(lines[i], i);
+      }
+    });
+  const int families = NumberOfFamilies(field.GetDegree());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const TracedLine& line = lines[i];
+    result.Seed.push_back(line.Seed);
+    result.Family.push_back(result.Branch[result.Offsets[i]] % families);
+    result.Length.push_back(result.Arc[result.Offsets[i + 1] - 1]);
+    result.Closed.push_back(line.IsClosed ? 1 : 0);
+    result.Ends.push_back(line.Ends);
+  }
+  AddNodes(field, zeros, lines, result);
+  return result;
+}
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Lines/LineSeeds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Distance of places in large triangles, as a part of the spacing.
+constexpr double PlacePart = 0.25;
+/// Places along an edge at most.
+constexpr double MostAlongEdge = 4096.0;
+/// Vertices are left by this part of the way to the middle of a triangle, where directions are defined.
+constexpr double OffVertex = 1e-3;
+/// How much the area around a vertex weighs against |u|.
+constexpr double AreaPart = 1e-4;
+
+bool IsSeeded(const GivenField& field, Index triangle, const std::vector<char>& excluded)
+{
+  return field.GetMesh().IsFront(triangle) && (excluded.empty() || excluded[triangle] == 0);
+}
+
+double AreaAround(const SurfaceGeometry& geometry, Index vertex)
+{
+  double area = 0.0;
+  const Index first = geometry.Mesh.Outgoing(vertex);
+  Index h = first;
+  do
+  {
+    area += geometry.Lengths.Area[h / 3];
+    h = geometry.Mesh.NextOutgoing(h);
+  } while (h != None && h != first);
+  return area;
+}
+
+/// Adds places that divide a triangle into parts of the given size, in the unit of the component.
+void AddInner(const GivenField& field, Index triangle, double size, std::vector<SeedPlace>& places)
+{
+  const PowerOnTriangle power(
+    field.GetGeometry(), field.GetDegree(), field.GetSection().data(), triangle);
+  const FlatTriangle& flat = power.Flat();
+  const double longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
+  const auto parts = static_cast<int>(std::min(std::ceil(longest / size), MostAlongEdge));
+  for (int i = 0; parts > 1 && i < parts; ++i)
+  {
+    for (int j = 0; i + j < parts; ++j)
+    {
+      const double a = (i + 1.0 / 3.0) / parts;
+      const double b = (j + 1.0 / 3.0) / parts;
+      const Complex place = flat.Place({ a, b, 1.0 - a - b });
+      places.push_back({ triangle, place, std::abs(power.At(place)) });
+    }
+  }
+}
+}
+
+std::vector<SeedPlace> SeedPlaces(
+  const GivenField& field, Index component, double spacing, const std::vector<char>& excluded)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  const TriangleMesh::Component& range = mesh.GetComponents()[component];
+  const double size = PlacePart * spacing / geometry.Lengths.Unit[component];
+  const double mean = 6.0 * geometry.Lengths.ComponentArea[component] / range.Triangles();
+  std::vector<SeedPlace> places;
+  for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
+  {
+    const Index h = mesh.Outgoing(v);
+    const double magnitude = std::abs(field.GetSection()[v]);
+    if (!mesh.IsFrontVertex(v) || !IsSeeded(field, h / 3, excluded) || magnitude == 0.0)
+    {
+      continue;
+    }
+    std::array<double, 3> weights = { OffVertex / 3.0, OffVertex / 3.0, OffVertex / 3.0 };
+    weights[h % 3] += 1.0 - OffVertex;
+    const FlatTriangle flat(geometry, h / 3);
+    const double area = std::min(AreaAround(geometry, v) / mean, 10.0);
+    places.push_back({ h / 3, flat.Place(weights), magnitude * (1.0 + AreaPart * area) });
+  }
+  for (Index t = range.FirstTriangle; t < range.EndTriangle; ++t)
+  {
+    if (IsSeeded(field, t, excluded))
+    {
+      AddInner(field, t, 2.0 * size, places);
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+    [](const SeedPlace& a, const SeedPlace& b) { return a.Rank > b.Rank; });
+  return places;
+}
+
+LineStart StartAt(const GivenField& field, const SeedPlace& place, int k)
+{
+  const PowerOnTriangle power(
+    field.GetGeometry(), field.GetDegree(), field.GetSection().data(), place.Triangle);
+  const double angle = (std::arg(power.At(place.Place)) + 2.0 * Pi * k) / field.GetDegree();
+  return { place.Triangle, place.Place, std::polar(1.0, angle), 1 };
+}
+}
