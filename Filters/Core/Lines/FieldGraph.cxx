@@ -20,7 +20,7 @@ constexpr double Never = std::numeric_limits<double>::infinity();
 /// The first round's length, in mean edges.
 constexpr double FirstRound = 8.0;
 /// A line runs into a singularity along a ray of it if it comes from that direction within this angle.
-constexpr double SameRay = 1.0;
+constexpr double SameRay = Pi;
 
 /// A line that is traced on from round to round.
 struct Motorcycle
@@ -272,7 +272,9 @@ private:
 
   static void Cut(TracedLine& line, double length)
   {
-    while (line.Pieces.size() > 1 && line.Pieces.back().Arc >= length)
+    // On an edge, up to rounding, it ends in the triangle where it was found to meet the other one.
+    const double rounding = 1e-8 * (1.0 + length);
+    while (line.Pieces.size() > 1 && line.Pieces.back().Arc > length + rounding)
     {
       line.Pieces.pop_back();
     }

@@ -17,13 +17,16 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Default spacing and longest length, as parts of the root of the component's area.
+/// Default and least spacing, as parts of the root of the area of all components; the default of the longest
+/// length, of that of the line's own one.
 constexpr double DefaultSpacing = 1.0 / 40.0;
 constexpr double LeastSpacing = 1.0 / 1000.0;
 constexpr double DefaultLength = 20.0;
+/// Lines on a small component may be as short as this part of the root of its area.
+constexpr double LeastPart = 0.25;
 /// How near a line must come to a singularity to end there, as a part of the size of its triangle. For the
 /// graph it is more, so that lines between two singularities are found to be one.
-constexpr double GraphCapture = 0.05;
+constexpr double GraphCapture = 0.1;
 constexpr double ProgressRead = 0.05;
 constexpr double ProgressTraced = 0.9;
 
@@ -55,6 +58,7 @@ public:
     , Options(options)
     , Zeros(field)
     , Traced{ field, this->Zeros }
+    , Spacing(SpacingFor(field, options))
   {
   }
 
@@ -82,14 +86,17 @@ private:
   {
     return this->Unit(c) * std::sqrt(this->Field.GetGeometry().Lengths.ComponentArea[c]);
   }
-  double SpacingOf(Index c)
+  /// One for all components.
+  static double SpacingFor(const GivenField& field, const LineOptions& options)
   {
-    const double extent = this->Extent(c);
-    const double spacing = this->Options.Spacing > 0.0
-      ? std::max(this->Options.Spacing, LeastSpacing * extent)
-      : DefaultSpacing * extent;
-    this->Spacing = std::max(this->Spacing, spacing);
-    return spacing;
+    const Metric& lengths = field.GetGeometry().Lengths;
+    double area = 0.0;
+    for (std::size_t c = 0; c < lengths.Unit.size(); ++c)
+    {
+      area += lengths.ComponentArea[c] * lengths.Unit[c] * lengths.Unit[c];
+    }
+    return options.Spacing > 0.0 ? std::max(options.Spacing, LeastSpacing * std::sqrt(area))
+                                 : DefaultSpacing * std::sqrt(area);
   }
   double MostLength(Index c) const
   {
@@ -128,7 +135,7 @@ private:
     for (Index c = 0; c < components; ++c)
     {
       EvenOptions even;
-      even.Spacing = this->SpacingOf(c);
+      even.Spacing = this->Spacing;
       even.Ratio = this->Options.Ratio;
       even.MostLength = this->MostLength(c);
       even.LeastLength = this->Options.LeastLength > 0.0 ? this->Options.LeastLength : even.Spacing;
@@ -181,7 +188,6 @@ private:
     for (std::size_t c = 0; c < raysOf.size(); ++c)
     {
       const auto component = static_cast<Index>(c);
-      this->SpacingOf(component);
       for (TracedLine& line : this->FromRays(component, raysOf[c], progress))
       {
         line.Component = component;
@@ -211,10 +217,6 @@ private:
   std::vector<TracedLine> FromPoints(const std::vector<LineSeed>& seeds)
   {
     const int families = NumberOfFamilies(this->Field.GetDegree());
-    for (Index c = 0; c < static_cast<Index>(this->Field.GetMesh().GetComponents().size()); ++c)
-    {
-      this->SpacingOf(c);
-    }
     std::vector<TracedLine> lines =
       this->TraceAll(static_cast<Index>(seeds.size()) * families, Progress(),
         [&](Index i) { return this->FromPoint(seeds[i / families], i / families, i % families); });
@@ -299,7 +301,7 @@ private:
   const LineOptions& Options;
   FieldZeros Zeros;
   TracedField Traced;
-  double Spacing = 0.0;
+  double Spacing;
 };
 }
 

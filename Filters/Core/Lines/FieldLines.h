@@ -107,7 +107,7 @@ struct FieldLines
   /// All singularities, crossings and ends at the boundary, in this order.
   std::vector<LineNode> Nodes;
 
-  /// The distance that was kept between lines, or that the offset goes by; the largest of the components'.
+  /// The distance that was kept between lines, or that the offset goes by.
   double Spacing = 0.0;
   /// There would be more than MostLines.
   bool IsLimited = false;

@@ -64,11 +64,10 @@ public:
     return differences;
   }
   /// Where the difference has a value modulo 2 pi, between two angles where it is less and more.
-  double Solve(double low, double high, double value) const
+  double Solve(double low, double high, bool rises, double value) const
   {
     const auto above = [&](double angle)
     { return std::arg(std::polar(1.0, this->DifferenceAt(angle) - value)); };
-    const bool rises = above(high) > 0.0;
     for (int i = 0; i < Bisections; ++i)
     {
       const double middle = 0.5 * (low + high);
@@ -117,7 +116,8 @@ std::vector<double> RayAngles(
       if (passes && (least < 0.0 || away < least))
       {
         least = away;
-        best = turning.Solve(first + i * step, first + (i + 1) * step, value);
+        best = turning.Solve(
+          first + i * step, first + (i + 1) * step, differences[i + 1] > differences[i], value);
       }
     }
     angles.push_back(best);

@@ -24,18 +24,29 @@ bool IsSeeded(const GivenField& field, Index triangle, const std::vector<char>& 
   return field.GetMesh().IsFront(triangle) && (excluded.empty() || excluded[triangle] == 0);
 }
 
-double AreaAround(const SurfaceGeometry& geometry, Index vertex)
+/// The triangles around a vertex.
+struct Star
 {
-  double area = 0.0;
-  const Index first = geometry.Mesh.Outgoing(vertex);
-  Index h = first;
-  do
+  double Area = 0.0;
+  /// The half-edge at the vertex in the largest of them, which does not depend on numbers.
+  Index Largest = None;
+
+  Star(const SurfaceGeometry& geometry, Index vertex)
   {
-    area += geometry.Lengths.Area[h / 3];
-    h = geometry.Mesh.NextOutgoing(h);
-  } while (h != None && h != first);
-  return area;
-}
+    const Index first = geometry.Mesh.Outgoing(vertex);
+    Index h = first;
+    do
+    {
+      const double area = geometry.Lengths.Area[h / 3];
+      if (this->Largest == None || area > geometry.Lengths.Area[this->Largest / 3])
+      {
+        this->Largest = h;
+      }
+      this->Area += area;
+      h = geometry.Mesh.NextOutgoing(h);
+    } while (h != None && h != first);
+  }
+};
 
 /// Adds places that divide a triangle into parts of the given size, in the unit of the component.
 void AddInner(const GivenField& field, Index triangle, double size, std::vector<SeedPlace>& places)
@@ -69,7 +80,8 @@ std::vector<SeedPlace> SeedPlaces(
   std::vector<SeedPlace> places;
   for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
   {
-    const Index h = mesh.Outgoing(v);
+    const Star star(geometry, v);
+    const Index h = star.Largest;
     const double magnitude = std::abs(field.GetSection()[v]);
     if (!mesh.IsFrontVertex(v) || !IsSeeded(field, h / 3, excluded) || magnitude == 0.0)
     {
@@ -78,7 +90,7 @@ std::vector<SeedPlace> SeedPlaces(
     std::array<double, 3> weights = { OffVertex / 3.0, OffVertex / 3.0, OffVertex / 3.0 };
     weights[h % 3] += 1.0 - OffVertex;
     const FlatTriangle flat(geometry, h / 3);
-    const double area = std::min(AreaAround(geometry, v) / mean, 10.0);
+    const double area = std::min(star.Area / mean, 10.0);
     places.push_back({ h / 3, flat.Place(weights), magnitude * (1.0 + AreaPart * area) });
   }
   for (Index t = range.FirstTriangle; t < range.EndTriangle; ++t)

@@ -16,12 +16,14 @@ constexpr double StepPart = 0.25;
 constexpr double ZeroPart = 0.25;
 /// Steps are halved where the field turns by more than this part of the angle between two directions.
 constexpr double MostTurn = 0.2;
-constexpr int MostHalvings = 12;
+constexpr int MostHalvings = 6;
 /// Lines cross edges at least this part of their length away from the ends.
 constexpr double OffVertices = 1e-9;
-/// So many steps of less than this part of a triangle's size mean that a line does not get on.
-constexpr int MostWithoutProgress = 64;
-/// After so many a line that runs along an edge, which rounding puts on either side, stays on it.
+/// A line does not get on if so many steps are together less than this part of a triangle's size: around a
+/// vertex without directions for instance.
+constexpr int StepsToLookAt = 256;
+constexpr double LeastProgress = 1e-3;
+/// After so many steps that are shorter than this part of it, a line that runs along an edge, which rounding puts on either side, stays on it.
 constexpr int FewWithoutProgress = 8;
 /// A barycentric coordinate that is 0 up to rounding.
 constexpr double OnEdge = 1e-12;
@@ -297,7 +299,13 @@ std::optional<LinePiece> LineTrace::Next()
   const double length = piece.Length();
   this->Done += length;
   this->WithoutProgress = length > Progress * this->Size ? 0 : this->WithoutProgress + 1;
-  if (this->WithoutProgress > MostWithoutProgress)
+  const bool isToBeLookedAt = ++this->Steps % StepsToLookAt == 0;
+  const bool isStuck = isToBeLookedAt && this->Done - this->LookedAt < LeastProgress * this->Size;
+  if (isToBeLookedAt)
+  {
+    this->LookedAt = this->Done;
+  }
+  if (isStuck)
   {
     this->Reason = LineEnd::Stuck;
   }

@@ -125,6 +125,9 @@ private:
   double Done = 0.0;
   double FreeUntil = 0.0;
   int WithoutProgress = 0;
+  /// How many steps there were, and the length when they were looked at last.
+  Index Steps = 0;
+  double LookedAt = 0.0;
   LineEnd Reason = LineEnd::None;
   Index RanInto = None;
 };
