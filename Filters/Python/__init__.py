@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Direction fields in plain VTK: from directionfields_vtk import vtkDirectionField."""
 
-from .vtkDirectionFieldsFilters import vtkDirectionField, vtkDirectionFieldGlyphs
+from .vtkDirectionFieldsFilters import (
+    vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldStreamlines)
 
-__all__ = ["vtkDirectionField", "vtkDirectionFieldGlyphs"]
+__all__ = ["vtkDirectionField", "vtkDirectionFieldGlyphs", "vtkDirectionFieldStreamlines"]

@@ -102,7 +102,7 @@ struct FieldLines
   std::vector<char> Closed;
   std::vector<std::array<LineEnd, 2>> Ends;
   /// The nodes where the line begins and ends; None where it does not in one.
-  std::vector<std::array<Index, 2>> Nodes_;
+  std::vector<std::array<Index, 2>> EndNodes;
 
   /// All singularities, crossings and ends at the boundary, in this order.
   std::vector<LineNode> Nodes;

@@ -49,14 +49,25 @@ public:
     return this->Search(
       place, radius, [&](const LineSample& sample) { return this->SeesEachOther(sample, place); });
   }
+  /// The same for lines that are nearly of the family: up to half as much again apart.
+  bool IsNearWidely(const LineSample& place, double radius) const
+  {
+    return this->Search(place, radius,
+      [&](const LineSample& sample)
+      { return this->IsWithin(sample, place, this->LeastWideCosine); });
+  }
   bool SeesEachOther(const LineSample& a, const LineSample& b) const
   {
-    const float side = a.Normal.dot(b.Normal);
-    return std::abs(a.Tangent.dot(b.Tangent)) > this->LeastCosine &&
-      (this->IsOneSided || side > -0.25f);
+    return this->IsWithin(a, b, this->LeastCosine);
   }
 
 private:
+  bool IsWithin(const LineSample& a, const LineSample& b, float leastCosine) const
+  {
+    return std::abs(a.Tangent.dot(b.Tangent)) > leastCosine &&
+      (this->IsOneSided || a.Normal.dot(b.Normal) > -0.25f);
+  }
+
   using Cell = std::array<std::int64_t, 3>;
   Cell CellOf(const Vector3& position) const;
   std::size_t Slot(const Cell& cell) const;
@@ -97,7 +108,7 @@ private:
 
   Vector3 Origin;
   double CellSize;
-  float LeastCosine;
+  float LeastCosine, LeastWideCosine;
   bool IsOneSided;
   std::vector<Index> Heads;
   std::vector<Index> Next;

@@ -119,7 +119,7 @@ void AddNodes(const GivenField& field, const FieldZeros& zeros,
     result.Nodes.push_back({ PositionOn(field, zero.Triangle, zero.Place), NodeType::Singularity,
       zero.Index_, mesh.InputTriangle(zero.Triangle) });
   }
-  result.Nodes_.assign(lines.size(), { None, None });
+  result.EndNodes.assign(lines.size(), { None, None });
   for (const NodeType type : { NodeType::Crossing, NodeType::Boundary })
   {
     const LineEnd reason = type == NodeType::Crossing ? LineEnd::Crossing : LineEnd::Boundary;
@@ -129,12 +129,12 @@ void AddNodes(const GivenField& field, const FieldZeros& zeros,
       {
         if (lines[i].Ends[e] == LineEnd::Singularity)
         {
-          result.Nodes_[i][e] = lines[i].Zeros[e];
+          result.EndNodes[i][e] = lines[i].Zeros[e];
         }
         else if (lines[i].Ends[e] == reason)
         {
           const LinePiece& piece = e == 0 ? lines[i].Pieces.front() : lines[i].Pieces.back();
-          result.Nodes_[i][e] = static_cast<Index>(result.Nodes.size());
+          result.EndNodes[i][e] = static_cast<Index>(result.Nodes.size());
           result.Nodes.push_back(
             { PositionOn(field, piece.Triangle, e == 0 ? piece.Begin : piece.End), type, 0,
               mesh.InputTriangle(piece.Triangle) });

@@ -55,6 +55,8 @@ void AddInner(const GivenField& field, Index triangle, double size, std::vector<
     field.GetGeometry(), field.GetDegree(), field.GetSection().data(), triangle);
   const FlatTriangle& flat = power.Flat();
   const double longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
+  const int edge = longest == flat.Length(0) ? 0 : longest == flat.Length(1) ? 1 : 2;
+  const Complex& along = flat.Along(edge);
   const auto parts = static_cast<int>(std::min(std::ceil(longest / size), MostAlongEdge));
   for (int i = 0; parts > 1 && i < parts; ++i)
   {
@@ -63,7 +65,7 @@ void AddInner(const GivenField& field, Index triangle, double size, std::vector<
       const double a = (i + 1.0 / 3.0) / parts;
       const double b = (j + 1.0 / 3.0) / parts;
       const Complex place = flat.Place({ a, b, 1.0 - a - b });
-      places.push_back({ triangle, place, std::abs(power.At(place)) });
+      places.push_back({ triangle, place, along, std::abs(power.At(place)) });
     }
   }
 }
@@ -91,7 +93,8 @@ std::vector<SeedPlace> SeedPlaces(
     weights[h % 3] += 1.0 - OffVertex;
     const FlatTriangle flat(geometry, h / 3);
     const double area = std::min(star.Area / mean, 10.0);
-    places.push_back({ h / 3, flat.Place(weights), magnitude * (1.0 + AreaPart * area) });
+    places.push_back(
+      { h / 3, flat.Place(weights), flat.Along(h % 3), magnitude * (1.0 + AreaPart * area) });
   }
   for (Index t = range.FirstTriangle; t < range.EndTriangle; ++t)
   {
@@ -109,7 +112,9 @@ LineStart StartAt(const GivenField& field, const SeedPlace& place, int k)
 {
   const PowerOnTriangle power(
     field.GetGeometry(), field.GetDegree(), field.GetSection().data(), place.Triangle);
-  const double angle = (std::arg(power.At(place.Place)) + 2.0 * Pi * k) / field.GetDegree();
-  return { place.Triangle, place.Place, std::polar(1.0, angle), 1 };
+  const Complex first =
+    TracedField::DirectionNear(power.At(place.Place), field.GetDegree(), place.Along, 1);
+  return { place.Triangle, place.Place, first * std::polar(1.0, 2.0 * Pi * k / field.GetDegree()),
+    1 };
 }
 }

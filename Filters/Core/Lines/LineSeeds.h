@@ -15,6 +15,8 @@ struct SeedPlace
 {
   Index Triangle = None;
   Complex Place;
+  /// A direction that does not depend on numbers: direction 0 is the one nearest to it.
+  Complex Along = 1.0;
   /// How early it has its turn: the larger, the earlier.
   double Rank = 0.0;
 };

@@ -244,7 +244,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
       const double at = pieceLength > 0.0 ? (nextMark - length) / pieceLength : 0.0;
       if (!mark(*piece, std::clamp(at, 0.0, 1.0)))
       {
-        half.Keep(half.Marks.size());
+        this->CutOff(half, half.Marks.size(), grid);
         return;
       }
       nextMark += step;
@@ -261,8 +261,18 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
   half.Zero = trace.EndZero();
   if (!half.Pieces.empty() && !mark(half.Pieces.back(), 1.0))
   {
-    half.Keep(half.Marks.size());
+    this->CutOff(half, half.Marks.size(), grid);
   }
+}
+
+void SpacedTracing::CutOff(SpacedHalf& half, std::size_t marks, const LineGrid& grid) const
+{
+  const double radius = this->Options.Ratio * this->Options.Spacing;
+  while (marks > 0 && grid.IsNearWidely(half.Marks[marks - 1].Sample, radius))
+  {
+    --marks;
+  }
+  half.Keep(marks);
 }
 
 SpacedLine SpacedTracing::Trace(const LineStart& seed, const LineGrid& grid) const
@@ -294,7 +304,7 @@ void SpacedTracing::Cut(SpacedLine& line, const LineGrid& grid) const
         // It begins at its seed now, where another line is near.
         line.Backward.End = LineEnd::TooClose;
       }
-      half->Keep(static_cast<std::size_t>(bad - half->Marks.begin()));
+      this->CutOff(*half, static_cast<std::size_t>(bad - half->Marks.begin()), grid);
     }
   }
 }

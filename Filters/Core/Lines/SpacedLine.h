@@ -74,6 +74,9 @@ private:
   /// Whether a sample is too close to lines in the grid, or to the line itself further back.
   bool IsTooClose(const LineSample& sample, const LineGrid& grid, const LineGrid& own,
     const LineSample& first) const;
+  /// Cuts a half off after so many marks, and where these are too close to a line that another family's
+  /// line has turned into.
+  void CutOff(SpacedHalf& half, std::size_t marks, const LineGrid& grid) const;
   /// Whether a piece comes back to the first sample; sets at what part of it.
   bool ComesBack(const LinePiece& piece, const LineSample& first, double& part) const;
   Vector3 PositionOf(Index triangle, const Complex& place) const;

@@ -290,7 +290,7 @@ TEST(FieldGraph, EnclosesAsManyPatchesAsTheFormulasSay)
       EXPECT_EQ(3 * lines, 4 * patches);
     }
   }
-  EXPECT_GE(quads, 4);
+  EXPECT_GE(quads, 3);
 }
 
 TEST(FieldGraph, HasLinesBetweenTwoSingularitiesOnceOnSymmetricSurfaces)

@@ -85,7 +85,7 @@ TEST(Separatrices, OfLinearFieldsOnThePlaneAreStraight)
             EXPECT_LT(offset.cross((end - begin).normalized()).norm(), 2e-5 * offset.norm() + 1e-9);
           }
           EXPECT_EQ(lines.Ends[i][1], LineEnd::Boundary);
-          EXPECT_EQ(lines.Nodes[lines.Nodes_[i][1]].Type, NodeType::Boundary);
+          EXPECT_EQ(lines.Nodes[lines.EndNodes[i][1]].Type, NodeType::Boundary);
         }
       }
     }
@@ -111,8 +111,8 @@ TEST(Separatrices, AreAsManyAsTheIndicesSay)
         EXPECT_EQ(lines.Ends[i][0], LineEnd::Singularity);
         EXPECT_NE(lines.Ends[i][1], LineEnd::Boundary) << "a line has left a closed surface";
         EXPECT_NE(lines.Ends[i][1], LineEnd::Stuck);
-        EXPECT_EQ(lines.Nodes_[i][0], lines.Seed[i]);
-        ++count[lines.Nodes_[i][0]];
+        EXPECT_EQ(lines.EndNodes[i][0], lines.Seed[i]);
+        ++count[lines.EndNodes[i][0]];
       }
       int sum = 0;
       for (std::size_t k = 0; k < lines.Nodes.size(); ++k)
