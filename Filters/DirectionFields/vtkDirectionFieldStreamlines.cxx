@@ -4,6 +4,7 @@
 #include "vtkDirectionFieldStreamlines.h"
 
 #include "AlgorithmProgress.h"
+#include "DefaultThreads.h"
 #include "LinesToPolyData.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToField.h"
@@ -117,7 +118,7 @@ void vtkDirectionFieldStreamlines::TraceLines(
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
   const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
     input, DirectionFields::Progress(report).Part(0.0, 0.5 * ProgressRead));
-  DirectionFields::Threads threads;
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
   const DirectionFields::Threads::Scope scope(threads);
   const DirectionFields::GivenField field(surface.Mesh, directions);
   DirectionFields::Progress(report).Report(ProgressRead);

@@ -28,7 +28,8 @@
  *
  * @section Output Output
  * Port 0, "Streamlines": poly lines with points that are double if the input's are, else float;
- * - point data `Normals`: 3-component float, active normals: of the surface, interpolated.
+ * - point data `Normals`: 3-component float, active normals: of the surface, interpolated, outwards on
+ *   closed surfaces.
  * - point data `Direction`: 3-component float, active vectors: unit vectors along the line.
  * - point data `ArcLength`: double, the length of the line from its begin.
  * - point data `RepresentationMagnitude`: float, |u| of the interpolated field.
@@ -173,8 +174,9 @@ public:
 
   ///@{
   /**
-   * Height of the lines above the surface along its normal, relative to the separating distance. Range
-   * -1 to 1, default 0.03. Negative for a surface that is wound inside out.
+   * Height of the lines above the surface, relative to the separating distance: outwards on closed
+   * surfaces, whichever way these are wound. On others lines lie on the surface itself, to be seen from
+   * both sides. Range -1 to 1, default 0.03.
    */
   vtkSetClampMacro(Offset, double, -1.0, 1.0);
   vtkGetMacro(Offset, double);

@@ -10,6 +10,7 @@
 // degrees before the glyphs are made, and the test passes if the comparison fails.
 
 #include "Checks.h"
+#include "FieldScenes.h"
 #include "Pictures.h"
 
 #include "vtkDirectionField.h"
@@ -27,6 +28,7 @@
 #include <cstdlib>
 
 using namespace Checks;
+using namespace FieldScenes;
 
 namespace
 {
@@ -43,23 +45,6 @@ struct Scene
   /// Half the height of the view.
   double Scale;
 };
-
-/// A sphere with bumps and hollows.
-PolyMeshes::Mesh BumpySphere()
-{
-  auto mesh = PolyMeshes::Icosphere(4);
-  vtkPoints* points = mesh->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    const double bump = 1.0 +
-      0.09 * std::sin(4.0 * p[0] + 1.0) * std::sin(4.0 * p[1] + 0.5) * std::cos(4.0 * p[2]) +
-      0.05 * p[0];
-    points->SetPoint(i, bump * p[0], bump * p[1], bump * p[2]);
-  }
-  return mesh;
-}
 
 /// A coarse surface with a sharp valley and a sharp ridge.
 PolyMeshes::Mesh Valley()
@@ -104,36 +89,6 @@ int TypeOf(const std::string& name)
 {
   const std::vector<std::string> names = { "Automatic", "Lines", "Arrows", "Ribbons", "Tubes" };
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-void Turn(vtkPolyData* field, int degree, double angle)
-{
-  const auto normals = Normals(field);
-  for (int k = 0; k < degree; ++k)
-  {
-    vtkDataArray* direction = Direction(field, k);
-    for (vtkIdType i = 0; i < direction->GetNumberOfTuples(); ++i)
-    {
-      double d[3], side[3];
-      direction->GetTuple(i, d);
-      vtkMath::Cross(normals[static_cast<size_t>(i)].data(), d, side);
-      for (int c = 0; c < 3; ++c)
-      {
-        direction->SetComponent(i, c, std::cos(angle) * d[c] + std::sin(angle) * side[c]);
-      }
-    }
-  }
-}
-
-vtkSmartPointer<vtkActor> Add(vtkRenderer* renderer, vtkPolyData* shape)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(shape);
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-  return actor;
 }
 
 vtkSmartPointer<vtkImageData> Draw(const Scene& scene, vtkPolyData* glyphs)

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_EvenLines_h
 #define DirectionFields_EvenLines_h
 
-#include "Lines/LineGrid.h"
+#include "Lines/SpacedLine.h"
 #include "Lines/TracedLine.h"
 #include "Progress.h"
 
@@ -12,19 +12,6 @@
 
 namespace DirectionFields::Internal
 {
-/// Lengths are in the unit of the surface.
-struct EvenOptions
-{
-  /// The distance at which lines of a family start beside each other.
-  double Spacing = 1.0;
-  /// They end where they would come nearer to each other than this part of it.
-  double Ratio = 0.5;
-  double MostLength = 0.0;
-  /// Shorter lines are left out.
-  double LeastLength = 0.0;
-  Index MostLines = 0;
-};
-
 /// Lines that cover a component of the surface evenly, each family by itself: where two lines of one
 /// family run beside each other, they are about the spacing apart.
 ///

@@ -70,7 +70,7 @@ public:
     switch (this->Options.Seeds)
     {
       case SeedType::Points:
-        return this->FromPoints(seeds);
+        return this->FromPoints(seeds, progress);
       case SeedType::Singularities:
         return this->FromSingularities(progress);
       case SeedType::EvenlySpaced:
@@ -214,12 +214,23 @@ private:
       [&](Index i) { return TraceRay(this->Traced, rays[i], most); });
   }
 
-  std::vector<TracedLine> FromPoints(const std::vector<LineSeed>& seeds)
+  std::vector<TracedLine> FromPoints(
+    const std::vector<LineSeed>& seeds, const Progress& progress) const
   {
     const int families = NumberOfFamilies(this->Field.GetDegree());
-    std::vector<TracedLine> lines =
-      this->TraceAll(static_cast<Index>(seeds.size()) * families, Progress(),
-        [&](Index i) { return this->FromPoint(seeds[i / families], i / families, i % families); });
+    std::vector<std::pair<Index, int>> starts;
+    for (Index i = 0; i < static_cast<Index>(seeds.size()); ++i)
+    {
+      const bool isOnMesh =
+        seeds[i].Triangle != None && this->Field.GetMeshTriangles()[seeds[i].Triangle] != None;
+      for (int k = 0; isOnMesh && k < families; ++k)
+      {
+        starts.emplace_back(i, k);
+      }
+    }
+    std::vector<TracedLine> lines = this->TraceAll(static_cast<Index>(starts.size()), progress,
+      [&](Index i)
+      { return this->FromPoint(seeds[starts[i].first], starts[i].first, starts[i].second); });
     lines.erase(std::remove_if(lines.begin(), lines.end(),
                   [](const TracedLine& line) { return line.Pieces.empty(); }),
       lines.end());
@@ -230,12 +241,7 @@ private:
   TracedLine FromPoint(const LineSeed& seed, Index number, int k) const
   {
     TracedLine line;
-    const Index triangle =
-      seed.Triangle == None ? None : this->Field.GetMeshTriangles()[seed.Triangle];
-    if (triangle == None)
-    {
-      return line;
-    }
+    const Index triangle = this->Field.GetMeshTriangles()[seed.Triangle];
     std::array<double, 3> weights;
     for (int c = 0; c < 3; ++c)
     {

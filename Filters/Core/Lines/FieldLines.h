@@ -5,11 +5,10 @@
 #define DirectionFields_FieldLines_h
 
 #include "Interpolation/GivenField.h"
-#include "Lines/LineTrace.h"
+#include "Lines/LinePoints.h"
 #include "Progress.h"
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -51,7 +50,8 @@ struct LineOptions
   LineWay Way = LineWay::Both;
   /// Most lines, 1 to 10000000.
   Index MostLines = 100000;
-  /// Height of the lines above the surface as a part of the spacing, -1 to 1.
+  /// Height of the lines above the surface as a part of the spacing, -1 to 1: outwards on closed surfaces,
+  /// whichever way these are wound. On others they lie on the surface, to be seen from both sides.
   double Offset = 0.03;
 };
 
@@ -61,58 +61,6 @@ struct LineSeed
   /// Of the surface; None gives no line.
   Index Triangle = None;
   std::array<double, 3> Weights = {};
-};
-
-/// What lines start and end at.
-enum class NodeType
-{
-  Singularity = 0,
-  Crossing = 1,
-  Boundary = 2
-};
-
-struct LineNode
-{
-  Vector3 Position;
-  NodeType Type = NodeType::Singularity;
-  /// Of a singularity, in units of 1/n; else 0.
-  int SingularityIndex = 0;
-  /// The triangle of the surface.
-  Index Triangle = None;
-};
-
-/// Lines along a field. Points and lines are numbered line by line.
-struct FieldLines
-{
-  std::vector<Vector3> Points;
-  /// Unit vectors: of the surface, along the line.
-  std::vector<Vector3> Normals, Directions;
-  /// Length from the line's begin; |u|.
-  std::vector<double> Arc, Magnitude;
-  /// The corner of the triangle that is nearest, and which of the directions there is nearest to the line's.
-  std::vector<Index> Point;
-  std::vector<int> Branch;
-  /// The points of line i: Offsets[i] ... Offsets[i + 1] - 1. A closed line ends in its first point.
-  std::vector<std::int64_t> Offsets = { 0 };
-
-  /// The number of the seed: of the point given, of the singularity's node, or of the line itself.
-  std::vector<Index> Seed;
-  std::vector<int> Family;
-  std::vector<double> Length;
-  std::vector<char> Closed;
-  std::vector<std::array<LineEnd, 2>> Ends;
-  /// The nodes where the line begins and ends; None where it does not in one.
-  std::vector<std::array<Index, 2>> EndNodes;
-
-  /// All singularities, crossings and ends at the boundary, in this order.
-  std::vector<LineNode> Nodes;
-
-  /// The distance that was kept between lines, or that the offset goes by.
-  double Spacing = 0.0;
-  /// There would be more than MostLines.
-  bool IsLimited = false;
-  /// Stopped by the progress callback; there are no lines.
-  bool Aborted = false;
 };
 
 /// Traces lines along a field. Where the surface cannot be oriented, lines run on over both of its sides.

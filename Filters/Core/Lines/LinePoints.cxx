@@ -14,6 +14,28 @@ namespace
 {
 constexpr Index FewLines = 4;
 
+/// Which way is outside, for each component: 1 along its normals, -1 against them where it encloses a negative
+/// volume, 0 where there is no outside: lines are to be seen from both sides then.
+std::vector<double> OutwardSigns(const GivenField& field)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  std::vector<double> signs;
+  for (const TriangleMesh::Component& component : geometry.Mesh.GetComponents())
+  {
+    double volume = 0.0;
+    const Vector3& origin = geometry.Positions[component.FirstVertex];
+    for (Index t = component.FirstTriangle; component.Closed && t < component.EndTriangle; ++t)
+    {
+      const Vector3 a = geometry.Positions[geometry.Mesh.Tail(3 * t)] - origin;
+      const Vector3 b = geometry.Positions[geometry.Mesh.Tail(3 * t + 1)] - origin;
+      const Vector3 c = geometry.Positions[geometry.Mesh.Tail(3 * t + 2)] - origin;
+      volume += a.cross(b).dot(c);
+    }
+    signs.push_back(!component.Closed || component.IsCover ? 0.0 : volume < 0.0 ? -1.0 : 1.0);
+  }
+  return signs;
+}
+
 /// Writes the points of one line after the other.
 class Writer
 {
@@ -23,6 +45,7 @@ public:
     : Field(field)
     , Directions(directions)
     , Height(height)
+    , Signs(OutwardSigns(field))
     , Result(result)
   {
   }
@@ -34,11 +57,11 @@ public:
     const double first = line.Pieces.front().Arc;
     for (const LinePiece& piece : line.Pieces)
     {
-      this->WritePoint(piece.Triangle, piece.Begin, piece.BeginDirection, line.Sense, at);
+      this->WritePoint(line, piece.Triangle, piece.Begin, piece.BeginDirection, at);
       this->Result.Arc[at++] = unit * (piece.Arc - first);
     }
     const LinePiece& last = line.Pieces.back();
-    this->WritePoint(last.Triangle, last.End, last.EndDirection, line.Sense, at);
+    this->WritePoint(line, last.Triangle, last.End, last.EndDirection, at);
     this->Result.Arc[at] = unit * line.Length();
     if (line.IsClosed)
     {
@@ -47,8 +70,8 @@ public:
   }
 
 private:
-  void WritePoint(
-    Index triangle, const Complex& place, const Complex& direction, int sense, std::size_t at) const
+  void WritePoint(const TracedLine& line, Index triangle, const Complex& place,
+    const Complex& direction, std::size_t at) const
   {
     const SurfaceGeometry& geometry = this->Field.GetGeometry();
     const PowerOnTriangle power(
@@ -61,7 +84,9 @@ private:
       normal += weights[c] * geometry.Frames.Normal[geometry.Mesh.Tail(3 * triangle + c)];
     }
     normal = normal.norm() > 1e-6 ? Vector3(normal.normalized()) : space.Normal;
-    this->Result.Points[at] = space.Position(weights) + this->Height * normal;
+    const double sign = this->Signs[line.Component];
+    normal *= sign < 0.0 ? -1.0 : 1.0;
+    this->Result.Points[at] = space.Position(weights) + (std::abs(sign) * this->Height) * normal;
     this->Result.Normals[at] = normal;
     this->Result.Directions[at] = space.Direction(direction);
     this->Result.Magnitude[at] = std::abs(power.At(place));
@@ -70,7 +95,7 @@ private:
     const Index point = this->Field.PointAt(triangle, corner);
     this->Result.Point[at] = point;
     this->Result.Branch[at] = this->BranchAt(power, geometry.Mesh.Tail(3 * triangle + corner),
-      corner, point, place, static_cast<double>(sense) * direction);
+      corner, point, place, static_cast<double>(line.Sense) * direction);
   }
 
   /// Which of the directions at a point is nearest to one in a triangle.
@@ -100,6 +125,7 @@ private:
   const GivenField& Field;
   const PointDirections& Directions;
   double Height;
+  std::vector<double> Signs;
   FieldLines& Result;
 };
 

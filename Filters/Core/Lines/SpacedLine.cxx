@@ -3,8 +3,6 @@
 
 #include "Lines/SpacedLine.h"
 
-#include "Lines/EvenLines.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

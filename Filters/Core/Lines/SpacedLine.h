@@ -11,7 +11,18 @@
 
 namespace DirectionFields::Internal
 {
-struct EvenOptions;
+/// Lengths are in the unit of the surface.
+struct EvenOptions
+{
+  /// The distance at which lines of a family start beside each other.
+  double Spacing = 1.0;
+  /// They end where they would come nearer to each other than this part of it.
+  double Ratio = 0.5;
+  double MostLength = 0.0;
+  /// Shorter lines are left out.
+  double LeastLength = 0.0;
+  Index MostLines = 0;
+};
 
 /// Half of a line that keeps its distance: from the seed one way.
 struct SpacedHalf
