@@ -133,7 +133,7 @@ public:
 
   ///@{
   /**
-   * Shorter lines are left out. 0: for evenly spaced lines SeparatingDistance, less on components that
+   * Shorter lines are left out. 0: for evenly spaced lines 0.9 SeparatingDistance, less on components that
    * are hardly larger; else none is. Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(MinimumStreamlineLength, double, 0.0, VTK_DOUBLE_MAX);
@@ -174,9 +174,9 @@ public:
 
   ///@{
   /**
-   * Height of the lines above the surface, relative to the separating distance: outwards on closed
-   * surfaces, whichever way these are wound. On others lines lie on the surface itself, to be seen from
-   * both sides. Range -1 to 1, default 0.03.
+   * Height of the lines above the surface, relative to the separating distance: outwards on
+   * surfaces that enclose a volume, whichever way these are wound, with holes or without; else along the
+   * normals. Range -1 to 1, default 0.03.
    */
   vtkSetClampMacro(Offset, double, -1.0, 1.0);
   vtkGetMacro(Offset, double);

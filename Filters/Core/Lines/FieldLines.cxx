@@ -22,6 +22,9 @@ namespace
 constexpr double DefaultSpacing = 1.0 / 40.0;
 constexpr double LeastSpacing = 1.0 / 1000.0;
 constexpr double DefaultLength = 20.0;
+/// Evenly spaced lines are no shorter than this part of the spacing, which is no number of the fifths that
+/// they are cut at: rounding must not decide.
+constexpr double LeastOfSpacing = 0.9;
 /// Lines on a small component may be as short as this part of the root of its area.
 constexpr double LeastPart = 0.25;
 /// How near a line must come to a singularity to end there, as a part of the size of its triangle. For the
@@ -138,7 +141,9 @@ private:
       even.Spacing = this->Spacing;
       even.Ratio = this->Options.Ratio;
       even.MostLength = this->MostLength(c);
-      even.LeastLength = this->Options.LeastLength > 0.0 ? this->Options.LeastLength : even.Spacing;
+      even.LeastLength = this->Options.LeastLength > 0.0
+        ? this->Options.LeastLength
+        : std::min(LeastOfSpacing * even.Spacing, LeastPart * this->Extent(c));
       even.MostLines = this->Options.MostLines - static_cast<Index>(lines.size());
       if (even.MostLines <= 0)
       {

@@ -43,15 +43,15 @@ struct LineOptions
   double Ratio = 0.5;
   /// Not negative; 0: 20 times the root of the area.
   double MostLength = 0.0;
-  /// Shorter lines are left out, not negative; 0: the spacing for evenly spaced lines, else nothing.
+  /// Shorter lines are left out, not negative; 0: 0.9 times the spacing for evenly spaced lines, else nothing.
   double LeastLength = 0.0;
   /// Lines from singularities end where they cross each other (FieldGraph.h).
   bool StopAtCrossings = false;
   LineWay Way = LineWay::Both;
   /// Most lines, 1 to 10000000.
   Index MostLines = 100000;
-  /// Height of the lines above the surface as a part of the spacing, -1 to 1: outwards on closed surfaces,
-  /// whichever way these are wound. On others they lie on the surface, to be seen from both sides.
+  /// Height of the lines above the surface as a part of the spacing, -1 to 1: outwards on surfaces
+  /// that enclose a volume, whichever way these are wound, with holes or without; else along the normals.
   double Offset = 0.03;
 };
 

@@ -17,7 +17,7 @@ struct LineSample
 {
   Vector3 Position;
   /// Unit vectors: of the surface, and along the line.
-  Eigen::Vector3f Normal, Tangent;
+  Vector3 Normal, Tangent;
   /// Where on its line it is.
   double Arc = 0.0;
 };
@@ -62,10 +62,10 @@ public:
   }
 
 private:
-  bool IsWithin(const LineSample& a, const LineSample& b, float leastCosine) const
+  bool IsWithin(const LineSample& a, const LineSample& b, double leastCosine) const
   {
     return std::abs(a.Tangent.dot(b.Tangent)) > leastCosine &&
-      (this->IsOneSided || a.Normal.dot(b.Normal) > -0.25f);
+      (this->IsOneSided || a.Normal.dot(b.Normal) > -0.25);
   }
 
   using Cell = std::array<std::int64_t, 3>;
@@ -108,7 +108,7 @@ private:
 
   Vector3 Origin;
   double CellSize;
-  float LeastCosine, LeastWideCosine;
+  double LeastCosine, LeastWideCosine;
   bool IsOneSided;
   std::vector<Index> Heads;
   std::vector<Index> Next;

@@ -14,24 +14,40 @@ namespace
 {
 constexpr Index FewLines = 4;
 
-/// Which way is outside, for each component: 1 along its normals, -1 against them where it encloses a negative
-/// volume, 0 where there is no outside: lines are to be seen from both sides then.
+/// A volume that is a smaller part of the area to the power 3/2 says nothing: a sphere's is 0.094.
+constexpr double LeastVolume = 0.01;
+
+/// Which way is outside, for each component: -1 against its normals where these point into what it encloses,
+/// with holes or without, else 1.
 std::vector<double> OutwardSigns(const GivenField& field)
 {
   const SurfaceGeometry& geometry = field.GetGeometry();
+  const auto& components = geometry.Mesh.GetComponents();
   std::vector<double> signs;
-  for (const TriangleMesh::Component& component : geometry.Mesh.GetComponents())
+  for (std::size_t c = 0; c < components.size(); ++c)
   {
-    double volume = 0.0;
-    const Vector3& origin = geometry.Positions[component.FirstVertex];
-    for (Index t = component.FirstTriangle; component.Closed && t < component.EndTriangle; ++t)
+    const TriangleMesh::Component& component = components[c];
+    const double unit = geometry.Lengths.Unit[c];
+    Vector3 middle = Vector3::Zero();
+    for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
     {
-      const Vector3 a = geometry.Positions[geometry.Mesh.Tail(3 * t)] - origin;
-      const Vector3 b = geometry.Positions[geometry.Mesh.Tail(3 * t + 1)] - origin;
-      const Vector3 c = geometry.Positions[geometry.Mesh.Tail(3 * t + 2)] - origin;
-      volume += a.cross(b).dot(c);
+      middle += (geometry.Positions[v] - geometry.Positions[component.FirstVertex]) / unit;
     }
-    signs.push_back(!component.Closed || component.IsCover ? 0.0 : volume < 0.0 ? -1.0 : 1.0);
+    middle /= component.Vertices();
+    const auto corner = [&](Index h) -> Vector3
+    {
+      return (geometry.Positions[geometry.Mesh.Tail(h)] -
+               geometry.Positions[component.FirstVertex]) /
+        unit -
+        middle;
+    };
+    double volume = 0.0;
+    for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+    {
+      volume += corner(3 * t).cross(corner(3 * t + 1)).dot(corner(3 * t + 2)) / 6.0;
+    }
+    const double least = LeastVolume * std::pow(geometry.Lengths.ComponentArea[c], 1.5);
+    signs.push_back(!component.IsCover && volume < -least ? -1.0 : 1.0);
   }
   return signs;
 }
@@ -84,9 +100,8 @@ private:
       normal += weights[c] * geometry.Frames.Normal[geometry.Mesh.Tail(3 * triangle + c)];
     }
     normal = normal.norm() > 1e-6 ? Vector3(normal.normalized()) : space.Normal;
-    const double sign = this->Signs[line.Component];
-    normal *= sign < 0.0 ? -1.0 : 1.0;
-    this->Result.Points[at] = space.Position(weights) + (std::abs(sign) * this->Height) * normal;
+    normal *= this->Signs[line.Component];
+    this->Result.Points[at] = space.Position(weights) + this->Height * normal;
     this->Result.Normals[at] = normal;
     this->Result.Directions[at] = space.Direction(direction);
     this->Result.Magnitude[at] = std::abs(power.At(place));

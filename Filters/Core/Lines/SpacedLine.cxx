@@ -21,7 +21,7 @@ constexpr double NearStartPart = 0.6;
 
 Vector3 Lateral(const LineSample& sample, const Vector3& position)
 {
-  const Vector3 tangent = sample.Tangent.cast<double>();
+  const Vector3 tangent = sample.Tangent;
   const Vector3 offset = position - sample.Position;
   return offset - offset.dot(tangent) * tangent;
 }
@@ -137,8 +137,8 @@ LineSample SpacedTracing::SampleAt(const LineStart& start, double arc) const
   const FlatTriangle flat(this->Field.GetGeometry(), start.Triangle);
   LineSample sample;
   sample.Position = triangle.Position(flat.Weights(start.Place));
-  sample.Normal = triangle.Normal.cast<float>();
-  sample.Tangent = triangle.Direction(start.Direction).cast<float>();
+  sample.Normal = triangle.Normal;
+  sample.Tangent = triangle.Direction(start.Direction);
   sample.Arc = arc;
   return sample;
 }
@@ -172,7 +172,7 @@ bool SpacedTracing::IsTooClose(const LineSample& sample, const LineGrid& grid, c
     }
     // Where it closes it may come near its first part.
     const bool mayClose = std::abs(other.Arc - first.Arc) <= spacing && sample.Arc > 0.0 &&
-      other.Tangent.dot(sample.Tangent) > 0.9f &&
+      other.Tangent.dot(sample.Tangent) > 0.9 &&
       Lateral(other, sample.Position).norm() < ClosingPart * spacing;
     return !mayClose;
   };
@@ -181,7 +181,7 @@ bool SpacedTracing::IsTooClose(const LineSample& sample, const LineGrid& grid, c
 
 bool SpacedTracing::ComesBack(const LinePiece& piece, const LineSample& first, double& part) const
 {
-  const Vector3 tangent = first.Tangent.cast<double>();
+  const Vector3 tangent = first.Tangent;
   const Vector3 begin = this->PositionOf(piece.Triangle, piece.Begin) - first.Position;
   const Vector3 end = this->PositionOf(piece.Triangle, piece.End) - first.Position;
   const double before = begin.dot(tangent);

@@ -46,8 +46,8 @@ std::vector<LineSample> Samples(const FieldLines& lines, std::size_t line, doubl
     {
       LineSample sample;
       sample.Position = lines.Points[p] + (static_cast<double>(k) / parts) * along;
-      sample.Normal = lines.Normals[p].cast<float>();
-      sample.Tangent = lines.Directions[p].cast<float>();
+      sample.Normal = lines.Normals[p];
+      sample.Tangent = lines.Directions[p];
       sample.Arc = static_cast<double>(line);
       samples.push_back(sample);
     }
@@ -129,8 +129,8 @@ TEST(EvenLines, LeaveNoGaps)
         const Vector3& c = surface.Points[triangle[2]];
         LineSample place;
         place.Position = (a + b + c) / 3.0;
-        place.Normal = (b - a).cross(c - a).normalized().cast<float>();
-        place.Tangent = (b - a).normalized().cast<float>();
+        place.Normal = (b - a).cross(c - a).normalized();
+        place.Tangent = (b - a).normalized();
         far += grid.IsNear(place, 1.1 * lines.Spacing) ? 0 : 1;
       }
       EXPECT_EQ(far, 0) << "degree " << degree << ", " << surface.Triangles.size() << " triangles";
