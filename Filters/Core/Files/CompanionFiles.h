@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_CompanionFiles_h
+#define DirectionFields_CompanionFiles_h
+
+#include "Surface.h"
+#include "Types.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// An edge where the surface is sharp, seen from a triangle.
+struct SharpEdge
+{
+  bool IsConvex;
+  Index Triangle;
+  /// 0 ... 2: from this corner of the triangle to the next one.
+  int Corner;
+};
+
+/// A face or a vertex where a field is singular.
+struct SingularElement
+{
+  Index Element;
+  /// In units of 1/n.
+  int SingularityIndex;
+};
+
+/// What the mesh files that WriteObj makes begin with, so that they can be told from others.
+extern const std::string_view ObjMark;
+
+/// The text of an .obj file with all points and triangles in their order, on which the rows of a file with a
+/// field count.
+std::string WriteObj(const Surface& surface);
+/// The text of a .sharp file (QuadWild): the number of rows, and rows of 1 for convex or 0 for concave, triangle
+/// and corner, separated by commas.
+std::string WriteSharp(const std::vector<SharpEdge>& edges);
+/// The text of a .sing file (Directional): degree and number of rows, and rows of element and index.
+std::string WriteSingularities(int degree, const std::vector<SingularElement>& elements);
+}
+
+#endif
