@@ -20,10 +20,9 @@ namespace
 constexpr Index PieceSize = 1 << 13;
 
 /// Fills in the counts of each component's part that belongs to this piece of the surface.
-void AddCounts(const TriangleMesh& mesh, const Surface& surface, const Constraints& constraints,
-  std::vector<ComponentReport>& reports)
+void AddCounts(
+  const TriangleMesh& mesh, const OwnedParts& owned, std::vector<ComponentReport>& reports)
 {
-  const OwnedParts owned(mesh, surface);
   for (std::size_t c = 0; c < reports.size(); ++c)
   {
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
@@ -33,11 +32,22 @@ void AddCounts(const TriangleMesh& mesh, const Surface& surface, const Constrain
     report.Vertices = counts.Vertices;
     report.Triangles = counts.Triangles;
     report.Closed = component.Closed && counts.Ghosts == 0;
-    for (Index v = component.FirstVertex; constraints.Any() && v < component.EndVertex; ++v)
+  }
+}
+
+/// Counts the constraints of each component's part that belongs to this piece of the surface.
+void CountConstraints(const TriangleMesh& mesh, const Surface& surface,
+  const Constraints& constraints, std::vector<ComponentReport>& reports)
+{
+  const OwnedParts owned(mesh, surface);
+  for (std::size_t c = 0; c < reports.size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
     {
       const bool counted = constraints.Kind[v] != ConstraintKind::None && mesh.IsFrontVertex(v) &&
         (owned.Vertex.empty() || owned.Vertex[v]);
-      report.Constraints += counted ? 1 : 0;
+      reports[c].Constraints += counted ? 1 : 0;
     }
   }
 }
@@ -81,10 +91,9 @@ void AddTriangles(
 
 /// EnergyDensity in the unit of the input.
 std::vector<double> DensityPerArea(
-  const Stages& stages, const Options& options, const std::vector<Complex>& section)
+  const SurfaceGeometry& geometry, int degree, const std::vector<Complex>& section)
 {
-  const SurfaceGeometry& geometry = stages.GetGeometry();
-  std::vector<double> density = EnergyDensity(geometry, options.Degree, section);
+  std::vector<double> density = EnergyDensity(geometry, degree, section);
   geometry.Mesh.ForEachComponent(
     [&](Index c)
     {
@@ -106,29 +115,19 @@ std::vector<double> DensityPerArea(
 Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
   std::vector<std::string> notes)
 {
-  const TriangleMesh& mesh = stages.GetMesh();
-  const Surface& surface = stages.GetInput();
   const Constraints& constraints = guide.GetConstraints();
   Result result;
   result.Degree = options.Degree;
   result.UnitLength = options.UnitLength;
-  result.Repaired = mesh.GetRepairs();
-  result.Repaired.DegenerateTriangles = stages.GetGeometry().Lengths.DegenerateTriangles;
   result.Repaired.MergedPoints = stages.CountMergedPoints();
   result.Notes = std::move(notes);
   result.Components = std::move(fields.Reports);
-  AddCounts(mesh, surface, constraints, result.Components);
-  AddTriangles(mesh, surface,
-    SingularityIndices(stages.GetGeometry(), options.Degree, fields.Section), result);
-
   const OutputPoints& points = stages.GetOutputPoints();
-  result.EnergyDensity = points.Spread(DensityPerArea(stages, options, fields.Section), 0.0);
-  const Vector3 zero = Vector3::Zero();
-  result.Representation = points.Spread(fields.Section, Complex(0.0));
-  result.Normal = points.Spread(stages.GetGeometry().Frames.Normal, zero);
-  result.XAxis = points.Spread(stages.GetGeometry().Frames.X, zero);
+  AddSection(stages.GetGeometry(), stages.GetInput(), points, fields.Section, result);
   if (constraints.Any())
   {
+    const Vector3 zero = Vector3::Zero();
+    CountConstraints(stages.GetMesh(), stages.GetInput(), constraints, result.Components);
     result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
     result.ConstraintDirection = points.Spread(
       DirectionsOf(constraints.Value, stages.GetGeometry().Frames, options.Degree), zero);
@@ -137,8 +136,26 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   {
     result.Curvature = stages.GetCurvatureReport(options.CurvatureScale);
   }
+  return result;
+}
+
+void AddSection(const SurfaceGeometry& geometry, const Surface& surface, const OutputPoints& points,
+  const std::vector<Complex>& section, Result& result)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Index merged = result.Repaired.MergedPoints;
+  result.Repaired = mesh.GetRepairs();
+  result.Repaired.DegenerateTriangles = geometry.Lengths.DegenerateTriangles;
+  result.Repaired.MergedPoints = merged;
+  result.Components.resize(mesh.GetComponents().size());
+  AddCounts(mesh, OwnedParts(mesh, surface), result.Components);
+  AddTriangles(mesh, surface, SingularityIndices(geometry, result.Degree, section), result);
+  result.EnergyDensity = points.Spread(DensityPerArea(geometry, result.Degree, section), 0.0);
+  const Vector3 zero = Vector3::Zero();
+  result.Representation = points.Spread(section, Complex(0.0));
+  result.Normal = points.Spread(geometry.Frames.Normal, zero);
+  result.XAxis = points.Spread(geometry.Frames.X, zero);
   result.OriginalPoint = points.Original;
   result.SplitTriangles = points.SplitTriangles;
-  return result;
 }
 }

@@ -5,6 +5,7 @@
 #define DirectionFields_FieldToResult_h
 
 #include "Field/ComponentFields.h"
+#include "Mesh/OutputPoints.h"
 
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ namespace DirectionFields::Internal
 /// @param notes the sentences for the user
 Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
   std::vector<std::string> notes);
+
+/// What follows from a section alone, wherever it comes from: the arrays over points and triangles, and of each
+/// component's report, which are made where they are not there, the counts and the sum of the indices.
+/// @param result whose Degree is set
+void AddSection(const SurfaceGeometry& geometry, const Surface& surface, const OutputPoints& points,
+  const std::vector<Complex>& section, Result& result);
 }
 
 #endif

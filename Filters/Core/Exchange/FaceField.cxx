@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Exchange/FaceField.h"
+
+#include "Interpolation/PowerOnTriangle.h"
+#include "Support/Threads.h"
+#include "Support/VectorMath.h"
+
+#include <array>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// What is left of vectors that cancel.
+constexpr double LeastPower = 1e-9;
+
+Complex Unit(const Complex& z, const Complex& otherwise)
+{
+  const double modulus = std::abs(z);
+  return modulus > LeastPower && std::isfinite(modulus) ? z / modulus : otherwise;
+}
+
+constexpr std::array<double, 3> AtMiddle = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
+
+/// Axes of a triangle of the mesh in space: along its first edge, to the left of that, and upright.
+struct Axes
+{
+  Vector3 X, Y, Normal;
+
+  Axes(const SurfaceGeometry& geometry, Index triangle)
+  {
+    const auto corner = [&](Index c) -> const Vector3&
+    { return geometry.Positions[geometry.Mesh.Tail(3 * triangle + c)]; };
+    const Vector3 edge = (corner(1) - corner(0)).stableNormalized();
+    const Vector3 other = (corner(2) - corner(0)).stableNormalized();
+    this->Normal = edge.cross(other).stableNormalized();
+    if (!(this->Normal.squaredNorm() > 0.5))
+    {
+      this->Normal = geometry.Frames.Normal[geometry.Mesh.Tail(3 * triangle)];
+    }
+    const Vector3 tangential = (edge - edge.dot(this->Normal) * this->Normal).stableNormalized();
+    this->X = tangential.squaredNorm() > 0.5 ? tangential : AnyOrthogonal(this->Normal);
+    this->Y = this->Normal.cross(this->X);
+  }
+};
+
+/// Where a face's power stands against a half-edge, to its left.
+Complex Against(const FlatTriangle& flat, int corner, const Complex& power, int degree)
+{
+  return power * IntegerPower(std::conj(flat.Along(corner)), degree);
+}
+}
+
+FaceField AtCentroids(const GivenField& field)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  FaceField faces;
+  faces.Degree = field.GetDegree();
+  faces.Power.resize(geometry.Mesh.GetNumberOfTriangles());
+  ParallelFor(geometry.Mesh.GetNumberOfTriangles(), HeavyPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        const PowerOnTriangle power(geometry, faces.Degree, field.GetSection().data(), t);
+        faces.Power[t] = Unit(power.At(power.Flat().Place(AtMiddle)), 1.0);
+      }
+    });
+  return faces;
+}
+
+FaceField FromVectors(const SurfaceGeometry& geometry, int degree,
+  const std::vector<Vector3>& vectors, std::size_t perRow)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  FaceField faces;
+  faces.Degree = degree;
+  faces.Power.resize(mesh.GetNumberOfTriangles());
+  ParallelFor(mesh.GetNumberOfTriangles(), HeavyPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        const Axes axes(geometry, t);
+        Complex sum = 0.0;
+        for (std::size_t k = 0; k < perRow; ++k)
+        {
+          const Vector3& vector =
+            vectors[static_cast<std::size_t>(mesh.InputTriangle(t)) * perRow + k];
+          const Vector3 direction = vector.stableNormalized();
+          const Complex tangential(direction.dot(axes.X), direction.dot(axes.Y));
+          sum += IntegerPower(Unit(tangential, 0.0), degree);
+        }
+        faces.Power[t] = Unit(sum, 0.0);
+      }
+    });
+  return faces;
+}
+
+std::vector<Vector3> DirectionsInSpace(const GivenField& field, const FaceField& faces, int k)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  const double period = 2.0 * Pi / faces.Degree;
+  std::vector<Vector3> directions(field.GetSurface().Triangles.size(), Vector3::Zero());
+  ParallelFor(static_cast<Index>(directions.size()), HeavyPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const Index t = field.GetMeshTriangles()[i];
+        if (t == None || faces.Power[t] == 0.0)
+        {
+          continue;
+        }
+        const Axes axes(geometry, t);
+        const int axis = std::abs(axes.Normal[0]) < 1.0 - 1e-6 ? 0 : 1;
+        const double wanted = std::atan2(axes.Y[axis], axes.X[axis]);
+        const double first = std::arg(faces.Power[t]) / faces.Degree;
+        const double angle = first + period * (std::round((wanted - first) / period) + k);
+        directions[i] = std::cos(angle) * axes.X + std::sin(angle) * axes.Y;
+      }
+    });
+  return directions;
+}
+
+std::vector<int> FaceSingularityIndices(const IntrinsicGeometry& geometry, const FaceField& faces)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const auto powerOf = [&](Index t) { return Unit(faces.Power[t], 1.0); };
+  // The least rotation from the triangle of each edge's half-edge to that of its twin, once for both of its ends.
+  std::vector<double> rotation(mesh.GetNumberOfEdges(), 0.0);
+  ParallelFor(mesh.GetNumberOfEdges(), HeavyPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index e = begin; e < end; ++e)
+      {
+        const Index h = mesh.HalfEdge(e);
+        const Index twin = mesh.Twin(h);
+        if (twin != None)
+        {
+          const FlatTriangle here(geometry, h / 3);
+          const FlatTriangle there(geometry, twin / 3);
+          const double halfTurn = faces.Degree % 2 == 0 ? 1.0 : -1.0;
+          rotation[e] =
+            std::arg(halfTurn * Against(there, twin % 3, powerOf(twin / 3), faces.Degree) *
+              std::conj(Against(here, h % 3, powerOf(h / 3), faces.Degree)));
+        }
+      }
+    });
+  std::vector<int> indices(mesh.GetNumberOfVertices(), 0);
+  ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      std::vector<Index> fan;
+      for (Index v = begin; v < end; ++v)
+      {
+        if (mesh.IsBoundary(v))
+        {
+          continue;
+        }
+        mesh.GetFan(v, fan);
+        double angles = 0.0;
+        double turned = 0.0;
+        for (const Index h : fan)
+        {
+          angles += geometry.Lengths.CornerAngle(mesh, h);
+          const Index crossed = TriangleMesh::Previous(h);
+          const double along = rotation[mesh.Edge(crossed)];
+          turned += mesh.GivesDirection(crossed) ? along : -along;
+        }
+        const double turns = (turned + faces.Degree * (2.0 * Pi - angles)) / (2.0 * Pi);
+        indices[v] = static_cast<int>(std::lround(turns));
+      }
+    });
+  return indices;
+}
+
+std::vector<Complex> ToVertices(const SurfaceGeometry& geometry, const FaceField& faces)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const std::vector<Complex> none(mesh.GetNumberOfVertices(), 0.0);
+  // The part of each corner, weighted by its angle, and that angle.
+  std::vector<Complex> parts(mesh.GetNumberOfHalfEdges(), 0.0);
+  ParallelFor(mesh.GetNumberOfTriangles(), HeavyPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        const PowerOnTriangle triangle(geometry, faces.Degree, none.data(), t);
+        const Complex middle = triangle.Flat().Place(AtMiddle);
+        const std::array<double, 3> angles = geometry.Lengths.CornerAngles(mesh, t);
+        for (int c = 0; c < 3; ++c)
+        {
+          // What stands at the angle 0 in the cone is at this angle on the flat triangle.
+          const double zero = triangle.AngleInFlat(c, 0.0, middle);
+          parts[3 * t + c] = angles[c] * faces.Power[t] * std::polar(1.0, -faces.Degree * zero);
+        }
+      }
+    });
+  std::vector<Complex> section(mesh.GetNumberOfVertices(), 0.0);
+  ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      std::vector<Index> fan;
+      for (Index v = begin; v < end; ++v)
+      {
+        mesh.GetFan(v, fan);
+        Complex sum = 0.0;
+        double weights = 0.0;
+        for (const Index h : fan)
+        {
+          sum += parts[h];
+          weights += std::abs(parts[h]);
+        }
+        section[v] = weights > 0.0 ? Complex(sum / weights) : Complex(0.0);
+      }
+    });
+  return section;
+}
+}
