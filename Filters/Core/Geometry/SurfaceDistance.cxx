@@ -20,7 +20,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// source beyond the edge between them; infinite where the way there does not lead across that edge.
 /// @param edge   squared length of that edge
 /// @param toA, toB squared lengths of the edges from the two to the third corner
-double Across(double a, double b, double edge, double toA, double toB)
+/// @param isCircle    whether fronts are circles where they can be
+double Across(double a, double b, double edge, double toA, double toB, bool isCircle)
 {
   const double length = std::sqrt(edge);
   // The first corner at 0, the second at (length, 0), the third above.
@@ -30,7 +31,7 @@ double Across(double a, double b, double edge, double toA, double toB)
   {
     return Infinity;
   }
-  if (a + b >= length)
+  if (isCircle && a + b >= length)
   {
     const double sourceX = 0.5 * (edge + a * a - b * b) / length;
     const double sourceY = -std::sqrt(std::max(0.0, a * a - sourceX * sourceX));
@@ -121,7 +122,8 @@ double SurfaceDistance::At(
     const double toTail = ToCorner(geometry, place, c);
     const double toHead = ToCorner(geometry, place, (c + 1) % 3);
     const double distance = Across(this->Distance[tail], this->Distance[head],
-      geometry.Lengths.SquaredLength[geometry.Mesh.Edge(h)], toTail * toTail, toHead * toHead);
+      geometry.Lengths.SquaredLength[geometry.Mesh.Edge(h)], toTail * toTail, toHead * toHead,
+      this->Kind == Sources::Points);
     if (distance < nearest)
     {
       nearest = distance;
@@ -132,9 +134,10 @@ double SurfaceDistance::At(
 }
 
 SurfaceDistance::SurfaceDistance(
-  const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds, double most)
+  const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds, double most, Sources sources)
   : Distance(static_cast<std::size_t>(geometry.Mesh.GetNumberOfVertices()), Infinity)
   , Source(this->Distance.size(), None)
+  , Kind(sources)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const LargeArray<double>& squares = geometry.Lengths.SquaredLength;
@@ -172,7 +175,8 @@ SurfaceDistance::SurfaceDistance(
       if (isFinal[other] != 0 && this->Source[other] == this->Source[at])
       {
         arrive(far,
-          Across(this->Distance[at], this->Distance[other], sides[1 - k], sides[k], opposite),
+          Across(this->Distance[at], this->Distance[other], sides[1 - k], sides[k], opposite,
+            this->Kind == Sources::Points),
           this->Source[at]);
       }
     }

@@ -22,7 +22,7 @@ struct MeshPlace
 /// How far the vertices of a mesh are from the nearest of some sources, along the surface. Fronts run from the sources
 /// over the triangles laid flat, from near to far (fast marching, Kimmel and Sethian 1998); across an edge that
 /// a front has passed they go on as circles around the place where its distances at both ends meet, where they
-/// do, else as a straight line. So distances are exact on what can be laid flat and seen from the source, and too long by
+/// do and sources are points, else as a straight line. So distances are exact on what can be laid flat and seen from the source, and too long by
 /// one or two percent where the surface is curved or triangles have no acute angles. Takes time n log n in the vertices reached.
 class SurfaceDistance
 {
@@ -36,9 +36,16 @@ public:
     Index Source;
   };
 
+  /// What the sources are: Points, whose fronts are circles, or the points of Curves, whose fronts are straight.
+  enum class Sources
+  {
+    Points,
+    Curves
+  };
+
   /// @param most fronts end at this distance
   SurfaceDistance(const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds,
-    double most = std::numeric_limits<double>::infinity());
+    double most = std::numeric_limits<double>::infinity(), Sources sources = Sources::Points);
 
   /// The distance of each vertex in the unit of its component; infinite where no front came.
   std::vector<double> Distance;
@@ -55,6 +62,9 @@ public:
     std::vector<Seed>& seeds);
   /// How far a place is from a corner of its triangle.
   static double ToCorner(const IntrinsicGeometry& geometry, const MeshPlace& place, int corner);
+
+private:
+  Sources Kind;
 };
 }
 
