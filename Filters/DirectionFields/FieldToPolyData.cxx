@@ -215,16 +215,13 @@ void AddTexts(const char* name, const std::vector<std::string>& texts, vtkFieldD
   data->AddArray(array);
 }
 
-/// Adds the figures of the components.
+/// Adds the figures of how the components' fields were computed.
 void AddComponentArrays(const Result& field, vtkFieldData* data)
 {
   AddComponentArray<vtkDoubleArray>("Eigenvalue", field, &ComponentReport::Eigenvalue, data);
   AddComponentArray<vtkDoubleArray>("Residual", field, &ComponentReport::Residual, data);
   AddComponentArray<vtkIntArray>("Iterations", field, &ComponentReport::Iterations, data);
   AddComponentArray<vtkIntArray>("SolverUsed", field, &ComponentReport::SolverUsed, data);
-  AddComponentArray<vtkIntArray>(
-    "EulerCharacteristic", field, &ComponentReport::EulerCharacteristic, data);
-  AddComponentArray<vtkIntArray>("IndexSum", field, &ComponentReport::IndexSum, data);
   AddComponentArray<vtkDoubleArray>("Lambda", field, &ComponentReport::Lambda, data);
   AddComponentArray<vtkDoubleArray>(
     "SmoothnessEnergy", field, &ComponentReport::SmoothnessEnergy, data);
@@ -232,10 +229,9 @@ void AddComponentArrays(const Result& field, vtkFieldData* data)
     "SystemResidual", field, &ComponentReport::SystemResidual, data);
   AddUnitArrays(field, data);
 }
-
 }
 
-void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const Progress& progress)
 {
   output->GetPointData()->RemoveArray(ArrayNames::OriginalPointIds);
@@ -253,6 +249,22 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   // Where a cell was torn apart, some of its points are in no cell: they show no direction.
   ClearField(unused, field.Degree, data);
   AddCellArrays(input, field, output);
+  // What an earlier filter says of how its field was computed is not true of this one.
+  for (const char* name : { "Eigenvalue", "Residual", "Iterations", "SolverUsed", "Lambda",
+         "SmoothnessEnergy", "SystemResidual", "UnitEnergy", "CancelledPairs", "UnitSteps" })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
+  AddComponentArray<vtkIntArray>(
+    "EulerCharacteristic", field, &ComponentReport::EulerCharacteristic, output->GetFieldData());
+  AddComponentArray<vtkIntArray>(
+    "IndexSum", field, &ComponentReport::IndexSum, output->GetFieldData());
+}
+
+void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+  const Progress& progress)
+{
+  AddGivenField(input, field, output, progress);
   AddComponentArrays(field, output->GetFieldData());
 }
 

@@ -24,6 +24,10 @@ namespace DirectionFields
 void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const Progress& progress = {});
 
+/// The same without the figures of how the field was computed, for one that was not.
+void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+  const Progress& progress = {});
+
 /// Adds the counts of what was mended, and the warnings if there are any.
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);

@@ -6,3 +6,7 @@ from .vtkDirectionFieldsFilters import (
     vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldStreamlines)
 
 __all__ = ["vtkDirectionField", "vtkDirectionFieldGlyphs", "vtkDirectionFieldStreamlines"]
+    vtkCompareDirectionFields, vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldReader,
+    vtkDirectionFieldWriter, vtkGuidanceCurves)
+__all__ = ["vtkCompareDirectionFields", "vtkDirectionField", "vtkDirectionFieldGlyphs",
+           "vtkDirectionFieldReader", "vtkDirectionFieldWriter", "vtkGuidanceCurves"]

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterRun.h"
+
+#include "Progress.h"
+
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <new>
+
+namespace DirectionFields
+{
+bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkPolyData*> outputs,
+  std::string& error)
+{
+  bool isWrong = true;
+  try
+  {
+    body();
+    return true;
+  }
+  catch (const Stopped&)
+  {
+    isWrong = false;
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "Out of memory. Decimate the surface or process it in parts.";
+  }
+  catch (const std::exception& exception)
+  {
+    error = exception.what();
+  }
+  for (vtkPolyData* output : outputs)
+  {
+    output->Initialize();
+  }
+  return !isWrong;
+}
+}

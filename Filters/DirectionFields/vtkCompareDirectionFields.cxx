@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkCompareDirectionFields.h"
+
+#include "AlgorithmProgress.h"
+#include "ComparisonToPolyData.h"
+#include "FilterRun.h"
+#include "PolyDataCheck.h"
+#include "PolyDataToField.h"
+#include "PolyDataToSurface.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkCompareDirectionFields);
+
+namespace
+{
+// Where the phases of the progress end: reading the inputs, comparing the directions. The rest is matching.
+constexpr double ProgressRead = 0.2;
+constexpr double ProgressCompared = 0.5;
+/// How far points of the same surface may be apart that two programs have written, relative to its size.
+constexpr double SamePlace = 1e-4;
+
+/// Throws std::invalid_argument where two surfaces are not the same.
+void RequireSame(const DirectionFields::Surface& one, const DirectionFields::Surface& other)
+{
+  if (one.Points.size() != other.Points.size() || one.Triangles != other.Triangles)
+  {
+    throw std::invalid_argument("The two inputs have different points or cells (" +
+      std::to_string(one.Points.size()) + " and " + std::to_string(other.Points.size()) +
+      " points, " + std::to_string(one.Triangles.size()) + " and " +
+      std::to_string(other.Triangles.size()) +
+      " triangles). Compare two fields on the same surface.");
+  }
+  Eigen::AlignedBox3d box;
+  double farthest = 0.0;
+  for (const DirectionFields::Triangle& triangle : one.Triangles)
+  {
+    for (const DirectionFields::Index i : triangle)
+    {
+      box.extend(one.Points[i]);
+      farthest = std::max(farthest, (one.Points[i] - other.Points[i]).norm());
+    }
+  }
+  if (farthest > SamePlace * box.diagonal().norm())
+  {
+    throw std::invalid_argument("Points of the two inputs are up to " + std::to_string(farthest) +
+      " apart. Compare two fields on the same surface.");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCompareDirectionFields::vtkCompareDirectionFields()
+  : MatchSingularities(true)
+  , DivergenceAndCurl(false)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MatchSingularities: " << this->MatchSingularities << "\n";
+  os << indent << "DivergenceAndCurl: " << this->DivergenceAndCurl << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::SetOtherConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::SetOtherData(vtkDataObject* field)
+{
+  this->SetInputData(1, field);
+}
+
+//------------------------------------------------------------------------------
+int vtkCompareDirectionFields::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkCompareDirectionFields::OtherOf(vtkPolyData* input, vtkDataObject* other)
+{
+  if (auto* const polyData = vtkPolyData::SafeDownCast(other))
+  {
+    return polyData;
+  }
+  auto* const otherBlocks = vtkCompositeDataSet::SafeDownCast(other);
+  // The pipeline calls this filter block by block; which block this is, only its producer knows.
+  vtkAlgorithmOutput* const connection = this->GetInputConnection(0, 0);
+  auto* const blocks = vtkCompositeDataSet::SafeDownCast(
+    connection->GetProducer()->GetOutputDataObject(connection->GetIndex()));
+  if (otherBlocks && blocks)
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> at;
+    at.TakeReference(blocks->NewIterator());
+    vtkSmartPointer<vtkCompositeDataIterator> otherAt;
+    otherAt.TakeReference(otherBlocks->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      if (at->GetCurrentDataObject() != input)
+      {
+        continue;
+      }
+      for (otherAt->InitTraversal(); !otherAt->IsDoneWithTraversal(); otherAt->GoToNextItem())
+      {
+        auto* const found = vtkPolyData::SafeDownCast(otherAt->GetCurrentDataObject());
+        if (found && otherAt->GetCurrentFlatIndex() == at->GetCurrentFlatIndex())
+        {
+          return found;
+        }
+      }
+    }
+  }
+  throw std::invalid_argument(
+    "The second input has no surface for a block of the first one. Give two inputs of "
+    "the same structure, or a single surface as the second one.");
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::Compare(
+  vtkPolyData* input, vtkPolyData* other, vtkPolyData* output, vtkPolyData* matches)
+{
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::Progress progress(report);
+  DirectionFields::CheckPolyData(input);
+  DirectionFields::CheckPolyData(other);
+  output->ShallowCopy(input);
+  if (input->GetNumberOfPoints() == 0 && other->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const DirectionFields::PointDirections first = DirectionFields::RequireDirections(input);
+  const DirectionFields::PointDirections second = DirectionFields::RequireDirections(other);
+  if (first.Degree != second.Degree)
+  {
+    throw std::invalid_argument("The fields have different degrees, " +
+      std::to_string(first.Degree) + " and " + std::to_string(second.Degree) +
+      ". Only fields of the same degree can be compared.");
+  }
+  const DirectionFields::TriangulatedPolyData surface =
+    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, 0.5 * ProgressRead));
+  RequireSame(surface.Mesh,
+    DirectionFields::PolyDataToSurface(other, progress.Part(0.5 * ProgressRead, ProgressRead))
+      .Mesh);
+  const DirectionFields::GivenField field(surface.Mesh, first);
+  DirectionFields::AddDifference(DirectionFields::Compare(field, second), output);
+  progress.Report(ProgressCompared);
+  if (!this->MatchSingularities && !this->DivergenceAndCurl)
+  {
+    return;
+  }
+  const DirectionFields::GivenField otherField(surface.Mesh, second);
+  if (this->DivergenceAndCurl)
+  {
+    DirectionFields::AddDerivatives(surface, DirectionFields::FieldDerivatives(field), 0, output);
+    DirectionFields::AddDerivatives(
+      surface, DirectionFields::FieldDerivatives(otherField), 1, output);
+  }
+  if (this->MatchSingularities)
+  {
+    DirectionFields::AddMatches(surface,
+      DirectionFields::MatchSingularities(field, otherField, progress.Part(ProgressCompared, 1.0)),
+      output, matches);
+  }
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkCompareDirectionFields::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkDataObject* other = vtkDataObject::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* matches = vtkPolyData::GetData(outputVector, 1);
+  if (!input || !other || !output || !matches)
+  {
+    return 0;
+  }
+  std::string error;
+  if (DirectionFields::RunFilter([&]
+        { this->Compare(input, this->OtherOf(input, other), output, matches); },
+        { output, matches }, error))
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}

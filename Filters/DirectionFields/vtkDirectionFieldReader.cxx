@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkDirectionFieldReader.h"
+
+#include "AlgorithmProgress.h"
+#include "Exchange/FieldImport.h"
+#include "FieldToPolyData.h"
+#include "Files/TextFile.h"
+#include "FilterRun.h"
+#include "GivenPolyData.h"
+#include "PolyDataCheck.h"
+#include "PolyDataToSurface.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkDirectionFieldReader);
+
+namespace
+{
+// Where the phases of the progress end: reading the input and the file, laying the one on the other.
+constexpr double ProgressRead = 0.3;
+constexpr double ProgressImported = 0.8;
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldReader::vtkDirectionFieldReader()
+  : FileName(nullptr)
+  , FieldOn(AUTOMATIC)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldReader::~vtkDirectionFieldReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "FieldOn: " << this->FieldOn << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldReader::ReadField(
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    throw std::invalid_argument(
+      "There is no FileName. Choose a .rosy, .ffield, .rawfield or .obj file.");
+  }
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::Progress progress(report);
+  DirectionFields::CheckPolyData(input);
+  const DirectionFields::FieldFormat format = DirectionFields::FormatOf(this->FileName);
+  const DirectionFields::FieldFile file =
+    DirectionFields::ReadField(DirectionFields::ReadText(this->FileName), format);
+  const DirectionFields::TriangulatedPolyData surface =
+    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
+  const DirectionFields::ImportedField imported = DirectionFields::ImportField(file, surface.Mesh,
+    static_cast<DirectionFields::FieldOn>(this->FieldOn), DirectionFields::HasOnlyTriangles(input),
+    progress.Part(ProgressRead, ProgressImported));
+  for (const std::string& warning : imported.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  output->ShallowCopy(input);
+  DirectionFields::AddGivenField(
+    surface, imported.Field, output, progress.Part(ProgressImported, 1.0));
+  DirectionFields::AddReport(imported.Field.Repaired, imported.Warnings, output->GetFieldData());
+  DirectionFields::MakeSingularities(surface, imported.Field,
+    input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* singularities = vtkPolyData::GetData(outputVector, 1);
+  if (!input || !output || !singularities)
+  {
+    return 0;
+  }
+  std::string error;
+  if (DirectionFields::RunFilter(
+        [&] { this->ReadField(input, output, singularities); }, { output, singularities }, error))
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}
