@@ -5,14 +5,14 @@
 
 #include "Progress.h"
 
-#include "vtkPolyData.h"
+#include "vtkDataObject.h"
 
 #include <exception>
 #include <new>
 
 namespace DirectionFields
 {
-bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkPolyData*> outputs,
+bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkDataObject*> outputs,
   std::string& error)
 {
   bool isWrong = true;
@@ -33,7 +33,7 @@ bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkPolyD
   {
     error = exception.what();
   }
-  for (vtkPolyData* output : outputs)
+  for (vtkDataObject* output : outputs)
   {
     output->Initialize();
   }

@@ -8,14 +8,14 @@
 #include <initializer_list>
 #include <string>
 
-class vtkPolyData;
+class vtkDataObject;
 
 namespace DirectionFields
 {
 /// Runs the body of a filter and empties its outputs where it does not come to its end.
 /// @param error what was wrong, as a sentence for the user
 /// @return false for an error; a filter that was stopped has none
-bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkPolyData*> outputs,
+bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkDataObject*> outputs,
   std::string& error);
 }
 

@@ -10,11 +10,13 @@
 #include "PolyDataToField.h"
 #include "PolyDataToSurface.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -92,60 +94,53 @@ void vtkCompareDirectionFields::SetOtherData(vtkDataObject* field)
 }
 
 //------------------------------------------------------------------------------
-int vtkCompareDirectionFields::FillInputPortInformation(int port, vtkInformation* info)
+int vtkCompareDirectionFields::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkCompareDirectionFields::OtherOf(vtkPolyData* input, vtkDataObject* other)
+int vtkCompareDirectionFields::FillOutputPortInformation(int, vtkInformation* info)
 {
-  if (auto* const polyData = vtkPolyData::SafeDownCast(other))
-  {
-    return polyData;
-  }
-  auto* const otherBlocks = vtkCompositeDataSet::SafeDownCast(other);
-  // The pipeline calls this filter block by block; which block this is, only its producer knows.
-  vtkAlgorithmOutput* const connection = this->GetInputConnection(0, 0);
-  auto* const blocks = vtkCompositeDataSet::SafeDownCast(
-    connection->GetProducer()->GetOutputDataObject(connection->GetIndex()));
-  if (otherBlocks && blocks)
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> at;
-    at.TakeReference(blocks->NewIterator());
-    vtkSmartPointer<vtkCompositeDataIterator> otherAt;
-    otherAt.TakeReference(otherBlocks->NewIterator());
-    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-    {
-      if (at->GetCurrentDataObject() != input)
-      {
-        continue;
-      }
-      for (otherAt->InitTraversal(); !otherAt->IsDoneWithTraversal(); otherAt->GoToNextItem())
-      {
-        auto* const found = vtkPolyData::SafeDownCast(otherAt->GetCurrentDataObject());
-        if (found && otherAt->GetCurrentFlatIndex() == at->GetCurrentFlatIndex())
-        {
-          return found;
-        }
-      }
-    }
-  }
-  throw std::invalid_argument(
-    "The second input has no surface for a block of the first one. Give two inputs of "
-    "the same structure, or a single surface as the second one.");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkCompareDirectionFields::Compare(
-  vtkPolyData* input, vtkPolyData* other, vtkPolyData* output, vtkPolyData* matches)
+vtkTypeBool vtkCompareDirectionFields::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    // The outputs are composite where the first input is: two composite inputs are compared block by block, which
+    // the pipeline does with one of them only.
+    vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
+    auto* const composite = vtkCompositeDataSet::SafeDownCast(input);
+    for (int port = 0; input && port < 2; ++port)
+    {
+      vtkInformation* const info = outputVector->GetInformationObject(port);
+      vtkDataObject* const now = info->Get(vtkDataObject::DATA_OBJECT());
+      const std::string wanted = composite ? composite->GetClassName() : "vtkPolyData";
+      if (!now || now->GetClassName() != wanted)
+      {
+        vtkSmartPointer<vtkDataObject> output;
+        output.TakeReference(
+          composite ? static_cast<vtkDataObject*>(composite->NewInstance()) : vtkPolyData::New());
+        info->Set(vtkDataObject::DATA_OBJECT(), output);
+      }
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other, double begin,
+  double end, vtkPolyData* output, vtkPolyData* matches)
+{
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this, begin, end);
   const DirectionFields::Progress progress(report);
   DirectionFields::CheckPolyData(input);
   DirectionFields::CheckPolyData(other);
@@ -187,25 +182,81 @@ void vtkCompareDirectionFields::Compare(
       DirectionFields::MatchSingularities(field, otherField, progress.Part(ProgressCompared, 1.0)),
       output, matches);
   }
-  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::CompareBlocks(vtkCompositeDataSet* input, vtkDataObject* other,
+  vtkCompositeDataSet* output, vtkCompositeDataSet* matches)
+{
+  vtkSmartPointer<vtkCompositeDataIterator> at;
+  at.TakeReference(input->NewIterator());
+  double blocks = 0.0;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    blocks += 1.0;
+  }
+  auto* const others = vtkCompositeDataSet::SafeDownCast(other);
+  double done = 0.0;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem(), done += 1.0)
+  {
+    auto* const block = vtkPolyData::SafeDownCast(at->GetCurrentDataObject());
+    auto* const otherBlock = vtkPolyData::SafeDownCast(others ? others->GetDataSet(at) : other);
+    if (!block)
+    {
+      continue;
+    }
+    if (!otherBlock)
+    {
+      throw std::invalid_argument(
+        "The second input has no surface for a block of the first one. Give two inputs of the same structure, or a "
+        "single surface as the second one.");
+    }
+    vtkNew<vtkPolyData> difference;
+    vtkNew<vtkPolyData> blockMatches;
+    this->Compare(
+      block, otherBlock, done / blocks, (done + 1.0) / blocks, difference, blockMatches);
+    output->SetDataSet(at, difference);
+    matches->SetDataSet(at, blockMatches);
+  }
 }
 
 //------------------------------------------------------------------------------
 int vtkCompareDirectionFields::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkDataObject* other = vtkDataObject::GetData(inputVector[1]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* matches = vtkPolyData::GetData(outputVector, 1);
+  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const other = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
+  vtkDataObject* const matches = vtkDataObject::GetData(outputVector, 1);
   if (!input || !other || !output || !matches)
   {
     return 0;
   }
   std::string error;
-  if (DirectionFields::RunFilter([&]
-        { this->Compare(input, this->OtherOf(input, other), output, matches); },
-        { output, matches }, error))
+  const auto compare = [&]
+  {
+    if (auto* const composite = vtkCompositeDataSet::SafeDownCast(input))
+    {
+      auto* const differences = vtkCompositeDataSet::SafeDownCast(output);
+      auto* const allMatches = vtkCompositeDataSet::SafeDownCast(matches);
+      differences->CopyStructure(composite);
+      allMatches->CopyStructure(composite);
+      this->CompareBlocks(composite, other, differences, allMatches);
+    }
+    else
+    {
+      auto* const surface = vtkPolyData::SafeDownCast(other);
+      if (!surface)
+      {
+        throw std::invalid_argument(
+          "The second input is a composite dataset, the first one a single surface. Give the composite one first.");
+      }
+      this->Compare(vtkPolyData::SafeDownCast(input), surface, 0.0, 1.0,
+        vtkPolyData::SafeDownCast(output), vtkPolyData::SafeDownCast(matches));
+    }
+    this->UpdateProgress(1.0);
+  };
+  if (DirectionFields::RunFilter(compare, { output, matches }, error))
   {
     return 1;
   }

@@ -46,12 +46,17 @@
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+class vtkCompositeDataSet;
+
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkCompareDirectionFields : public vtkPolyDataAlgorithm
 {
 public:
   static vtkCompareDirectionFields* New();
   vtkTypeMacro(vtkCompareDirectionFields, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /**
@@ -84,6 +89,7 @@ protected:
   ~vtkCompareDirectionFields() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -91,10 +97,12 @@ private:
   vtkCompareDirectionFields(const vtkCompareDirectionFields&) = delete;
   void operator=(const vtkCompareDirectionFields&) = delete;
 
-  /// What the second input has for a block of the first one. Throws std::invalid_argument where that is nothing.
-  vtkPolyData* OtherOf(vtkPolyData* input, vtkDataObject* other);
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void Compare(vtkPolyData* input, vtkPolyData* other, vtkPolyData* output, vtkPolyData* matches);
+  /// @param begin, end the part of the progress
+  void Compare(vtkPolyData* input, vtkPolyData* other, double begin, double end,
+    vtkPolyData* output, vtkPolyData* matches);
+  void CompareBlocks(vtkCompositeDataSet* input, vtkDataObject* other, vtkCompositeDataSet* output,
+    vtkCompositeDataSet* matches);
 
   bool MatchSingularities;
   bool DivergenceAndCurl;

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Guidance from curves, and fields that follow it.
+
+#include "PipelineChecks.h"
+
+#include "vtkGuidanceCurves.h"
+
+#include "vtkMultiBlockDataSet.h"
+
+using namespace Checks;
+
+namespace
+{
+/// A circle on the unit sphere, or near it, at a height.
+vtkSmartPointer<vtkPolyData> Circle(double height, double radius = 1.0)
+{
+  auto curve = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  const int parts = 200;
+  lines->InsertNextCell(parts + 1);
+  for (int i = 0; i <= parts; ++i)
+  {
+    const double angle = 2.0 * PolyMeshes::Pi * i / parts;
+    const double ring = std::sqrt(1.0 - height * height);
+    lines->InsertCellPoint(points->InsertNextPoint(
+      radius * ring * std::cos(angle), radius * ring * std::sin(angle), radius * height));
+  }
+  curve->SetPoints(points);
+  curve->SetLines(lines);
+  return curve;
+}
+
+vtkSmartPointer<vtkGuidanceCurves> Make(vtkPolyData* mesh, vtkDataObject* curves, int degree = 4)
+{
+  auto filter = vtkSmartPointer<vtkGuidanceCurves>::New();
+  filter->SetInputData(mesh);
+  filter->SetCurvesData(curves);
+  filter->SetDegree(degree);
+  return filter;
+}
+
+vtkIdType CountGuided(vtkPolyData* output)
+{
+  vtkDataArray* weights = output->GetPointData()->GetArray("GuidanceWeights");
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; weights && i < weights->GetNumberOfTuples(); ++i)
+  {
+    count += weights->GetComponent(i, 0) > 0.0 ? 1 : 0;
+  }
+  return count;
+}
+
+void TestParameters()
+{
+  vtkNew<vtkGuidanceCurves> filter;
+  CHECK(filter->GetDegree() == 4);
+  CHECK(filter->GetRadius() == 0.0);
+  CHECK(filter->GetFalloff() == 0.5);
+  CHECK(filter->GetMaximumDistance() == 0.0);
+  CHECK(filter->GetNumberOfInputPorts() == 2);
+  filter->SetDegree(99);
+  filter->SetRadius(-1.0);
+  filter->SetFalloff(0.0);
+  filter->SetMaximumDistance(0.25);
+  CHECK(PipelineChecks::Prints(
+    filter, { "Degree: 16\n", "Radius: 0\n", "Falloff: 0.01\n", "MaximumDistance: 0.25\n" }));
+}
+
+/// A field with ConstrainGuidance goes along the circle.
+void TestFieldFollows()
+{
+  auto mesh = PolyMeshes::Icosphere(4);
+  auto curve = Circle(0.3);
+  auto guidance = Make(mesh, curve);
+  guidance->Update();
+  vtkDataArray* vectors = guidance->GetOutput()->GetPointData()->GetArray("GuidanceVectors");
+  REQUIRE(vectors && vectors->GetDataType() == VTK_DOUBLE);
+  CHECK(CountGuided(guidance->GetOutput()) > 60);
+  vtkNew<vtkDirectionField> field;
+  field->SetInputConnection(guidance->GetOutputPort());
+  field->SetGuidanceVectors("GuidanceVectors");
+  field->SetGuidanceWeights("GuidanceWeights");
+  field->ConstrainGuidanceOn();
+  field->DropConstraintsAtSingularitiesOff();
+  field->Update();
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    if (guidance->GetOutput()->GetPointData()->GetArray("GuidanceWeights")->GetComponent(i, 0) >
+      0.0)
+    {
+      const double* p = mesh->GetPoint(i);
+      double along[3] = { -p[1], p[0], 0.0 };
+      vtkMath::Normalize(along);
+      double nearest = PolyMeshes::Pi;
+      for (int k = 0; k < 4; ++k)
+      {
+        double d[3];
+        Direction(field->GetOutput(), k)->GetTuple(i, d);
+        nearest = std::min(nearest, vtkMath::AngleBetweenVectors(d, along));
+      }
+      worst = std::max(worst, nearest);
+    }
+  }
+  std::cout << "largest angle to the circle: " << vtkMath::DegreesFromRadians(worst) << std::endl;
+  CHECK(worst < vtkMath::RadiansFromDegrees(2.5));
+}
+
+/// Curves of several blocks count together; polygons and float points are taken.
+void TestInputs()
+{
+  auto mesh = PolyMeshes::Icosphere(3, VTK_FLOAT);
+  vtkNew<vtkMultiBlockDataSet> curves;
+  curves->SetBlock(0, Circle(0.5));
+  curves->SetBlock(3, Circle(-0.5));
+  auto both = Make(mesh, curves);
+  auto one = Make(mesh, Circle(0.5));
+  both->Update();
+  one->Update();
+  CHECK(CountGuided(one->GetOutput()) > 20);
+  CHECK(CountGuided(both->GetOutput()) == 2 * CountGuided(one->GetOutput()));
+  CHECK(both->GetOutput()->GetPointData()->GetArray("GuidanceVectors")->GetDataType() == VTK_FLOAT);
+
+  auto torus = Make(PolyMeshes::QuadTorus(20, 10), Circle(0.0));
+  torus->Update();
+  CHECK(CountGuided(torus->GetOutput()) > 10);
+  CHECK(torus->GetOutput()->GetNumberOfPolys() == 200);
+
+  // The surface may be composite as well.
+  vtkNew<vtkMultiBlockDataSet> surfaces;
+  surfaces->SetBlock(0, mesh);
+  surfaces->SetBlock(1, PolyMeshes::Icosphere(2));
+  vtkNew<vtkGuidanceCurves> filter;
+  filter->SetInputDataObject(0, surfaces);
+  filter->SetCurvesData(curves);
+  filter->Update();
+  auto output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  REQUIRE(output && output->GetNumberOfBlocks() == 2);
+  CHECK(
+    CountGuided(vtkPolyData::SafeDownCast(output->GetBlock(0))) == CountGuided(both->GetOutput()));
+}
+
+void TestMessages()
+{
+  auto mesh = PolyMeshes::Icosphere(2);
+  const auto check = [&](vtkPolyData* curve, double most, std::initializer_list<const char*> words)
+  {
+    auto filter = Make(mesh, curve);
+    vtkNew<Messages> messages;
+    messages->Observe(filter);
+    filter->SetMaximumDistance(most);
+    filter->Update();
+    CHECK(messages->IsOneWarning(words));
+    CHECK(CountGuided(filter->GetOutput()) == 0);
+  };
+  check(vtkNew<vtkPolyData>(), 0.0, { "no lines" });
+  check(mesh, 0.0, { "no lines" });
+  check(Circle(0.3, 2.0), 0.1, { "MaximumDistance" });
+
+  auto broken = Circle(0.3);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType ids[3] = { 0, 9999, 1 };
+  lines->InsertNextCell(3, ids);
+  broken->SetLines(lines);
+  auto filter = Make(mesh, broken);
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->Update();
+  CHECK(messages->IsOneError({ "9999" }));
+
+  auto empty = Make(vtkNew<vtkPolyData>(), Circle(0.3));
+  vtkNew<Messages> none;
+  none->Observe(empty);
+  empty->Update();
+  CHECK(none->IsEmpty());
+  CHECK(empty->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+void TestPipeline()
+{
+  auto mesh = PolyMeshes::Pebble(4);
+  auto curve = Circle(0.2);
+  PipelineChecks::CheckProgressAndAbort(
+    [&]
+    {
+      auto filter = Make(mesh, curve, 2);
+      filter->SetRadius(0.4);
+      return filter;
+    });
+}
+}
+
+int TestDirectionFieldCurves(int, char*[])
+{
+  TestParameters();
+  TestFieldFollows();
+  TestInputs();
+  TestMessages();
+  TestPipeline();
+  return Result();
+}

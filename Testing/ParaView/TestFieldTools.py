@@ -1,0 +1,208 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files, guidance from curves and comparison in Python: TestFieldTools.py PLUGIN PRINT_PROPERTIES DIRECTORY
+
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ classes."""
+import json
+import math
+import os
+import subprocess
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+FOLDER = os.path.join(sys.argv[3], "FieldTools")
+os.makedirs(FOLDER, exist_ok=True)
+# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
+UNLIMITED = 1e299
+ENUMERATIONS = {"ReadDirectionField": ["Automatic", "Cells", "Points"],
+                "DirectionFieldWriter": ["Cells", "Points"]}
+ADVANCED = {"ReadDirectionField": ["FieldOn"], "DirectionFieldWriter": [],
+            "GuidanceFromCurves": ["Falloff", "MaximumDistance"], "CompareDirectionFields": []}
+
+
+def mesh():
+    return Sphere(ThetaResolution=32, PhiResolution=24)
+
+
+def clean(name):
+    for ending in ("rosy", "ffield", "rawfield", "sing", "sharp", "obj"):
+        path = os.path.join(FOLDER, f"{name}.{ending}")
+        if os.path.exists(path):
+            os.remove(path)
+
+
+def numbers(data, name):
+    return data.GetFieldData().GetArray(name).GetTuple(0)
+
+
+def make(name):
+    field = DirectionField(Input=mesh())
+    if name == "ReadDirectionField":
+        return ReadDirectionField(Input=mesh(), FileName="")
+    if name == "GuidanceFromCurves":
+        return GuidanceFromCurves(Input=mesh(), Curves=SplineSource())
+    if name == "CompareDirectionFields":
+        return CompareDirectionFields(Input=field, Other=field)
+    return servermanager.writers.DirectionFieldWriter(Input=field)
+
+
+def test_properties():
+    """Defaults and ranges equal those of C++, and everything is documented."""
+    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    for filter, figures in expected.items():
+        proxy = make(filter)
+        for name, figure in figures.items():
+            property = proxy.SMProxy.GetProperty(name)
+            assert property.GetElement(0) == figure["default"], (filter, name)
+            if "min" not in figure:
+                assert property.GetDomain("bool"), name
+            elif name == "FieldOn":
+                domain = property.GetDomain("enum")
+                entries = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
+                assert entries == ENUMERATIONS[filter], entries
+                assert (figure["min"], figure["max"]) == (0, len(entries) - 1), name
+            else:
+                domain = property.GetDomain("range")
+                assert domain.GetMinimumExists(0) and domain.GetMinimum(0) == figure["min"], name
+                assert bool(domain.GetMaximumExists(0)) == (figure["max"] < UNLIMITED), name
+                if figure["max"] < UNLIMITED:
+                    assert domain.GetMaximum(0) == figure["max"], name
+            assert property.GetPanelVisibility() == (
+                "advanced" if name in ADVANCED[filter] else "default"), name
+        if filter == "DirectionFieldWriter":
+            continue
+        names = [name for name in proxy.ListProperties()
+                 if name not in ("Input", "Curves", "Other", "FileName")]
+        assert sorted(names) == sorted(figures), names
+        for name in proxy.ListProperties():
+            documentation = proxy.SMProxy.GetProperty(name).GetDocumentation()
+            assert documentation and documentation.GetDescription().strip(), name
+        documentation = proxy.SMProxy.GetDocumentation()
+        for text in (documentation.GetDescription(), documentation.GetShortHelp(),
+                     documentation.GetLongHelp()):
+            assert text and text.strip()
+        hints = proxy.SMProxy.GetHints()
+        assert hints.FindNestedElementByName("ShowInMenu").GetAttribute(
+            "category") == "Direction Fields"
+
+
+def test_labels():
+    for name, label in (("ReadDirectionField", "Read Direction Field"),
+                        ("GuidanceFromCurves", "Guidance From Curves"),
+                        ("CompareDirectionFields", "Compare Direction Fields")):
+        assert make(name).SMProxy.GetXMLLabel() == label
+
+
+def test_save_data():
+    """File, Save Data offers the formats for surfaces, and writes what belongs together."""
+    field = DirectionField(Input=mesh())
+    field.UpdatePipeline()
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+    formats = factory.GetSupportedFileTypes(field.SMProxy, 0)
+    for ending in ("rosy", "ffield", "rawfield", "sing"):
+        assert f"*.{ending}" in formats, formats
+    expected = {"rosy": {"rosy", "obj", "sharp"}, "ffield": {"ffield", "obj"},
+                "rawfield": {"rawfield", "obj", "sing"}, "sing": {"sing", "obj"}}
+    for ending, endings in expected.items():
+        name = f"saved-{ending}"
+        clean(name)
+        SaveData(os.path.join(FOLDER, f"{name}.{ending}"), proxy=field)
+        written = {file.split(".")[-1] for file in os.listdir(FOLDER)
+                   if file.startswith(name + ".")}
+        assert written == endings, written
+    clean("points")
+    SaveData(os.path.join(FOLDER, "points.rawfield"), proxy=field, FieldOn="Points")
+    with open(os.path.join(FOLDER, "points.rawfield"), encoding="ascii") as file:
+        assert file.readline() == "4 706\n"
+
+
+def test_round_trip():
+    """What is saved is read back, with true indices, and glyphs show it."""
+    field = DirectionField(Input=mesh())
+    for ending in ("rosy", "ffield", "rawfield"):
+        path = os.path.join(FOLDER, f"round.{ending}")
+        clean("round")
+        SaveData(path, proxy=field)
+        back = ReadDirectionField(Input=mesh(), FileName=path)
+        data = servermanager.Fetch(back)
+        assert numbers(data, "IndexSum") == (8.0,)
+        assert numbers(data, "EulerCharacteristic") == (2.0,)
+        assert data.GetPointData().GetVectors().GetName() == "Direction0"
+        assert data.GetPointData().GetArray("Direction3") is not None
+        singularities = servermanager.Fetch(back, idx=1)
+        assert singularities.GetNumberOfPoints() >= 8
+        glyphs = servermanager.Fetch(DirectionFieldGlyphs(Input=back))
+        assert numbers(glyphs, "NumberOfGlyphs")[0] > 1700
+        comparison = servermanager.Fetch(CompareDirectionFields(Input=field, Other=back))
+        assert numbers(comparison, "MeanAngleDifference")[0] < 2.0
+    # On points, in single precision as the sphere's: half of the digits of an angle near zero.
+    clean("round")
+    path = os.path.join(FOLDER, "round.rawfield")
+    SaveData(path, proxy=field, FieldOn="Points")
+    comparison = servermanager.Fetch(CompareDirectionFields(
+        Input=field, Other=ReadDirectionField(Input=mesh(), FileName=path)))
+    assert numbers(comparison, "MaximumAngleDifference")[0] < 1e-4
+    assert numbers(comparison, "MatchedSingularities")[1:] == (0.0, 0.0)
+
+
+def test_curves():
+    """A poly line on the surface guides a field."""
+    points = []
+    for i in range(20):
+        points += [0.5 * math.cos(0.3 * i), 0.5 * math.sin(0.3 * i), 0.0]
+    guided = GuidanceFromCurves(Input=mesh(), Curves=PolyLineSource(Points=points), Degree=4,
+                                Radius=0.1)
+    data = servermanager.Fetch(guided)
+    weights = data.GetPointData().GetArray("GuidanceWeights")
+    assert weights.GetRange()[0] == 0.0 and 0.5 < weights.GetRange()[1] <= 1.0, weights.GetRange()
+    field = DirectionField(Input=guided, Alignment="Point Vectors")
+    field.GuidanceVectors = "GuidanceVectors"
+    field.UpdatePipeline()
+    assert servermanager.Fetch(field).GetPointData().GetArray("Direction0") is not None
+
+
+def test_composite():
+    group = GroupDatasets(Input=[mesh(), Sphere(ThetaResolution=16, PhiResolution=12)])
+    field = DirectionField(Input=group)
+    other = DirectionField(Input=group, EnergyBias=0.9)
+    data = servermanager.Fetch(CompareDirectionFields(Input=field, Other=other))
+    blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())]
+    assert len(blocks) == 2
+    for block in blocks:
+        assert block.GetPointData().GetArray("AngleDifference") is not None
+    guided = servermanager.Fetch(GuidanceFromCurves(Input=group, Curves=SplineSource()))
+    assert guided.GetBlock(1).GetPointData().GetArray("GuidanceVectors") is not None
+
+
+def test_state():
+    state = os.path.join(FOLDER, "state.pvsm")
+    path = os.path.join(FOLDER, "saved-rosy.rosy")
+    RenameSource("read", ReadDirectionField(Input=mesh(), FileName=path, FieldOn="Cells"))
+    RenameSource("guided", GuidanceFromCurves(Input=mesh(), Curves=SplineSource(), Degree=2,
+                                              Radius=0.25, Falloff=0.75, MaximumDistance=3.0))
+    field = DirectionField(Input=mesh())
+    RenameSource("compared", CompareDirectionFields(Input=field, Other=field,
+                                                    MatchSingularities=0, DivergenceAndCurl=1))
+    SaveState(state)
+    ResetSession()
+    LoadState(state)
+    read = FindSource("read")
+    assert (read.FileName, read.FieldOn) == (path, "Cells"), read.FileName
+    guided = FindSource("guided")
+    assert (guided.Degree, guided.Radius, guided.Falloff, guided.MaximumDistance) == (
+        2, 0.25, 0.75, 3.0)
+    compared = FindSource("compared")
+    assert (compared.MatchSingularities, compared.DivergenceAndCurl) == (0, 1)
+
+
+test_properties()
+test_labels()
+test_save_data()
+test_round_trip()
+test_curves()
+test_composite()
+test_state()
+print("passed")
