@@ -34,6 +34,7 @@ constexpr const char* MeanCurvature = "MeanCurvature";
 constexpr const char* GaussianCurvature = "GaussianCurvature";
 constexpr const char* OriginalPointIds = "OriginalPointIds";
 constexpr const char* SingularityIndex = "SingularityIndex";
+constexpr const char* FaceSingularityIndex = "FaceSingularityIndex";
 constexpr const char* Repairs = "Repairs";
 constexpr const char* Warnings = "Warnings";
 constexpr const char* Summary = "Summary";

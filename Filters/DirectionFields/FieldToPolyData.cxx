@@ -249,7 +249,12 @@ void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPo
   // Where a cell was torn apart, some of its points are in no cell: they show no direction.
   ClearField(unused, field.Degree, data);
   AddCellArrays(input, field, output);
-  // What an earlier filter says of how its field was computed is not true of this one.
+  // What an earlier filter says of its field is not true of this one.
+  for (int k = 0; k < MostDirections; ++k)
+  {
+    output->GetCellData()->RemoveArray(ArrayNames::Direction(k).c_str());
+  }
+  data->RemoveArray(ArrayNames::FaceSingularityIndex);
   for (const char* name : { "Eigenvalue", "Residual", "Iterations", "SolverUsed", "Lambda",
          "SmoothnessEnergy", "SystemResidual", "UnitEnergy", "CancelledPairs", "UnitSteps" })
   {

@@ -5,10 +5,12 @@
 
 #include "AlgorithmProgress.h"
 #include "ComparisonToPolyData.h"
+#include "DefaultThreads.h"
 #include "FilterRun.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToField.h"
 #include "PolyDataToSurface.h"
+#include "Support/Threads.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -142,6 +144,8 @@ void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other, 
 {
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this, begin, end);
   const DirectionFields::Progress progress(report);
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
   DirectionFields::CheckPolyData(other);
   output->ShallowCopy(input);

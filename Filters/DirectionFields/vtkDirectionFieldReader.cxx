@@ -4,6 +4,7 @@
 #include "vtkDirectionFieldReader.h"
 
 #include "AlgorithmProgress.h"
+#include "DefaultThreads.h"
 #include "Exchange/FieldImport.h"
 #include "FieldToPolyData.h"
 #include "Files/TextFile.h"
@@ -11,6 +12,8 @@
 #include "GivenPolyData.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToSurface.h"
+#include "SingularPoints.h"
+#include "Support/Threads.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,6 +21,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +33,17 @@ namespace
 // Where the phases of the progress end: reading the input and the file, laying the one on the other.
 constexpr double ProgressRead = 0.3;
 constexpr double ProgressImported = 0.8;
+
+/// One line that says what the field is like.
+std::string SummaryOf(const DirectionFields::Result& field)
+{
+  const auto& indices = field.SingularityIndex;
+  const auto positive = std::count_if(indices.begin(), indices.end(), [](int k) { return k > 0; });
+  const auto negative = std::count_if(indices.begin(), indices.end(), [](int k) { return k < 0; });
+  return std::to_string(positive + negative) + " singularities (" + std::to_string(positive) +
+    " +, " + std::to_string(negative) + " -), index sum " +
+    std::to_string(std::accumulate(indices.begin(), indices.end(), 0)) + ", read from a file";
+}
 }
 
 //------------------------------------------------------------------------------
@@ -63,6 +79,8 @@ void vtkDirectionFieldReader::ReadField(
   }
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
   const DirectionFields::Progress progress(report);
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
   const DirectionFields::FieldFormat format = DirectionFields::FormatOf(this->FileName);
   const DirectionFields::FieldFile file =
@@ -80,8 +98,13 @@ void vtkDirectionFieldReader::ReadField(
   DirectionFields::AddGivenField(
     surface, imported.Field, output, progress.Part(ProgressImported, 1.0));
   DirectionFields::AddReport(imported.Field.Repaired, imported.Warnings, output->GetFieldData());
-  DirectionFields::MakeSingularities(surface, imported.Field,
+  DirectionFields::MakeSingularPoints(surface, imported.Field,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
+  const std::string summary = SummaryOf(imported.Field);
+  for (vtkPolyData* const data : { output, singularities })
+  {
+    DirectionFields::AddSummary(summary, data->GetFieldData());
+  }
   this->UpdateProgress(1.0);
 }
 

@@ -3,6 +3,7 @@
 
 #include "vtkDirectionFieldWriter.h"
 
+#include "DefaultThreads.h"
 #include "Exchange/FieldExport.h"
 #include "Files/CompanionFiles.h"
 #include "Files/TextFile.h"
@@ -10,6 +11,7 @@
 #include "Options.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToSurface.h"
+#include "Support/Threads.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -117,6 +119,8 @@ void vtkDirectionFieldWriter::WriteFiles()
     throw std::invalid_argument(
       "A direction field is written to a .rosy, .ffield, .rawfield or .sing file; its mesh, .obj, comes with it.");
   }
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
   const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(input);
   DirectionFields::RequireTriangles(input);

@@ -5,10 +5,12 @@
 
 #include "AlgorithmProgress.h"
 #include "Curves/CurveGuidance.h"
+#include "DefaultThreads.h"
 #include "FieldArrays.h"
 #include "FilterRun.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToSurface.h"
+#include "Support/Threads.h"
 
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
@@ -134,6 +136,8 @@ void vtkGuidanceCurves::AddGuidance(vtkPolyData* input, vtkDataObject* curves, v
 {
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
   const DirectionFields::Progress progress(report);
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
   const Curves lines = LinesOf(curves);
   const DirectionFields::TriangulatedPolyData surface =

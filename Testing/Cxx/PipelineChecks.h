@@ -9,8 +9,6 @@
 
 #include "Checks.h"
 
-#include "vtkDirectionField.h"
-
 #include "vtkCallbackCommand.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -22,16 +20,6 @@
 
 namespace PipelineChecks
 {
-/// The first output of Direction Field.
-inline vtkSmartPointer<vtkPolyData> Field(vtkPolyData* mesh, int degree)
-{
-  vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(mesh);
-  filter->SetDegree(degree);
-  filter->Update();
-  return filter->GetOutput();
-}
-
 /// Whether what a filter prints has all lines.
 inline bool Prints(vtkObject* filter, std::initializer_list<const char*> lines)
 {

@@ -3,6 +3,7 @@
 //
 // The comparison of two fields.
 
+#include "Fields.h"
 #include "PipelineChecks.h"
 
 #include "vtkCompareDirectionFields.h"
@@ -10,7 +11,6 @@
 #include "vtkMultiBlockDataSet.h"
 
 using namespace Checks;
-using PipelineChecks::Field;
 
 namespace
 {

@@ -3,6 +3,7 @@
 //
 // Guidance from curves, and fields that follow it.
 
+#include "Fields.h"
 #include "PipelineChecks.h"
 
 #include "vtkGuidanceCurves.h"

@@ -3,6 +3,7 @@
 //
 // Fields that are written to files and read back: TestDirectionFieldFiles DIRECTORY
 
+#include "Fields.h"
 #include "PipelineChecks.h"
 
 #include "vtkDirectionFieldGlyphs.h"
@@ -19,7 +20,6 @@
 #include <iterator>
 
 using namespace Checks;
-using PipelineChecks::Field;
 
 namespace
 {
