@@ -3,8 +3,10 @@
 //
 // What libFuzzer calls.
 
-#ifdef DIRECTIONFIELDS_FUZZ_POLYDATA
+#if defined(DIRECTIONFIELDS_FUZZ_POLYDATA)
 #include "FuzzedPolyData.h"
+#elif defined(DIRECTIONFIELDS_FUZZ_FILE)
+#include "FuzzedFile.h"
 #else
 #include "FuzzedField.h"
 #endif
@@ -14,8 +16,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-#ifdef DIRECTIONFIELDS_FUZZ_POLYDATA
+#if defined(DIRECTIONFIELDS_FUZZ_POLYDATA)
   const std::string flaw = FuzzedPolyData(data, size);
+#elif defined(DIRECTIONFIELDS_FUZZ_FILE)
+  const std::string flaw = FuzzedFile(data, size);
 #else
   const std::string flaw = FuzzedField(data, size);
 #endif

@@ -5,8 +5,10 @@
 
 #include "Bytes.h"
 
+#include "vtkCompareDirectionFields.h"
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
+#include "vtkGuidanceCurves.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -271,6 +273,35 @@ std::string FieldFlaw(vtkDirectionField* filter, vtkPolyData* mesh, int errors)
   return !ghosts && sum != 0.0 ? "another index sum" : DirectionFlaw(field, filter->GetDegree());
 }
 
+/// What does not hold of the filters that use a field: an error leaves nothing, and a field is like itself.
+std::string UseFlaw(vtkPolyData* mesh)
+{
+  vtkNew<vtkGuidanceCurves> curves;
+  vtkNew<Listener> curvesListener;
+  curvesListener->Listen(curves);
+  curves->SetInputData(mesh);
+  curves->SetCurvesData(mesh);
+  curves->SetRadius(0.5);
+  curves->Update();
+  if (curvesListener->Errors > 1 || (curvesListener->Errors == 1 && !IsEmpty(curves->GetOutput())))
+  {
+    return "an error, and guidance";
+  }
+  vtkNew<vtkCompareDirectionFields> comparison;
+  vtkNew<Listener> listener;
+  listener->Listen(comparison);
+  comparison->SetInputData(mesh);
+  comparison->SetOtherData(mesh);
+  comparison->Update();
+  if (listener->Errors > 0)
+  {
+    return listener->Errors > 1 || !IsEmpty(comparison->GetOutput()) ? "an error, and a comparison"
+                                                                     : "";
+  }
+  vtkDataArray* most = comparison->GetOutput()->GetFieldData()->GetArray("MaximumAngleDifference");
+  return most && !(most->GetComponent(0, 0) < 1e-3) ? "a field that is not like itself" : "";
+}
+
 std::string GlyphsFlaw(vtkPolyData* mesh, unsigned kind, unsigned number, bool isField)
 {
   vtkNew<vtkDirectionFieldGlyphs> filter;
@@ -338,6 +369,11 @@ std::string FuzzedPolyData(const std::uint8_t* data, std::size_t size)
     flaw = GlyphsFlaw(
       filter->GetOutput(), glyphKind, glyphNumber, filter->GetOutput()->GetNumberOfPoints() > 0);
   }
+  if (flaw.empty() && listener->Errors == 0)
+  {
+    flaw = UseFlaw(filter->GetOutput());
+  }
   // The mesh's own arrays may be those of a field.
-  return flaw.empty() ? GlyphsFlaw(mesh, glyphKind, glyphNumber, false) : flaw;
+  flaw = flaw.empty() ? GlyphsFlaw(mesh, glyphKind, glyphNumber, false) : flaw;
+  return flaw.empty() ? UseFlaw(mesh) : flaw;
 }

@@ -4,6 +4,7 @@
 // The fuzzer's seeds and past findings.
 
 #include "FuzzedField.h"
+#include "FuzzedFile.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +13,31 @@
 #include <iterator>
 #include <vector>
 
-TEST(Fuzz, CorpusHasNoFlaws)
+namespace
+{
+/// Applies a function that says what does not hold to the files of a folder.
+template <typename Body>
+void ExpectNoFlaws(const char* folder, const Body& body)
 {
   int count = 0;
-  for (const auto& file : std::filesystem::directory_iterator(DIRECTIONFIELDS_FUZZ_CORPUS))
+  for (const auto& file : std::filesystem::directory_iterator(folder))
   {
     std::ifstream stream(file.path(), std::ios::binary);
     const std::vector<char> bytes((std::istreambuf_iterator<char>(stream)), {});
-    EXPECT_EQ(FuzzedField(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), "")
+    EXPECT_EQ(body(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), "")
       << file.path();
     ++count;
   }
   EXPECT_GT(count, 10);
+}
+}
+
+TEST(Fuzz, CorpusHasNoFlaws)
+{
+  ExpectNoFlaws(DIRECTIONFIELDS_FUZZ_CORPUS, FuzzedField);
+}
+
+TEST(Fuzz, FilesHaveNoFlaws)
+{
+  ExpectNoFlaws(DIRECTIONFIELDS_FILE_CORPUS, FuzzedFile);
 }
