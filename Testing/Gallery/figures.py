@@ -6,13 +6,14 @@ Each function makes the panels of a figure and asserts what they show.
 """
 
 import os
+import tempfile
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import meshes
-from gallery import Panel, producer
+from gallery import PANEL, Field, Panel, producer, turned
 
 BUNNY_CAMERA = ([-0.35, 0.25, 1.0], [0.0, 1.0, 0.0], 1.25)
 OBLIQUE = ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 1.1)
@@ -167,6 +168,116 @@ def plate(_):
     return panels
 
 
+class ComparisonPanel(Panel):
+    """The angles between two fields in colors, and lines between the singularities that match."""
+
+    def __init__(self, one, other, camera):
+        super().__init__(one.Input, one.Degree, camera)
+        simple.HideAll(self.view)
+        self.other = other
+        self.compared = simple.CompareDirectionFields(Input=one, Other=other)
+        display = simple.Show(self.compared, self.view)
+        simple.ColorBy(display, ("POINTS", "AngleDifference"))
+        display.LookupTable.ApplyPreset("Viridis (matplotlib)", True)
+        display.LookupTable.RescaleTransferFunction(0.0, 45.0)
+        lines = simple.Tube(Input=simple.OutputPort(self.compared, 1), Radius=0.004)
+        matches = simple.Show(lines, self.view)
+        matches.ColorArrayName = ["POINTS", ""]
+        matches.AmbientColor = matches.DiffuseColor = [0.84, 0.10, 0.11]
+
+    def spoil(self):
+        self.compared.Input = producer(turned(self.field))
+
+
+def strokes(directory):
+    """A cross field without guidance, and led by a curve around the bunny, which it follows."""
+    mesh = bunny(directory)
+    curve = simple.Slice(Input=mesh, SliceType="Plane")
+    curve.SliceType.Normal = [1.0, 0.8, 0.3]
+    guided = simple.GuidanceFromCurves(Input=mesh, Curves=curve, Degree=4)
+    panels = [Panel(mesh, 4, BUNNY_CAMERA), Panel(
+        guided, 4, BUNNY_CAMERA, ConstrainGuidance=1, GuidanceVectors="GuidanceVectors",
+        GuidanceWeights="GuidanceWeights", DropConstraintsAtSingularities=0)]
+    data = panels[1].field.surface.GetPointData()
+    vectors = vtk_to_numpy(data.GetArray("GuidanceVectors")).astype(float)
+    weights = vtk_to_numpy(data.GetArray("GuidanceWeights"))
+    on = weights > 0.0
+    assert 300 < on.sum() < 0.2 * len(on), on.sum()
+    assert weights.max() <= 1.0 + 1e-6
+    vectors[~on] = [1.0, 0.0, 0.0]
+    free, led = (panel.field.deviation(vectors)[on] for panel in panels)
+    assert led.max() < 0.1, led.max()
+    assert free.mean() > 10.0, free.mean()
+    for panel in panels:
+        panel.field.check_sum()
+    display = simple.Show(simple.Tube(Input=curve, Radius=0.005), panels[1].view)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.85, 0.51, 0.18]
+    return panels
+
+
+def comparison(directory):
+    """Two cross fields, the smoothest one and one drawn to the curvature, and the angles between them."""
+    mesh = bunny(directory)
+    panels = [Panel(mesh, 4, BUNNY_CAMERA),
+              Panel(mesh, 4, BUNNY_CAMERA, Alignment="Principal Curvature")]
+    panels.append(ComparisonPanel(panels[0].proxy, panels[1].proxy, BUNNY_CAMERA))
+    compared = servermanager.Fetch(panels[2].compared)
+    angles = vtk_to_numpy(compared.GetPointData().GetArray("AngleDifference"))
+    one, other = (panel.field for panel in panels[:2])
+    expected = np.min([one.deviation(direction) for direction in other.directions], axis=0)
+    assert np.allclose(angles, expected, atol=0.05), np.abs(angles - expected).max()
+    figures = compared.GetFieldData()
+    assert abs(figures.GetArray("MaximumAngleDifference").GetTuple1(0) - angles.max()) < 1e-9
+    assert 0.0 < figures.GetArray("MeanAngleDifference").GetTuple1(0) < 45.0
+    matched, first, second = figures.GetArray("MatchedSingularities").GetTuple3(0)
+    assert matched + first == one.count() and matched + second == other.count()
+    assert matched >= 8
+    return panels
+
+
+class GivenPanel(Panel):
+    """A field that was read from a file."""
+
+    def __init__(self, proxy, camera):
+        self.view = simple.CreateRenderView()
+        self.view.ViewSize = PANEL
+        self.view.UseColorPaletteForBackground = 0
+        self.view.Background = [1.0, 1.0, 1.0]
+        self.view.OrientationAxesVisibility = 0
+        self.proxy = proxy
+        self.field = Field(proxy)
+        self.camera = camera
+        surface = simple.Show(proxy, self.view)
+        surface.ColorArrayName = ["POINTS", ""]
+        surface.AmbientColor = surface.DiffuseColor = [0.93, 0.91, 0.87]
+        self.glyphs = simple.DirectionFieldGlyphs(Input=proxy, MaximumNumberOfGlyphs=500)
+        simple.Show(self.glyphs, self.view)
+
+    def spoil(self):
+        self.glyphs.Input = producer(turned(self.field))
+
+
+def exchange(directory):
+    """A cross field, and the same from the .rosy file that it was saved to, one direction a triangle."""
+    mesh = bunny(directory)
+    own = Panel(mesh, 4, BUNNY_CAMERA)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "bunny.rosy")
+        simple.SaveData(path, proxy=own.proxy)
+        with open(path, encoding="ascii") as file:
+            assert [file.readline(), file.readline()] == [f"{len(own.field.triangles)}\n", "4\n"]
+        back = simple.ReadDirectionField(Input=mesh, FileName=path)
+        back.UpdatePipeline()
+        panels = [own, GivenPanel(back, BUNNY_CAMERA)]
+        compared = servermanager.Fetch(simple.CompareDirectionFields(Input=own.proxy, Other=back))
+    for panel in panels:
+        panel.field.check_sum()
+    mean = compared.GetFieldData().GetArray("MeanAngleDifference").GetTuple1(0)
+    assert mean < 1.0, mean
+    return panels
+
+
 FIGURES = {
     "Symmetries": symmetries,
     "Energies": energies,
@@ -176,4 +287,7 @@ FIGURES = {
     "NoisyPart": noisy_part,
     "Icosahedron": icosahedron,
     "Plate": plate,
+    "Strokes": strokes,
+    "Comparison": comparison,
+    "Exchange": exchange,
 }

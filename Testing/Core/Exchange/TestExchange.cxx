@@ -6,6 +6,7 @@
 #include "Exchange/SharpEdges.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "Support/Threads.h"
 
 #include <gtest/gtest.h>
 
@@ -284,6 +285,69 @@ TEST(Exchange, WhatTheFileLacksIsSaid)
   ASSERT_EQ(frames.Warnings.size(), 1U);
   EXPECT_NE(frames.Warnings[0].find("equal angles"), std::string::npos);
   EXPECT_EQ(frames.Field.Components[0].IndexSum, 8);
+}
+
+TEST(Exchange, DirtyMeshesGiveFieldsAllTheSame)
+{
+  Surface fins = Potato(2);
+  // Two more triangles at an edge, one of them there twice, and one without area.
+  fins.Points.emplace_back(2.0, 2.0, 2.0);
+  const Triangle first = fins.Triangles[0];
+  const auto tip = static_cast<Index>(fins.Points.size()) - 1;
+  fins.Triangles.push_back({ first[0], first[1], tip });
+  fins.Triangles.push_back({ first[0], first[1], tip });
+  fins.Triangles.push_back({ first[2], first[2], tip });
+  for (const Surface& surface : { fins, BadSphere(3, 0.4, 5), Scrambled(Potato(2), 3), LShape(6),
+         PlateWithHole(24, 6, 0.5, true), Joined(MoebiusStrip(30, 2), Potato(1)) })
+  {
+    for (const int degree : { 1, 4 })
+    {
+      const Result result = Fields::Compute(surface, degree);
+      const GivenField field(surface, Fields::Of(result));
+      for (const FieldOn on : { FieldOn::Cells, FieldOn::Points })
+      {
+        const std::vector<ExportedFile> files =
+          ExportField(field, nullptr, { FieldFormat::RawField, on });
+        const FieldFile file = ReadField(files[0].Text, FieldFormat::RawField);
+        const Surface mesh = MeshOf(TextOf(files, ".obj"));
+        EXPECT_EQ(mesh.Triangles, surface.Triangles);
+        const ImportedField back = ImportField(file, mesh, on, true);
+        for (std::size_t i = 0; i < back.Field.Representation.size(); ++i)
+        {
+          EXPECT_TRUE(std::isfinite(std::abs(back.Field.Representation[i])));
+        }
+        for (const ComponentReport& component : back.Field.Components)
+        {
+          if (component.Closed)
+          {
+            EXPECT_EQ(component.IndexSum, degree * component.EulerCharacteristic);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Exchange, AnyNumberOfThreadsWritesTheSameBytes)
+{
+  const Surface surface = Potato(5);
+  const Result result = Fields::Compute(surface, 4);
+  std::vector<std::string> texts;
+  for (const int number : { 1, 3 })
+  {
+    Threads threads(number);
+    const Threads::Scope scope(threads);
+    const GivenField field(surface, Fields::Of(result));
+    const std::vector<ExportedFile> files = ExportField(field, nullptr, { FieldFormat::RawField });
+    const ImportedField back = ImportField(
+      ReadField(files[0].Text, FieldFormat::RawField), surface, FieldOn::Automatic, true);
+    texts.push_back(files[0].Text + TextOf(files, ".sing"));
+    for (const Complex& u : back.Field.Representation)
+    {
+      texts.back() += std::to_string(u.real()) + std::to_string(u.imag());
+    }
+  }
+  EXPECT_EQ(texts[0], texts[1]);
 }
 
 TEST(Exchange, AnEmptySurfaceIsRefused)
