@@ -4,6 +4,7 @@
 #include "vtkDirectionField.h"
 
 #include "AlgorithmProgress.h"
+#include "CellDirections.h"
 #include "DefaultThreads.h"
 #include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
@@ -78,6 +79,7 @@ vtkDirectionField::vtkDirectionField()
   this->KeepStages = true;
   this->MergePoints = static_cast<int>(defaults.MergePoints);
   this->IntrinsicDelaunay = defaults.IntrinsicDelaunay;
+  this->CellDirections = false;
   this->UnitLength = defaults.UnitLength;
   this->SingularityCost = defaults.SingularityCost;
   this->Alignment = static_cast<int>(defaults.Alignment);
@@ -127,6 +129,7 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepStages: " << this->KeepStages << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "IntrinsicDelaunay: " << this->IntrinsicDelaunay << "\n";
+  os << indent << "CellDirections: " << this->CellDirections << "\n";
   os << indent << "UnitLength: " << this->UnitLength << "\n";
   os << indent << "SingularityCost: " << this->SingularityCost << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
@@ -237,6 +240,10 @@ void vtkDirectionField::ComputeOutputs(
   const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
   output->ShallowCopy(input);
   DirectionFields::AddFieldArrays(surface, field, output, progress.Part(ProgressSolved, 1.0));
+  if (this->CellDirections)
+  {
+    DirectionFields::AddCellDirections(output);
+  }
   DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
   DirectionFields::MakeSingularPoints(surface, field,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);

@@ -59,6 +59,12 @@
  *   cell, negative values a turn against it. For a polygon or a strip the sum over its triangles.
  *   0 on vertices, lines and cells that take no part. Over a closed surface the values sum up to n
  *   times the Euler characteristic, exactly.
+ * - cell data `Direction0`, `Direction1`, ...: 3 components, double or float as the points. With CellDirections: the
+ *   directions at the cell's centroid, unit vectors in the plane of the cell, or of that of its triangles which the
+ *   centroid is in, counter-clockwise. Zero on vertices, lines and cells that take no part.
+ * - point data `FaceSingularityIndex`: int, in units of 1/n. With CellDirections: the index of the point that programs
+ *   find which know the directions of the triangles only, by the least rotation from one to the next. 0 on the boundary;
+ *   of points that became one, at the first. Over a closed surface the values sum up to n times the Euler characteristic.
  * - field data, one tuple per connected component, ordered by their first cells:
  *   - `Eigenvalue`: double. lambda, the smoothness energy of the smoothest field, in 1 / length^2.
  *   - `Residual`: double. |A u - lambda M u| / |A u| reached by the solver.
@@ -305,6 +311,16 @@ public:
 
   ///@{
   /**
+   * Give the directions at the cells' centroids, too, as cell data, and the singularities that programs find which know
+   * these only, as the point data FaceSingularityIndex. Default off.
+   */
+  vtkSetMacro(CellDirections, bool);
+  vtkGetMacro(CellDirections, bool);
+  vtkBooleanMacro(CellDirections, bool);
+  ///@}
+
+  ///@{
+  /**
    * Go on from the smoothest, aligned or constrained field to one whose directions have less energy. The eigenvector
    * and the linear systems minimize the energy of a section whose length is free: where it fades, its directions bend
    * and make singularities in pairs. With this the representation vectors all have the length 1: diffusion and
@@ -543,6 +559,7 @@ private:
   bool KeepStages;
   int MergePoints;
   bool IntrinsicDelaunay;
+  bool CellDirections;
   bool UnitLength;
   double SingularityCost;
   int Alignment;

@@ -17,11 +17,13 @@ simple.LoadPlugin(sys.argv[1], remote=False)
 import directionfields
 
 
-def tile(append, mesh, folder, **options):
+def tile(append, mesh, folder, after=None, **options):
     view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
                              UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
     shown = directionfields.show(mesh, view=view, legend=False,
                                  glyphs={"MaximumNumberOfGlyphs": 500}, **options)
+    if after:
+        after(shown)
     path = os.path.join(folder, f"{append.GetNumberOfInputConnections(0)}.png")
     simple.SaveScreenshot(path, view, ImageResolution=[FACTOR * pixels for pixels in SIZE])
     reader = vtkPNGReader()
@@ -40,7 +42,7 @@ def draw(name, mesh, choices):
     with tempfile.TemporaryDirectory() as folder:
         append = vtkImageAppend()
         for options in choices:
-            tile(append, mesh, folder, **options)
+            tile(append, options.pop("mesh", mesh), folder, **options)
         writer = vtkPNGWriter()
         writer.SetInputConnection(append.GetOutputPort())
         writer.SetFileName(os.path.join(os.path.dirname(os.path.abspath(__file__)), name))
@@ -53,3 +55,36 @@ draw("alignment.png", mesh, [{"Alignment": "Principal Curvature", "AlignmentStre
                              for strength in (0.0, 0.5, 0.9)])
 ring = simple.Triangulate(Input=simple.Disk(RadialResolution=12, CircumferentialResolution=72))
 draw("boundary.png", ring, [{"degree": 2, "ConstrainBoundary": on} for on in (0, 1)])
+
+# A curve around the bunny, shown as a tube.
+curve = simple.Slice(Input=mesh, SliceType="Plane")
+curve.SliceType.Normal = [1.0, 0.8, 0.3]
+
+
+def show_curve(shown):
+    display = simple.Show(simple.Tube(Input=curve, Radius=0.09), shown.view)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.85, 0.51, 0.18]
+
+
+guided = simple.GuidanceFromCurves(Input=mesh, Curves=curve, Degree=4)
+draw("curves.png", mesh, [
+    {}, {"mesh": guided, "ConstrainGuidance": 1, "GuidanceVectors": "GuidanceVectors",
+         "GuidanceWeights": "GuidanceWeights", "after": show_curve}])
+
+# Two fields, and the angles between them.
+fields = []
+
+
+def compare(shown):
+    simple.HideAll(shown.view)
+    compared = simple.CompareDirectionFields(Input=fields[0].field, Other=fields[1].field)
+    display = simple.Show(compared, shown.view)
+    simple.ColorBy(display, ("POINTS", "AngleDifference"))
+    display.LookupTable.ApplyPreset("Viridis (matplotlib)", True)
+    display.LookupTable.RescaleTransferFunction(0.0, 45.0)
+
+
+draw("comparison.png", mesh, [
+    {"after": fields.append}, {"Alignment": "Principal Curvature", "after": fields.append},
+    {"after": compare}])

@@ -54,6 +54,7 @@ int main()
   PRINT_DEFAULT(KeepStages, ",");
   PRINT(MergePoints, ",");
   PRINT_DEFAULT(IntrinsicDelaunay, ",");
+  PRINT_DEFAULT(CellDirections, ",");
   PRINT_DEFAULT(UnitLength, ",");
   PRINT(SingularityCost, ",");
   PRINT(Alignment, ",");

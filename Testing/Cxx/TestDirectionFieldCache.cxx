@@ -37,6 +37,7 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetNumberOfThreads(1);
   fresh->SetMergePoints(filter->GetMergePoints());
   fresh->SetIntrinsicDelaunay(filter->GetIntrinsicDelaunay());
+  fresh->SetCellDirections(filter->GetCellDirections());
   fresh->SetUnitLength(filter->GetUnitLength());
   fresh->SetSingularityCost(filter->GetSingularityCost());
   fresh->SetAlignment(filter->GetAlignment());
@@ -138,7 +139,11 @@ void TestSettings()
       filter->UnitLengthOn();
       filter->SetSingularityCost(1.5);
     },
-    [](vtkDirectionField* filter) { filter->IntrinsicDelaunayOn(); },
+    [](vtkDirectionField* filter)
+    {
+      filter->IntrinsicDelaunayOn();
+      filter->CellDirectionsOn();
+    },
     [](vtkDirectionField* filter)
     {
       filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
@@ -146,6 +151,7 @@ void TestSettings()
       filter->SetEnergyBias(0.0);
       filter->SetTolerance(1e-6);
       filter->IntrinsicDelaunayOff();
+      filter->CellDirectionsOff();
     },
   };
   // The surface is stretched, so that some edges are not Delaunay, and open, so that it has a boundary.

@@ -31,6 +31,7 @@ void TestParameters()
   CHECK(filter->GetKeepStages());
   CHECK(filter->GetMergePoints() == vtkDirectionField::MERGE_POINTS_AUTOMATIC);
   CHECK(!filter->GetIntrinsicDelaunay());
+  CHECK(!filter->GetCellDirections());
   CHECK(!filter->GetUnitLength());
   CHECK(filter->GetSingularityCost() == 0.0);
   CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
@@ -63,6 +64,7 @@ void TestParameters()
   filter->KeepStagesOff();
   filter->MergePointsOn();
   filter->IntrinsicDelaunayOn();
+  filter->CellDirectionsOn();
   filter->UnitLengthOn();
   filter->SetSingularityCost(1.5);
   filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
@@ -87,13 +89,13 @@ void TestParameters()
   for (const char* line :
     { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
       " Solver: 2\n", " NumberOfThreads: 5\n", " KeepStages: 0\n", " MergePoints: 1\n",
-      " IntrinsicDelaunay: 1\n", " UnitLength: 1\n", " SingularityCost: 1.5\n", " Alignment: 2\n",
-      " CurvatureDirection: 1\n", " CurvatureScale: 4.5\n", " AlignmentStrength: 0.75\n",
-      " UseShift: 1\n", " Shift: 12.5\n", " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n",
-      " ConstrainBoundary: 1\n", " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n",
-      " MinimumFeatureLength: 0.25\n", " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n",
-      " ConsistencyAngle: 25\n", " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n",
-      " ConstraintSolver: 0\n" })
+      " IntrinsicDelaunay: 1\n", " CellDirections: 1\n", " UnitLength: 1\n",
+      " SingularityCost: 1.5\n", " Alignment: 2\n", " CurvatureDirection: 1\n",
+      " CurvatureScale: 4.5\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n", " Shift: 12.5\n",
+      " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n", " ConstrainBoundary: 1\n",
+      " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n", " MinimumFeatureLength: 0.25\n",
+      " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",
+      " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n", " ConstraintSolver: 0\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

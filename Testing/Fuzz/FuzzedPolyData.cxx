@@ -359,6 +359,7 @@ std::string FuzzedPolyData(const std::uint8_t* data, std::size_t size)
   filter->SetGuidanceWeights(options / 128 % 2 != 0 ? "weights" : nullptr);
   filter->SetNumberOfThreads(1);
   const unsigned glyphKind = bytes.Take();
+  filter->SetCellDirections(glyphKind % 3 == 1);
   const unsigned glyphNumber = bytes.Take();
   const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(bytes);
   filter->SetInputData(mesh);

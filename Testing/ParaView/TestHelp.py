@@ -31,8 +31,10 @@ assert len(targets) >= 5, targets
 for target in targets:
     assert target in files, target
 # Each filter has a page with all of its properties, which the guide leads to.
-for filter in (DirectionField, DirectionFieldGlyphs):
-    proxy = filter(Input=Sphere())
+for filter, inputs in ((DirectionField, {}), (DirectionFieldGlyphs, {}), (ReadDirectionField, {}),
+                       (GuidanceFromCurves, {"Curves": SplineSource()}),
+                       (CompareDirectionFields, {"Other": Sphere()})):
+    proxy = filter(Input=Sphere(), **inputs)
     name = f"filters.{proxy.GetXMLName()}.html"
     assert name in targets, name
     text = " ".join(html.unescape(page(name)).split())

@@ -23,7 +23,7 @@ def total(array):
 
 # Shift is not one of them, because it takes the place of the strength where UseShift is on.
 ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
-            "IntrinsicDelaunay", "UseShift", "CurvatureScale")
+            "IntrinsicDelaunay", "CellDirections", "UseShift", "CurvatureScale")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
     "CurvatureDirection": ["Maximum", "Minimum", "Least Bent", "Most Bent"],
@@ -179,7 +179,8 @@ def test_panel():
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert list(groups) == ["Alignment", "Guidance", "Constraints", "Mesh", "Solver"], groups
-    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "Input"}
+    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "CellDirections",
+               "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}

@@ -56,6 +56,12 @@ Complex Against(const FlatTriangle& flat, int corner, const Complex& power, int 
 
 FaceField AtCentroids(const GivenField& field)
 {
+  return AtPlaces(
+    field, std::vector<std::array<double, 3>>(field.GetSurface().Triangles.size(), AtMiddle));
+}
+
+FaceField AtPlaces(const GivenField& field, const std::vector<std::array<double, 3>>& weights)
+{
   const SurfaceGeometry& geometry = field.GetGeometry();
   FaceField faces;
   faces.Degree = field.GetDegree();
@@ -66,7 +72,13 @@ FaceField AtCentroids(const GivenField& field)
       for (Index t = begin; t < end; ++t)
       {
         const PowerOnTriangle power(geometry, faces.Degree, field.GetSection().data(), t);
-        faces.Power[t] = Unit(power.At(power.Flat().Place(AtMiddle)), 1.0);
+        const std::array<double, 3>& given = weights[geometry.Mesh.InputTriangle(t)];
+        std::array<double, 3> place = given;
+        for (int c = 0; given != AtMiddle && c < 3; ++c)
+        {
+          place[field.MeshCorner(t, c)] = given[c];
+        }
+        faces.Power[t] = Unit(power.At(power.Flat().Place(place)), 1.0);
       }
     });
   return faces;

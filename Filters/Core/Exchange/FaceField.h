@@ -7,6 +7,7 @@
 #include "Geometry/SurfaceGeometry.h"
 #include "Interpolation/GivenField.h"
 
+#include <array>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -22,6 +23,10 @@ struct FaceField
 /// The directions of a field at the triangles' centroids (PowerOnTriangle). Where a field vanishes at a centroid
 /// they are those along the triangle's first edge.
 FaceField AtCentroids(const GivenField& field);
+
+/// The same at other places.
+/// @param weights of the corners of each triangle of the surface
+FaceField AtPlaces(const GivenField& field, const std::vector<std::array<double, 3>>& weights);
 
 /// The face field that rows of vectors give, one row for each triangle of the surface: the mean of the n-th powers
 /// of the directions of its vectors in the triangle's plane. Power is 0 where that vanishes.
