@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_IntegerElimination_h
+#define DirectionFields_IntegerElimination_h
+
+#include "Types.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A sum of variables with integer coefficients, in ascending order of the variables.
+using IntegerSum = std::vector<std::pair<Index, std::int64_t>>;
+
+/// Solves linear equations with integer coefficients exactly: some of the variables become sums of the
+/// others, which are free. Where variables are to be integers, the dependent ones among them are integers for
+/// whatever integers the free ones are.
+class IntegerElimination
+{
+public:
+  /// @param isInteger not 0 for variables that are to be integers
+  explicit IntegerElimination(std::vector<char> isInteger);
+
+  /// Requires that a sum vanishes. Its terms may be in any order, and repeated.
+  void Require(IntegerSum sum);
+
+  bool IsFree(Index variable) const { return this->Dependent[variable] == None; }
+  bool IsInteger(Index variable) const { return this->Integers[variable] != 0; }
+  /// There may be more than were given: where all coefficients of an equation are other than 1 and -1, new
+  /// variables take the place of old ones.
+  Index GetNumberOfVariables() const { return static_cast<Index>(this->Dependent.size()); }
+  /// A variable as a sum of free ones.
+  const IntegerSum& Resolve(Index variable);
+  IntegerSum Resolve(const IntegerSum& sum);
+
+private:
+  void MakeDependent(Index variable, IntegerSum sum);
+
+  std::vector<char> Integers;
+  /// Which of the sums a variable is, or None.
+  std::vector<Index> Dependent;
+  std::vector<IntegerSum> Sums;
+  IntegerSum Own;
+};
+}
+
+#endif

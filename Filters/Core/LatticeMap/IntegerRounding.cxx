@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LatticeMap/IntegerRounding.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+double ToNearest(double x)
+{
+  return std::abs(x - std::nearbyint(x));
+}
+
+/// The variables to be rounded next, of those that are left.
+std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& x,
+  const std::vector<Eigen::Index>& left)
+{
+  const Eigen::Index count = static_cast<Eigen::Index>(left.size());
+  std::vector<std::pair<double, Eigen::Index>> order;
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    order.emplace_back(ToNearest(x[left[i]]), i);
+  }
+  if (count <= MostSingly)
+  {
+    return { std::min_element(order.begin(), order.end())->second };
+  }
+  // Those that are so near that nothing else will change their integer, then what is independent of them.
+  std::sort(order.begin(), order.end());
+  constexpr double mostCorrelated = 0.1;
+  constexpr std::size_t mostCompared = 256;
+  std::vector<Eigen::Index> batch;
+  for (Eigen::Index i = 0; i < (count + 2) / 3 && batch.size() < mostCompared; ++i)
+  {
+    const Eigen::Index k = order[i].second;
+    const bool isApart = std::all_of(batch.begin(), batch.end(),
+      [&](Eigen::Index j)
+      {
+        return std::abs(covariance(j, k)) <
+          mostCorrelated * std::sqrt(covariance(j, j) * covariance(k, k));
+      });
+    if (isApart)
+    {
+      batch.push_back(k);
+    }
+  }
+  return batch;
+}
+}
+
+void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x)
+{
+  const Eigen::Index count = x.size();
+  if (count > MostRounded)
+  {
+    x = x.array().round();
+    return;
+  }
+  const Eigen::MatrixXd inverse =
+    factor.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
+  Eigen::MatrixXd covariance = inverse.transpose() * inverse;
+  std::vector<Eigen::Index> left(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    left[i] = i;
+  }
+  while (!left.empty())
+  {
+    // The covariance of those that are left stands in its first rows and columns, in their order.
+    const std::vector<Eigen::Index> batch = NextOnes(covariance, x, left);
+    const auto size = static_cast<Eigen::Index>(left.size());
+    std::vector<Eigen::Index> slots = batch;
+    std::sort(slots.begin(), slots.end(), std::greater<>());
+    for (const Eigen::Index k : slots)
+    {
+      const double target = std::nearbyint(x[left[k]]);
+      const Eigen::VectorXd column = covariance.col(k).head(size);
+      const double variance = column[k];
+      if (variance > 0.0)
+      {
+        const double step = (target - x[left[k]]) / variance;
+        for (Eigen::Index i = 0; i < size; ++i)
+        {
+          x[left[i]] += step * column[i];
+        }
+        covariance.topLeftCorner(size, size).noalias() -= (column / variance) * column.transpose();
+      }
+      x[left[k]] = target;
+    }
+    Eigen::Index kept = 0;
+    for (Eigen::Index i = 0; i < size; ++i)
+    {
+      if (!std::binary_search(slots.rbegin(), slots.rend(), i))
+      {
+        left[kept] = left[i];
+        if (kept != i)
+        {
+          covariance.col(kept).head(size) = covariance.col(i).head(size);
+          covariance.row(kept).head(size) = covariance.row(i).head(size);
+        }
+        ++kept;
+      }
+    }
+    left.resize(kept);
+  }
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LatticeMap_h
+#define DirectionFields_LatticeMap_h
+
+#include "LatticeMap/ChartedMesh.h"
+#include "LatticeMap/Lattice.h"
+#include "Progress.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// The integer-grid map of a component: coordinates for every corner of every triangle whose gradients follow
+/// the field, such that charts differ by maps of the lattice onto itself, cones and corners are lattice
+/// points, and features are lines of the lattice (D. Bommes et al.: Integer-Grid Maps for Reliable Quad Meshing, 2013).
+/// Of all such maps it nearly has the least energy: the sum over the triangles of the squared distance of
+/// the edges' coordinates from their targets, with cotangent weights.
+class LatticeMap
+{
+public:
+  struct Settings
+  {
+    /// 1 / h of each vertex of the charted mesh, h the wanted length of an edge of the lattice.
+    std::vector<double> PerLength;
+    /// The targets are scaled such that the map has the lattice area that they ask for.
+    bool KeepsArea = true;
+  };
+
+  /// Throws Stopped.
+  LatticeMap(const ChartedMesh& mesh, const Settings& settings, const Progress& progress = {});
+
+  /// Why there is no map, or null.
+  const char* GetFailure() const { return this->Failure; }
+  /// The coordinates of each corner in the chart of its triangle; exact.
+  const std::vector<LatticePoint>& GetCorners() const { return this->Corners; }
+  /// From the chart of the triangle on the other side of each half-edge to that of its own; the identity on
+  /// the boundary.
+  const std::vector<Transition>& GetAcross() const { return this->Across; }
+  /// Integers that were rounded.
+  Index GetNumberOfIntegers() const { return this->NumberOfIntegers; }
+  /// Triangles that the map turns over, or flattens.
+  Index CountFlipped() const;
+
+private:
+  struct Unknowns;
+  struct Energy;
+  void Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eigen::VectorXd& free);
+
+  Lattice Plane;
+  const char* Failure = nullptr;
+  std::vector<LatticePoint> Corners;
+  std::vector<Transition> Across;
+  Index NumberOfIntegers = 0;
+};
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LatticeSystem_h
+#define DirectionFields_LatticeSystem_h
+
+#include "Types.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A sparse symmetric system some of whose unknowns, the last ones, are to be integers. Its factor K = L L^T
+/// keeps them last: the trailing block of L is the factor of what is left of the matrix once the others are
+/// eliminated.
+class LatticeSystem
+{
+public:
+  using Entry = Eigen::Triplet<double, std::int32_t>;
+
+  /// @param entries of the lower triangle, which add up; are taken
+  /// @param size    rows
+  /// @param reals   rows before those of the integers
+  LatticeSystem(std::vector<Entry>& entries, Index size, Index reals);
+
+  /// False where the matrix is not positive definite up to rounding.
+  bool IsDefinite() const { return this->Definite; }
+  Eigen::VectorXd Solve(const Eigen::VectorXd& rightHandSide) const;
+  /// The solution among the vectors with the given integers.
+  Eigen::VectorXd SolveWith(
+    const Eigen::VectorXd& rightHandSide, const Eigen::VectorXd& integers) const;
+  Eigen::MatrixXd TrailingFactor() const;
+
+private:
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
+
+  Index Size;
+  Index Reals;
+  /// The new place of each row.
+  std::vector<Index> Place;
+  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>> Factor;
+  bool Definite = false;
+};
+}
+
+#endif

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Quads/ComponentCells.h"
+
+#include "LatticeMap/LatticeMap.h"
+#include "Quads/CellMesh.h"
+#include "Quads/FoldRepair.h"
+#include "Quads/LatticePoints.h"
+#include "Quads/Pairing.h"
+#include "Quads/VertexRemoval.h"
+
+#include <algorithm>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// The triangles of a component as they are, those of the front where there are two sides.
+ComponentCells Unchanged(
+  const CellInput& input, const TriangleMesh::Component& component, const char* failure)
+{
+  const TriangleMesh& mesh = input.Geometry.Mesh;
+  ComponentCells out;
+  out.Failure = failure;
+  std::vector<Index> number(component.Vertices(), None);
+  // A vertex and its mirror are one point.
+  const auto numberOf = [&](Index v) -> Index&
+  {
+    const Index mirror = mesh.MirrorVertex(v);
+    return number[(mirror != None && !mesh.IsFrontVertex(v) ? mirror : v) - component.FirstVertex];
+  };
+  for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+  {
+    if (!mesh.IsFront(t))
+    {
+      continue;
+    }
+    Faces::Face face{ 0, 0, 0, None };
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index v = mesh.Tail(3 * t + c);
+      Index& id = numberOf(v);
+      if (id == None)
+      {
+        id = static_cast<Index>(out.Vertices.size());
+        ComponentCells::Vertex vertex;
+        vertex.Position = input.Geometry.Positions[v];
+        vertex.IsBoundary = mesh.IsBoundary(v);
+        // Nothing is to move.
+        vertex.IsCorner = true;
+        out.Vertices.push_back(vertex);
+      }
+      face[c] = id;
+    }
+    out.Cells.Corners.push_back(face);
+    out.Cells.IsRegular.push_back(0);
+  }
+  return out;
+}
+
+/// Removes what can be removed, and mends folds, until neither does anything.
+Index Reduce(CellMesh& cells, const Progress& progress)
+{
+  VertexRemoval removal(cells);
+  constexpr int mostRounds = 12;
+  Index left = removal.RemoveAll(VertexRemoval::Mode::Strict);
+  for (int k = 0; k < mostRounds && RepairFolds(cells); ++k)
+  {
+    progress.RequireToGoOn();
+    left = removal.RemoveAll(VertexRemoval::Mode::Strict);
+  }
+  for (int k = 0; k < mostRounds; ++k)
+  {
+    progress.RequireToGoOn();
+    left = removal.RemoveAll(VertexRemoval::Mode::Relaxed);
+    if (!RepairFolds(cells))
+    {
+      break;
+    }
+  }
+  return left;
+}
+
+/// The vertices that are left, numbered anew.
+void Collect(const CellMesh& cells, const ChartedMesh& charted, ComponentCells& out)
+{
+  std::vector<Index> number(cells.GetNumberOfVertices(), None);
+  std::vector<Index> star;
+  for (Index v = 0; v < cells.GetNumberOfVertices(); ++v)
+  {
+    if (!cells.IsVertex(v))
+    {
+      continue;
+    }
+    number[v] = static_cast<Index>(out.Vertices.size());
+    ComponentCells::Vertex vertex;
+    vertex.Position = cells.Position(v);
+    vertex.IsBoundary = cells.GetStar(v, star);
+    vertex.IsCorner = cells.GetRole(v).IsCorner;
+    vertex.IsCone = cells.GetRole(v).IsCone;
+    vertex.SingularityIndex =
+      vertex.IsCone && v < static_cast<Index>(charted.ConeIndex.size()) ? charted.ConeIndex[v] : 0;
+    for (const Index h : star)
+    {
+      vertex.Line = std::max(vertex.Line, cells.Feature(h));
+    }
+    out.Vertices.push_back(vertex);
+  }
+  for (Index h = 0; h < 3 * cells.GetNumberOfTriangles(); ++h)
+  {
+    if (cells.IsTriangle(h / 3) && cells.IsFeature(h))
+    {
+      const Index a = number[cells.Tail(h)];
+      const Index b = number[cells.Head(h)];
+      out.EdgeLines[{ std::min(a, b), std::max(a, b) }] = cells.Feature(h);
+    }
+  }
+  out.Cells = PairTriangles(cells);
+  for (Faces::Face& face : out.Cells.Corners)
+  {
+    for (Index& v : face)
+    {
+      v = v == None ? None : number[v];
+    }
+  }
+}
+}
+
+ComponentCells MakeCells(
+  const CellInput& input, const TriangleMesh::Component& component, const Progress& progress)
+{
+  if (component.IsCover)
+  {
+    return Unchanged(input, component, "it has one side only");
+  }
+  const JumpPaths jumps(input.Geometry, component, input.Charts, input.Features, input.IsFrameless);
+  const ChartedMesh charted(input.Geometry, component, input.Charts, input.Features,
+    input.IsFrameless, jumps, input.Section);
+  progress.Report(0.15);
+  LatticeMap::Settings settings;
+  settings.PerLength.assign(charted.Positions.size(), 0.0);
+  std::copy(input.PerLength.begin() + component.FirstVertex,
+    input.PerLength.begin() + component.EndVertex, settings.PerLength.begin());
+  for (const ChartedMesh::MapTriangle& t : charted.Triangles)
+  {
+    // The cones are the first corners of their triangles.
+    if (t.Vertex[0] >= component.Vertices())
+    {
+      settings.PerLength[t.Vertex[0]] = settings.PerLength[t.Vertex[1]];
+    }
+  }
+  const LatticeMap map(charted, settings, progress.Part(0.15, 0.7));
+  if (map.GetFailure() != nullptr)
+  {
+    return Unchanged(input, component, map.GetFailure());
+  }
+  CellMesh cells(charted, map);
+  InsertLatticePoints(cells);
+  progress.Report(0.8);
+  ComponentCells out;
+  out.KeptVertices = Reduce(cells, progress);
+  out.FlippedTriangles = map.CountFlipped();
+  out.Integers = map.GetNumberOfIntegers();
+  out.Cones = static_cast<Index>(std::count_if(charted.Cones.begin(), charted.Cones.end(),
+    [](const ChartedMesh::Cone& cone) { return cone.Holonomy.Turn != 0; }));
+  Collect(cells, charted, out);
+  progress.Report(1.0);
+  return out;
+}
+}

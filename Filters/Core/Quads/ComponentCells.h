@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_ComponentCells_h
+#define DirectionFields_ComponentCells_h
+
+#include "Geometry/SurfaceGeometry.h"
+#include "LatticeMap/FeatureLines.h"
+#include "Progress.h"
+#include "Quads/Faces.h"
+
+#include <map>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// The faces that one component is cut into.
+struct ComponentCells
+{
+  struct Vertex
+  {
+    Vector3 Position;
+    /// The number of the feature that it lies on, from 1 on; 0 elsewhere.
+    Index Line = 0;
+    bool IsBoundary = false;
+    /// Features end, meet or turn here.
+    bool IsCorner = false;
+    /// A singularity of the field.
+    bool IsCone = false;
+    /// Of the field, in units of 1/n; 0 but at cones.
+    int SingularityIndex = 0;
+  };
+
+  std::vector<Vertex> Vertices;
+  Faces Cells;
+  /// The feature that edges are part of, by their ends in ascending order.
+  std::map<std::array<Index, 2>, Index> EdgeLines;
+  /// Why there is no map, or null: the faces are the component's triangles then.
+  const char* Failure = nullptr;
+  /// Vertices that could not be removed although they are no lattice points; triangles that the map turns
+  /// over; integers that were rounded; cones of the map.
+  Index KeptVertices = 0;
+  Index FlippedTriangles = 0;
+  Index Integers = 0;
+  Index Cones = 0;
+};
+
+/// What of a field and a mesh the cells of all components are made from.
+struct CellInput
+{
+  const SurfaceGeometry& Geometry;
+  const FieldCharts& Charts;
+  const FeatureLines& Features;
+  const std::vector<char>& IsFrameless;
+  const std::vector<Complex>& Section;
+  /// 1 / h of each vertex, h the wanted length of edges there.
+  const std::vector<double>& PerLength;
+};
+
+/// Throws Stopped.
+ComponentCells MakeCells(
+  const CellInput& input, const TriangleMesh::Component& component, const Progress& progress = {});
+}
+
+#endif

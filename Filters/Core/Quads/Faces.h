@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Faces_h
+#define DirectionFields_Faces_h
+
+#include "Types.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Triangles and quads. The corners are counter-clockwise; the fourth one of a triangle is None.
+struct Faces
+{
+  using Face = std::array<Index, 4>;
+  std::vector<Face> Corners;
+  /// Whether a face is a cell of the lattice.
+  std::vector<char> IsRegular;
+
+  static int Size(const Face& face) { return face[3] == None ? 3 : 4; }
+};
+
+/// The scaled Jacobian of a face, as the Verdict library and vtkMeshQuality define it: the least sine of the
+/// angles at its corners, negative where the face is folded; of a triangle relative to 60 degrees.
+double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& face);
+}
+
+#endif

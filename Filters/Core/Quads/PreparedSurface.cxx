@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Quads/PreparedSurface.h"
+
+#include "Field/FeatureChains.h"
+#include "Geometry/DihedralAngles.h"
+#include "LatticeMap/FeatureLines.h"
+#include "Mesh/MergePoints.h"
+
+#include <map>
+
+namespace DirectionFields::Internal
+{
+std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings)
+{
+  std::vector<char> isFeature(geometry.Mesh.GetNumberOfEdges(), 0);
+  if (settings.AreKept)
+  {
+    const std::vector<double> dihedral = DihedralAngles(geometry);
+    const FeatureChains chains(
+      geometry, dihedral, { settings.Angle * Pi / 180.0, settings.MinimumLength });
+    for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
+    {
+      isFeature[e] = chains.IsFeature(e) ? 1 : 0;
+    }
+  }
+  return isFeature;
+}
+
+PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings)
+{
+  const MergedMesh merged = MergedMesh::AcrossSeams(input);
+  const TriangleMesh& mesh = merged.Mesh;
+  this->Repaired = mesh.GetRepairs();
+  const auto firstOf = [&](Index point)
+  { return merged.FirstPoint.empty() ? point : merged.FirstPoint[point]; };
+  for (std::size_t p = 0; p < merged.FirstPoint.size(); ++p)
+  {
+    this->Repaired.MergedPoints += merged.FirstPoint[p] != static_cast<Index>(p) ? 1 : 0;
+  }
+  auto surface = std::make_shared<Surface>();
+  surface->Points = input.Points;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (!mesh.IsFront(t))
+    {
+      continue;
+    }
+    UsedTriangle used{ {}, mesh.InputTriangle(t), {} };
+    for (int c = 0; c < 3; ++c)
+    {
+      used.Points[c] = mesh.Point(mesh.Tail(3 * t + c));
+      for (int k = 0; k < 3; ++k)
+      {
+        if (firstOf(input.Triangles[used.Input][k]) == used.Points[c])
+        {
+          used.InputCorner[c] = k;
+        }
+      }
+    }
+    surface->Triangles.push_back(used.Points);
+    this->Used.push_back(used);
+  }
+  constexpr int mostRounds = 4;
+  for (int k = 0; k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings); ++k)
+  {
+  }
+  this->Prepared = std::move(surface);
+}
+
+std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
+{
+  std::vector<ClosestPoints::Corners> triangles;
+  triangles.reserve(this->Used.size());
+  for (const UsedTriangle& used : this->Used)
+  {
+    triangles.push_back({ this->Prepared->Points[used.Points[0]],
+      this->Prepared->Points[used.Points[1]], this->Prepared->Points[used.Points[2]] });
+  }
+  return triangles;
+}
+
+bool PreparedSurface::SplitBetweenFrameless(
+  Surface& surface, int degree, const FeatureSettings& settings)
+{
+  const SurfaceGeometry geometry(surface);
+  const TriangleMesh& mesh = geometry.Mesh;
+  const std::vector<char> isFrameless =
+    FramelessVertices(geometry, degree, FindFeatures(geometry, settings));
+  std::map<std::array<Index, 2>, Index> middle;
+  const auto middleOf = [&](Index h)
+  {
+    const Index p = mesh.Point(mesh.Tail(h));
+    const Index q = mesh.Point(mesh.Head(h));
+    const std::array<Index, 2> ends = { std::min(p, q), std::max(p, q) };
+    const auto [place, isNew] = middle.emplace(ends, static_cast<Index>(surface.Points.size()));
+    if (isNew)
+    {
+      surface.Points.push_back(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]);
+      this->Middles.push_back(ends);
+    }
+    return place->second;
+  };
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (isFrameless[mesh.Tail(h)] != 0 && isFrameless[mesh.Head(h)] != 0)
+    {
+      middleOf(h);
+    }
+  }
+  if (middle.empty())
+  {
+    return false;
+  }
+  std::vector<Triangle> triangles;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (!mesh.IsFront(t))
+    {
+      continue;
+    }
+    // The corners and the middles in their order around the triangle; a fan from a middle, if there is any,
+    // has no triangle without area.
+    std::vector<Index> polygon;
+    std::vector<char> isMiddle;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const Index p = mesh.Point(mesh.Tail(h));
+      const Index q = mesh.Point(mesh.Head(h));
+      polygon.push_back(p);
+      isMiddle.push_back(0);
+      const auto found = middle.find({ std::min(p, q), std::max(p, q) });
+      if (found != middle.end())
+      {
+        polygon.push_back(found->second);
+        isMiddle.push_back(1);
+      }
+    }
+    // Corners between two middles are cut off, which leaves a triangle, or a quadrangle that starts at a middle.
+    const std::size_t count = polygon.size();
+    std::vector<Index> rest;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t before = (i + count - 1) % count;
+      const std::size_t after = (i + 1) % count;
+      if (isMiddle[i] == 0 && isMiddle[before] != 0 && isMiddle[after] != 0)
+      {
+        triangles.push_back({ polygon[before], polygon[i], polygon[after] });
+      }
+      else
+      {
+        rest.push_back(polygon[i]);
+      }
+    }
+    std::size_t start = 0;
+    while (start < rest.size() &&
+      rest[start] < static_cast<Index>(surface.Points.size()) - static_cast<Index>(middle.size()))
+    {
+      ++start;
+    }
+    start = start == rest.size() ? 0 : start;
+    for (std::size_t i = 1; i + 1 < rest.size(); ++i)
+    {
+      triangles.push_back(
+        { rest[start], rest[(start + i) % rest.size()], rest[(start + i + 1) % rest.size()] });
+    }
+  }
+  surface.Triangles = std::move(triangles);
+  return true;
+}
+}

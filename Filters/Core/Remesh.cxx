@@ -1,0 +1,421 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remesh.h"
+
+#include "Field/ComponentFields.h"
+#include "Field/Guidance.h"
+#include "Field/Guide.h"
+#include "Field/Stages.h"
+#include "LatticeMap/FeatureLines.h"
+#include "Quads/ComponentCells.h"
+#include "Quads/FaceSmoothing.h"
+#include "Quads/PreparedSurface.h"
+#include "Quads/QuadSplit.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr double LeastSize = 0.125;
+
+int DegreeOf(Element element)
+{
+  return element == Element::Quads ? 4 : 6;
+}
+
+FeatureSettings FeaturesOf(const RemeshOptions& options)
+{
+  return { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength };
+}
+
+double SizeAt(const RemeshOptions& options, std::size_t point)
+{
+  if (options.Sizing.empty() || !(options.Sizing[point] > 0.0) ||
+    !std::isfinite(options.Sizing[point]))
+  {
+    return 1.0;
+  }
+  return std::clamp(options.Sizing[point], LeastSize, 1.0 / LeastSize);
+}
+
+/// V - E + F, the faces being the whole of it.
+int EulerCharacteristicOf(const RemeshResult& mesh)
+{
+  std::vector<std::array<Index, 2>> edges;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const int size = face[3] == None ? 3 : 4;
+    for (int c = 0; c < size; ++c)
+    {
+      const Index a = face[c];
+      const Index b = face[(c + 1) % size];
+      edges.push_back({ std::min(a, b), std::max(a, b) });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto end = std::unique(edges.begin(), edges.end());
+  return static_cast<int>(mesh.Points.size()) - static_cast<int>(end - edges.begin()) +
+    static_cast<int>(mesh.Faces.size());
+}
+}
+
+void Check(const RemeshOptions& options, std::size_t points)
+{
+  const auto require = [](bool holds, const char* what)
+  {
+    if (!holds)
+    {
+      throw std::invalid_argument(what);
+    }
+  };
+  require(
+    options.UseEdgeLength || options.NumberOfFaces >= 1, "NumberOfFaces has to be at least 1.");
+  require(!options.UseEdgeLength || (options.EdgeLength > 0.0 && std::isfinite(options.EdgeLength)),
+    "EdgeLength has to be a positive number.");
+  require(options.Sizing.empty() || options.Sizing.size() == points,
+    "There has to be one wanted size for each point of the surface.");
+  require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
+    "FeatureAngle has to be between 0 and 180 degrees.");
+  require(options.MinimumFeatureLength >= 0.0 && std::isfinite(options.MinimumFeatureLength),
+    "MinimumFeatureLength has to be at least 0.");
+  require(options.SmoothingIterations >= 0 && options.SmoothingIterations <= 1000,
+    "SmoothingIterations has to be between 0 and 1000.");
+  require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
+    "NumberOfThreads has to be between 0 and 1024.");
+}
+
+/// What does not depend on the wanted size.
+struct Remesh::Kept
+{
+  Kept(const Surface& surface, const RemeshOptions& options, const std::vector<Vector3>& given,
+    const Progress& progress)
+    : Element(options.Element)
+    , Features(FeaturesOf(options))
+    , Given(given)
+    , Prepared(surface, DegreeOf(options.Element), this->Features)
+    , Field(this->Prepared.GetSurface())
+    , Original(this->Prepared.GetTriangles())
+  {
+    progress.Report(0.2);
+    const int degree = DegreeOf(options.Element);
+    if (given.empty())
+    {
+      Options field;
+      field.Degree = degree;
+      field.ConstrainBoundary = true;
+      field.ConstrainSharpEdges = options.KeepFeatures;
+      field.FeatureAngle = options.FeatureAngle;
+      field.MinimumFeatureLength = options.MinimumFeatureLength;
+      field.MergePoints = MergePoints::Off;
+      std::vector<std::string> notes;
+      const Guide guide(this->Field, field, {}, notes);
+      EnergyStage& energy = this->Field.GetEnergy(field, progress.Part(0.2, 0.6));
+      this->Section =
+        SolveComponents(this->Field, energy, guide, {}, field, false, progress.Part(0.6, 0.95))
+          .Section;
+    }
+    else
+    {
+      Guidance guidance;
+      guidance.Vectors = this->Prepared.Continued(given);
+      this->Section = GuidanceSection(this->Field.GetGeometry(), guidance, degree);
+      Continue(this->Field.GetGeometry(), degree, this->Section);
+    }
+    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    this->Charts.emplace(geometry, degree, this->Section);
+    this->IsFeature = FindFeatures(geometry, this->Features);
+    this->IsFrameless = FramelessVertices(geometry, degree, this->IsFeature);
+    progress.Report(1.0);
+  }
+
+  bool IsFor(const RemeshOptions& options, const std::vector<Vector3>& given) const
+  {
+    return this->Element == options.Element && this->Features == FeaturesOf(options) &&
+      this->Given == given;
+  }
+
+  DirectionFields::Element Element;
+  FeatureSettings Features;
+  std::vector<Vector3> Given;
+  PreparedSurface Prepared;
+  Stages Field;
+  std::vector<Complex> Section;
+  std::optional<FieldCharts> Charts;
+  std::vector<char> IsFeature;
+  std::vector<char> IsFrameless;
+  ClosestPoints Original;
+};
+
+Remesh::Remesh(std::shared_ptr<const Surface> surface)
+  : Input(std::move(surface))
+{
+}
+Remesh::~Remesh() = default;
+Remesh::Remesh(Remesh&&) noexcept = default;
+Remesh& Remesh::operator=(Remesh&&) noexcept = default;
+
+namespace
+{
+/// The wanted length of edges that gives the wanted number of faces.
+double EdgeLengthFor(
+  const SurfaceGeometry& geometry, const RemeshOptions& options, const std::vector<double>& size)
+{
+  if (options.UseEdgeLength)
+  {
+    return options.EdgeLength;
+  }
+  // The area in units of the square of the size there.
+  double area = 0.0;
+  for (std::size_t c = 0; c < geometry.Mesh.GetComponents().size(); ++c)
+  {
+    const TriangleMesh::Component& part = geometry.Mesh.GetComponents()[c];
+    double sum = 0.0;
+    for (Index t = part.FirstTriangle; t < part.EndTriangle; ++t)
+    {
+      double perLength = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        perLength += 1.0 / (3.0 * size[geometry.Mesh.Tail(3 * t + k)]);
+      }
+      sum += geometry.Mesh.IsFront(t) ? geometry.Lengths.Area[t] * perLength * perLength : 0.0;
+    }
+    area += sum * geometry.Lengths.Unit[c] * geometry.Lengths.Unit[c];
+  }
+  const double face = area / options.NumberOfFaces;
+  return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
+}
+
+/// The segments of each feature, as triangles without area.
+std::vector<ClosestPoints> LinesOf(const SurfaceGeometry& geometry, const FeatureLines& features)
+{
+  std::vector<ClosestPoints> lines;
+  for (const FeatureLines::Chain& chain : features.Chains)
+  {
+    std::vector<ClosestPoints::Corners> segments;
+    for (const FeatureLines::Step& step : chain.Steps)
+    {
+      const Vector3& p = geometry.Positions[FeatureLines::Start(geometry.Mesh, step)];
+      const Vector3& q = geometry.Positions[FeatureLines::End(geometry.Mesh, step)];
+      segments.push_back({ p, q, q });
+    }
+    lines.emplace_back(std::move(segments));
+  }
+  return lines;
+}
+
+/// Appends the cells of a component to the mesh.
+void Append(const ComponentCells& cells, RemeshResult& result, std::vector<Index>& line)
+{
+  const auto first = static_cast<Index>(result.Points.size());
+  for (const ComponentCells::Vertex& vertex : cells.Vertices)
+  {
+    result.Points.push_back(vertex.Position);
+    result.FieldIndex.push_back(vertex.SingularityIndex);
+    result.Kind.push_back(vertex.IsCorner ? VertexKind::Corner
+        : vertex.IsBoundary               ? VertexKind::Boundary
+        : vertex.Line > 0                 ? VertexKind::Feature
+        : vertex.IsCone                   ? VertexKind::Cone
+                                          : VertexKind::Surface);
+    line.push_back(vertex.IsCorner ? -1 : vertex.Line);
+  }
+  for (const Faces::Face& face : cells.Cells.Corners)
+  {
+    std::array<Index, 4> corners{};
+    for (int c = 0; c < 4; ++c)
+    {
+      corners[c] = face[c] == None ? None : face[c] + first;
+    }
+    result.Faces.push_back(corners);
+  }
+  result.Regular.insert(
+    result.Regular.end(), cells.Cells.IsRegular.begin(), cells.Cells.IsRegular.end());
+  result.KeptVertices += cells.KeptVertices;
+  result.FlippedTriangles += cells.FlippedTriangles;
+}
+
+/// Finds where the points and the middles of the faces are on the surface given.
+void FindSources(
+  const PreparedSurface& prepared, const ClosestPoints& surface, RemeshResult& result)
+{
+  constexpr Index pieceSize = 256;
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  const auto points = static_cast<Index>(result.Points.size());
+  const auto faces = static_cast<Index>(result.Faces.size());
+  result.SourceTriangle.resize(points);
+  result.SourceWeights.resize(points);
+  result.FaceSource.resize(faces);
+  ParallelFor(points, pieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        const ClosestPoints::Answer at = surface.Find(result.Points[v], Vector3::Zero(), anywhere);
+        result.SourceTriangle[v] = prepared.InputTriangle(at.Triangle);
+        result.SourceWeights[v] = prepared.InputWeights(at.Triangle, at.Weights);
+      }
+    });
+  std::vector<double> distance(faces);
+  ParallelFor(faces, pieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index f = begin; f < end; ++f)
+      {
+        const int size = result.Faces[f][3] == None ? 3 : 4;
+        Vector3 middle = Vector3::Zero();
+        for (int c = 0; c < size; ++c)
+        {
+          middle += result.Points[result.Faces[f][c]] / size;
+        }
+        const ClosestPoints::Answer at = surface.Find(middle, Vector3::Zero(), anywhere);
+        result.FaceSource[f] = prepared.InputTriangle(at.Triangle);
+        distance[f] = std::sqrt(at.SquaredDistance);
+      }
+    });
+  for (const double d : distance)
+  {
+    result.MaximumDistance = std::max(result.MaximumDistance, d);
+  }
+}
+
+/// The wanted length of edges at each point of a mesh.
+std::vector<double> WantedLengths(const RemeshOptions& options, const Surface& input,
+  const PreparedSurface& prepared, const ClosestPoints& surface, const RemeshResult& result)
+{
+  std::vector<double> wanted(result.Points.size(), result.EdgeLength);
+  if (!options.Sizing.empty())
+  {
+    for (std::size_t v = 0; v < wanted.size(); ++v)
+    {
+      const ClosestPoints::Answer at =
+        surface.Find(result.Points[v], Vector3::Zero(), std::numeric_limits<double>::infinity());
+      const Index t = prepared.InputTriangle(at.Triangle);
+      const std::array<double, 3> weights = prepared.InputWeights(at.Triangle, at.Weights);
+      double size = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        size += weights[c] * SizeAt(options, input.Triangles[t][c]);
+      }
+      wanted[v] *= size;
+    }
+  }
+  return wanted;
+}
+
+/// Counts what a mesh is made of.
+void Count(const RemeshOptions& options, const std::vector<char>& isBoundary, RemeshResult& result)
+{
+  std::vector<int> valence(result.Points.size(), 0);
+  for (const std::array<Index, 4>& face : result.Faces)
+  {
+    (face[3] == None ? result.Triangles : result.Quads) += 1;
+    for (const Index v : face)
+    {
+      if (v != None)
+      {
+        ++valence[v];
+      }
+    }
+  }
+  for (std::size_t v = 0; v < valence.size(); ++v)
+  {
+    const bool isRegular = valence[v] == DegreeOf(options.Element) || isBoundary[v] != 0;
+    result.IrregularVertices += isRegular ? 0 : 1;
+  }
+}
+}
+
+RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  const ProgressFunction& progressFunction)
+{
+  Check(options, this->Input->Points.size());
+  Threads threads(options.NumberOfThreads);
+  const Threads::Scope scope(threads);
+  const Progress progress(progressFunction);
+  RemeshResult result;
+  try
+  {
+    if (!this->State || !this->State->IsFor(options, directions))
+    {
+      this->State.reset();
+      this->State =
+        std::make_unique<Kept>(*this->Input, options, directions, progress.Part(0.0, 0.4));
+    }
+    const Kept& kept = *this->State;
+    const SurfaceGeometry& geometry = kept.Field.GetGeometry();
+    const TriangleMesh& mesh = geometry.Mesh;
+    std::vector<double> size(mesh.GetNumberOfVertices());
+    std::vector<double> sizes;
+    for (std::size_t p = 0; p < this->Input->Points.size(); ++p)
+    {
+      sizes.push_back(SizeAt(options, p));
+    }
+    sizes = kept.Prepared.Continued(std::move(sizes));
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      size[v] = sizes[mesh.Point(v)];
+    }
+    result.EdgeLength = EdgeLengthFor(geometry, options, size);
+    const double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
+    std::vector<double> perLength(size.size());
+    for (std::size_t v = 0; v < size.size(); ++v)
+    {
+      perLength[v] = 1.0 / (coarse * size[v]);
+    }
+    const FeatureLines features(geometry, *kept.Charts, kept.IsFeature, kept.IsFrameless,
+      std::vector<double>(mesh.GetComponents().size(), coarse));
+    const CellInput input{ geometry, *kept.Charts, features, kept.IsFrameless, kept.Section,
+      perLength };
+    std::vector<Index> line;
+    std::vector<char> isBoundary;
+    const auto components = static_cast<double>(mesh.GetComponents().size());
+    for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+    {
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      ComponentCells cells = MakeCells(input, component,
+        progress.Part(0.4 + 0.45 * static_cast<double>(c) / components,
+          0.4 + 0.45 * static_cast<double>(c + 1) / components));
+      if (options.PureQuads && options.Element == Element::Quads)
+      {
+        SplitIntoQuads(cells);
+      }
+      if (cells.Failure != nullptr)
+      {
+        result.Notes.push_back("Component " + std::to_string(c) + " could not be remeshed, since " +
+          cells.Failure + ". It is as it was.");
+      }
+      for (const ComponentCells::Vertex& vertex : cells.Vertices)
+      {
+        isBoundary.push_back(vertex.IsBoundary ? 1 : 0);
+      }
+      Append(cells, result, line);
+      result.EulerCharacteristicBefore +=
+        (component.Vertices() - component.Edges() + component.Triangles()) /
+        (component.IsCover ? 2 : 1);
+    }
+    Faces faces{ result.Faces, result.Regular };
+    const std::vector<ClosestPoints> lines = LinesOf(geometry, features);
+    const SmoothingDomain domain{ kept.Original, lines, std::move(line),
+      WantedLengths(options, *this->Input, kept.Prepared, kept.Original, result) };
+    SmoothFaces(
+      faces, domain, options.SmoothingIterations, result.Points, progress.Part(0.85, 0.97));
+    FindSources(kept.Prepared, kept.Original, result);
+    Count(options, isBoundary, result);
+    result.EulerCharacteristicAfter = EulerCharacteristicOf(result);
+    result.Repaired = kept.Prepared.GetRepairs();
+  }
+  catch (const Stopped&)
+  {
+    result = {};
+    result.Aborted = true;
+  }
+  return result;
+}
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Remesh_h
+#define DirectionFields_Remesh_h
+
+#include "MeshError.h"
+#include "Options.h"
+#include "Progress.h"
+#include "Surface.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace DirectionFields
+{
+/// The faces of a mesh to be made.
+enum class Element
+{
+  /// Quads, along a field of degree 4.
+  Quads = 0,
+  /// Triangles, along a field of degree 6.
+  Triangles = 1
+};
+
+/// What the user asks of a new mesh. The defaults stand here and nowhere else.
+struct RemeshOptions
+{
+  DirectionFields::Element Element = DirectionFields::Element::Quads;
+  /// About how many faces there are to be. At least 1.
+  Index NumberOfFaces = 5000;
+  /// Take EdgeLength in place of NumberOfFaces.
+  bool UseEdgeLength = false;
+  /// Wanted length of the edges, in the unit of the surface. Above 0.
+  double EdgeLength = 1.0;
+  /// Wanted length of the edges at each point relative to elsewhere; empty for the same everywhere. Values
+  /// are clamped to 1/8 ... 8, what is no positive number counts as 1.
+  std::vector<double> Sizing;
+  /// Only quads: a mesh of twice the edge length is made, and each of its faces split into quads.
+  bool PureQuads = false;
+  /// Sharp edges become edges of the new mesh. The boundary always does.
+  bool KeepFeatures = true;
+  /// As in Options. Angles of coarse round surfaces should not pass for features.
+  double FeatureAngle = 40.0;
+  double MinimumFeatureLength = 0.1;
+  /// Steps in which vertices move so that faces become regular. 0 leaves them on the grid. Range 0 to 1000.
+  int SmoothingIterations = 12;
+  /// As in Options.
+  int NumberOfThreads = 0;
+};
+
+/// Throws std::invalid_argument, its text a sentence for the user, for options out of range.
+void Check(const RemeshOptions& options, std::size_t points);
+
+/// What a vertex of the new mesh stands for.
+enum class VertexKind : signed char
+{
+  Surface = 0,
+  Boundary = 1,
+  Feature = 2,
+  /// Features end, meet or turn there.
+  Corner = 3,
+  /// A singularity of the field.
+  Cone = 4
+};
+
+/// A mesh along a field.
+struct RemeshResult
+{
+  std::vector<Vector3> Points;
+  /// Corners counter-clockwise as the surface is wound; the fourth one of a triangle is None.
+  std::vector<std::array<Index, 4>> Faces;
+  std::vector<VertexKind> Kind;
+  /// Singularity index at each point, in units of 1/n: 0 but at cones.
+  std::vector<int> FieldIndex;
+  /// Whether a face is a cell of the regular grid.
+  std::vector<char> Regular;
+  /// Where each point is on the surface given: a triangle, and weights of its corners.
+  std::vector<Index> SourceTriangle;
+  std::vector<std::array<double, 3>> SourceWeights;
+  /// The triangle that the middle of each face is closest to.
+  std::vector<Index> FaceSource;
+
+  /// Interior vertices with another number of edges than 4, or 6 for triangles.
+  Index IrregularVertices = 0;
+  /// Vertices that are there because the map is no grid around them.
+  Index KeptVertices = 0;
+  Index FlippedTriangles = 0;
+  Index Quads = 0;
+  Index Triangles = 0;
+  /// Largest distance of a middle of a face from the surface, in its unit.
+  double MaximumDistance = 0.0;
+  /// V - E + F of the surface, mended, and of the mesh.
+  int EulerCharacteristicBefore = 0;
+  int EulerCharacteristicAfter = 0;
+  /// The length of edges that was asked for.
+  double EdgeLength = 0.0;
+  Repairs Repaired;
+  /// Sentences for the user.
+  std::vector<std::string> Notes;
+  bool Aborted = false;
+};
+
+/// Makes meshes of quads or triangles that follow a direction field. What does not depend on the wanted size
+/// is kept for the next mesh. Two threads may not use one object at once.
+class Remesh
+{
+public:
+  /// Shares the surface, which must not change any more.
+  explicit Remesh(std::shared_ptr<const Surface> surface);
+  ~Remesh();
+  Remesh(Remesh&&) noexcept;
+  Remesh& operator=(Remesh&&) noexcept;
+
+  /// Throws MeshError for a surface that cannot be processed, and std::invalid_argument.
+  /// @param directions any of the directions of a field of degree 4 (6 for triangles) at each point of the
+  ///                   surface; empty to compute the field that is smoothest along boundary and features
+  RemeshResult Compute(const RemeshOptions& options, const std::vector<Vector3>& directions = {},
+    const ProgressFunction& progress = {});
+
+private:
+  struct Kept;
+  std::shared_ptr<const Surface> Input;
+  std::unique_ptr<Kept> State;
+};
+}
+
+#endif

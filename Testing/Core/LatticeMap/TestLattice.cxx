@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LatticeMap/IntegerElimination.h"
+#include "LatticeMap/IntegerRounding.h"
+#include "LatticeMap/Lattice.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace DirectionFields;
+
+namespace
+{
+LatticePoint RandomPoint(std::mt19937& engine, int range)
+{
+  const auto next = [&]
+  {
+    return static_cast<std::int64_t>(engine() % (2 * range * Lattice::Unit)) -
+      range * Lattice::Unit;
+  };
+  const std::int64_t a = next();
+  return { a, next() };
+}
+}
+
+TEST(Lattice, TurnsAreThoseOfThePlane)
+{
+  std::mt19937 engine(1);
+  for (const int degree : { 4, 6 })
+  {
+    const Lattice plane(degree);
+    for (int k = -degree; k <= degree; ++k)
+    {
+      const LatticePoint p = RandomPoint(engine, 100);
+      EXPECT_NEAR(
+        std::abs(plane.Place(plane.Turned(p, k)) - plane.Root(k) * plane.Place(p)), 0.0, 1e-11);
+    }
+    EXPECT_EQ(plane.Turned({ 3, 5 }, degree), (LatticePoint{ 3, 5 }));
+  }
+}
+
+TEST(Lattice, TransitionsAreAGroup)
+{
+  std::mt19937 engine(2);
+  for (const int degree : { 4, 6 })
+  {
+    const Lattice plane(degree);
+    for (int i = 0; i < 50; ++i)
+    {
+      const Transition s{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
+      const Transition t{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
+      const LatticePoint p = RandomPoint(engine, 50);
+      EXPECT_EQ(plane.Apply(plane.Composed(s, t), p), plane.Apply(s, plane.Apply(t, p)));
+      EXPECT_EQ(plane.Composed(s, plane.Inverse(s)), Transition{});
+      EXPECT_EQ(plane.Composed(plane.Inverse(s), s), Transition{});
+    }
+  }
+}
+
+TEST(Lattice, OrientationIsExactWhereAreasAreOfOneUnit)
+{
+  // Far points, the area of whose triangle is one of 2^-36 of a cell: less than doubles resolve.
+  const std::int64_t far = (std::int64_t(1) << 38) + 1;
+  const LatticePoint origin{ 0, 0 };
+  EXPECT_EQ(Lattice::Orientation(origin, { far, far - 1 }, { far + 1, far }), 1);
+  EXPECT_EQ(Lattice::Orientation(origin, { far + 1, far }, { far, far - 1 }), -1);
+  EXPECT_EQ(Lattice::Orientation(origin, { far, far }, { 2 * far, 2 * far }), 0);
+}
+
+TEST(Lattice, UnitCellsAreOnOneCircle)
+{
+  constexpr std::int64_t one = Lattice::Unit;
+  const Lattice square(4);
+  EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 0, one }));
+  EXPECT_TRUE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 1, one - 1 }));
+  EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { -1, one }));
+  // The six neighbours of a point of the hexagonal lattice are at the same distance.
+  const Lattice hexagonal(6);
+  const LatticePoint p{ one, 0 };
+  EXPECT_FALSE(hexagonal.IsInCircle(
+    p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned(p, 4)));
+  EXPECT_TRUE(hexagonal.IsInCircle(
+    p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned({ one - 1, 0 }, 4)));
+}
+
+TEST(IntegerElimination, AnyValuesOfTheFreeVariablesSatisfyAllEquations)
+{
+  std::mt19937 engine(3);
+  for (int round = 0; round < 50; ++round)
+  {
+    constexpr Index count = 12;
+    std::vector<char> isInteger(count);
+    for (char& flag : isInteger)
+    {
+      flag = engine() % 2 == 0 ? 1 : 0;
+    }
+    IntegerElimination elimination(isInteger);
+    std::vector<IntegerSum> rows;
+    for (int r = 0; r < 6; ++r)
+    {
+      IntegerSum row;
+      for (int k = 0; k < 4; ++k)
+      {
+        row.emplace_back(engine() % count, static_cast<std::int64_t>(engine() % 5) - 2);
+      }
+      rows.push_back(row);
+      elimination.Require(row);
+    }
+    std::vector<std::int64_t> value(elimination.GetNumberOfVariables());
+    for (std::int64_t& v : value)
+    {
+      v = static_cast<std::int64_t>(engine() % 1000) - 500;
+    }
+    for (const IntegerSum& row : rows)
+    {
+      std::int64_t sum = 0;
+      for (const auto& [variable, factor] : row)
+      {
+        for (const auto& [free, coefficient] : IntegerSum(elimination.Resolve(variable)))
+        {
+          ASSERT_TRUE(elimination.IsFree(free));
+          sum += factor * coefficient * value[free];
+        }
+      }
+      EXPECT_EQ(sum, 0);
+    }
+  }
+}
+
+TEST(IntegerRounding, OfIndependentVariablesIsToTheNearest)
+{
+  Eigen::VectorXd x(4);
+  x << 0.4, -1.7, 2.49, 3.0;
+  RoundGreedily(Eigen::MatrixXd::Identity(4, 4), x);
+  EXPECT_EQ(x, Eigen::Vector4d(0.0, -2.0, 2.0, 3.0));
+}
+
+TEST(IntegerRounding, FollowsWhatIsRoundedFirst)
+{
+  // E = (x - y - 0.6)^2 + (x - 0.1)^2 / 100: x goes to 0 first; y then has to be about -0.6, not its own -0.5.
+  Eigen::Matrix2d matrix;
+  matrix << 1.01, -1.0, -1.0, 1.0;
+  const Eigen::MatrixXd factor = matrix.llt().matrixL();
+  Eigen::VectorXd x(2);
+  x << 0.1, -0.5;
+  RoundGreedily(factor, x);
+  EXPECT_EQ(x[0], 0.0);
+  EXPECT_EQ(x[1], -1.0);
+}
+
+TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
+{
+  // A chain of springs of length 0.3, in numbers that are rounded in batches.
+  constexpr Eigen::Index count = MostSingly + 100;
+  Eigen::MatrixXd factor = Eigen::MatrixXd::Identity(count, count);
+  for (Eigen::Index i = 1; i < count; ++i)
+  {
+    factor(i, i - 1) = -0.5;
+  }
+  Eigen::VectorXd x(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    x[i] = 0.3 * static_cast<double>(i % 7);
+  }
+  const Eigen::VectorXd before = x;
+  RoundGreedily(factor, x);
+  EXPECT_TRUE((x.array() == x.array().round()).all());
+  const double energy = (factor.transpose() * (x - before)).squaredNorm();
+  const double allAtOnce =
+    (factor.transpose() * (before.array().round().matrix() - before)).squaredNorm();
+  EXPECT_LE(energy, allAtOnce);
+}

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remesh.h"
+
+#include "Quads/Faces.h"
+#include "Remeshed.h"
+#include "Surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace DirectionFields;
+
+namespace
+{
+RemeshResult Remeshed(
+  const Surface& surface, Index faces, Element element = Element::Quads, int smoothing = 12)
+{
+  RemeshOptions options;
+  options.NumberOfFaces = faces;
+  options.Element = element;
+  options.SmoothingIterations = smoothing;
+  return Remesh(std::make_shared<Surface>(surface)).Compute(options);
+}
+
+/// The edges of a mesh that are on a coordinate plane's side of a box: both ends have the coordinate.
+double LeastQuality(const RemeshResult& mesh)
+{
+  double least = 1.0;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    least = std::min(least, ScaledJacobian(mesh.Points, face));
+  }
+  return least;
+}
+}
+
+TEST(Remesh, SquareIsCutIntoSquares)
+{
+  const RemeshResult mesh = Remeshed(Meshes::Square(7), 100);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.Quads, 100);
+  EXPECT_EQ(mesh.Triangles, 0);
+  EXPECT_EQ(mesh.IrregularVertices, 0);
+  EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+  EXPECT_LT(mesh.MaximumDistance, 1e-12);
+}
+
+TEST(Remesh, CubeIsCutIntoSquaresOfEachSide)
+{
+  for (const int side : { 3, 8 })
+  {
+    const RemeshResult mesh = Remeshed(Meshes::Cube(), 6 * side * side);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.Quads, 6 * side * side);
+    EXPECT_EQ(mesh.Triangles, 0);
+    // The corners have three edges each, which sums up to 4 chi = 8 quarters.
+    EXPECT_EQ(mesh.IrregularVertices, 8);
+    EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+  }
+}
+
+TEST(Remesh, TorusNeedsNoIrregularVertices)
+{
+  const RemeshResult mesh = Remeshed(Meshes::Torus(48, 24), 800);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.EulerCharacteristicAfter, 0);
+  EXPECT_EQ(mesh.Triangles, 0);
+  EXPECT_EQ(mesh.IrregularVertices, 0);
+}
+
+TEST(Remesh, CylinderKeepsItsTwoRims)
+{
+  const RemeshResult mesh = Remeshed(Meshes::Cylinder(40, 10, 2.0), 600);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.Triangles, 0);
+  EXPECT_EQ(mesh.IrregularVertices, 0);
+  EXPECT_EQ(Meshes::CountBoundaryLoops(mesh), 2);
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    if (mesh.Kind[v] == VertexKind::Boundary || mesh.Kind[v] == VertexKind::Corner)
+    {
+      EXPECT_NEAR(std::abs(mesh.Points[v][2] - 1.0), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(Remesh, DiskHasFourIrregularVertices)
+{
+  const RemeshResult mesh = Remeshed(Meshes::Disk(20), 500);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(Meshes::CountBoundaryLoops(mesh), 1);
+  EXPECT_EQ(mesh.IrregularVertices, 4);
+  EXPECT_LE(mesh.Triangles, 2);
+}
+
+TEST(Remesh, PlaneIsCutIntoEquilateralTriangles)
+{
+  const RemeshResult mesh = Remeshed(Meshes::Square(10), 300, Element::Triangles);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.Quads, 0);
+  EXPECT_GT(static_cast<double>(std::count(mesh.Regular.begin(), mesh.Regular.end(), 1)),
+    0.8 * mesh.Triangles);
+}
+
+TEST(Remesh, KeepsTheTopologyOfAnySurface)
+{
+  const std::vector<Surface> surfaces = { Meshes::Tetrahedron(), Meshes::Octahedron(),
+    Meshes::Icosphere(3), Meshes::Hemisphere(3), Meshes::DoubleTorus(), Meshes::Potato(3),
+    Meshes::LShape(6), Meshes::PlateWithHole(24, 8, 0.4, true), Meshes::ChamferedCube(4),
+    Meshes::BadSphere(3, 0.1, 1), Meshes::Scrambled(Meshes::Icosphere(3), 1),
+    Meshes::Roughened(Meshes::Icosphere(3), 0.1, 1),
+    Meshes::Joined(Meshes::Icosphere(2), Meshes::Square(3)) };
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    for (const Index faces : { 20, 200, 2000 })
+    {
+      for (const Element element : { Element::Quads, Element::Triangles })
+      {
+        const RemeshResult mesh = Remeshed(surfaces[i], faces, element);
+        EXPECT_EQ(Meshes::FlawOf(mesh), "") << "surface " << i << ", " << faces;
+        EXPECT_EQ(Meshes::CountBoundaryLoops(mesh), Meshes::CountBoundaryLoops(surfaces[i]))
+          << "surface " << i << ", " << faces;
+      }
+    }
+  }
+}
+
+TEST(Remesh, PureQuadsAreQuadsOnly)
+{
+  RemeshOptions options;
+  options.NumberOfFaces = 800;
+  options.PureQuads = true;
+  for (const Surface& surface : { Meshes::Potato(4), Meshes::ChamferedCube(6) })
+  {
+    const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.Triangles, 0);
+    EXPECT_NEAR(mesh.Quads, 800.0, 120.0);
+  }
+}
+
+TEST(Remesh, SizingMakesFacesSmallerWhereItIsAsked)
+{
+  const Surface square = Meshes::Square(30);
+  RemeshOptions options;
+  options.NumberOfFaces = 1000;
+  for (const Vector3& p : square.Points)
+  {
+    options.Sizing.push_back(p[0] < 0.5 ? 1.0 : 2.0);
+  }
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(square)).Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  Index left = 0;
+  for (const Vector3& p : mesh.Points)
+  {
+    left += p[0] < 0.5 ? 1 : 0;
+  }
+  EXPECT_GT(left, 0.7 * static_cast<double>(mesh.Points.size()));
+}
+
+TEST(Remesh, DoesNotDependOnThreadsOrOnWhatWasComputedBefore)
+{
+  const auto surface = std::make_shared<Surface>(Meshes::Potato(4));
+  RemeshOptions options;
+  options.NumberOfFaces = 700;
+  options.NumberOfThreads = 1;
+  const RemeshResult one = Remesh(surface).Compute(options);
+  options.NumberOfThreads = 3;
+  Remesh kept(surface);
+  RemeshOptions other = options;
+  other.NumberOfFaces = 300;
+  kept.Compute(other);
+  const RemeshResult three = kept.Compute(options);
+  EXPECT_EQ(one.Faces, three.Faces);
+  EXPECT_EQ(one.Points, three.Points);
+}
+
+TEST(Remesh, ScalesWithTheSurface)
+{
+  const Surface potato = Meshes::Potato(3);
+  const RemeshResult unit = Remeshed(potato, 300);
+  for (const double scale : { 1e-9, 1e9 })
+  {
+    const Surface scaled =
+      Meshes::Transformed(potato, scale * Eigen::Matrix3d::Identity(), Vector3::Zero());
+    const RemeshResult mesh = Remeshed(scaled, 300);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.Quads, unit.Quads) << scale;
+    EXPECT_NEAR(mesh.EdgeLength / (scale * unit.EdgeLength), 1.0, 1e-9);
+  }
+}
+
+TEST(Remesh, PointsAreWhereTheirSourcesSay)
+{
+  const Surface surface = Meshes::ChamferedCube(4);
+  const RemeshResult mesh = Remeshed(surface, 400);
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    Vector3 place = Vector3::Zero();
+    for (int c = 0; c < 3; ++c)
+    {
+      place +=
+        mesh.SourceWeights[v][c] * surface.Points[surface.Triangles[mesh.SourceTriangle[v]][c]];
+    }
+    EXPECT_LT((place - mesh.Points[v]).norm(), 1e-9);
+  }
+}
+
+TEST(Remesh, FollowsTheFieldThatIsGiven)
+{
+  const Surface square = Meshes::Square(12);
+  RemeshOptions options;
+  options.NumberOfFaces = 200;
+  const std::vector<Vector3> directions(square.Points.size(), Vector3(0.0, 1.0, 0.0));
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(square)).Compute(options, directions);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.IrregularVertices, 0);
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const Vector3 edge = (mesh.Points[face[1]] - mesh.Points[face[0]]).normalized();
+    EXPECT_NEAR(std::max(std::abs(edge[0]), std::abs(edge[1])), 1.0, 1e-3);
+  }
+}
+
+TEST(Remesh, StopsWhenItIsAskedTo)
+{
+  int calls = 0;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(Meshes::Potato(3)))
+                              .Compute({}, {}, [&](double) { return ++calls < 4; });
+  EXPECT_TRUE(mesh.Aborted);
+  EXPECT_TRUE(mesh.Points.empty());
+}
+
+TEST(Remesh, RefusesWhatMakesNoSense)
+{
+  Remesh remesh(std::make_shared<Surface>(Meshes::Cube()));
+  RemeshOptions options;
+  options.NumberOfFaces = 0;
+  EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
+  options = {};
+  options.UseEdgeLength = true;
+  options.EdgeLength = 0.0;
+  EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
+  options = {};
+  options.Sizing = { 1.0 };
+  EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
+}
+
+TEST(Remesh, EmptySurfaceGivesAnEmptyMesh)
+{
+  EXPECT_TRUE(Remesh(std::make_shared<Surface>()).Compute({}).Faces.empty());
+}
