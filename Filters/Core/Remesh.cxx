@@ -115,6 +115,7 @@ struct Remesh::Kept
       field.FeatureAngle = options.FeatureAngle;
       field.MinimumFeatureLength = options.MinimumFeatureLength;
       field.MergePoints = MergePoints::Off;
+      field.UnitLength = true;
       std::vector<std::string> notes;
       const Guide guide(this->Field, field, {}, notes);
       EnergyStage& energy = this->Field.GetEnergy(field, progress.Part(0.2, 0.6));

@@ -43,7 +43,7 @@ struct RemeshOptions
   bool KeepFeatures = true;
   /// As in Options. Angles of coarse round surfaces should not pass for features.
   double FeatureAngle = 40.0;
-  double MinimumFeatureLength = 0.1;
+  double MinimumFeatureLength = 0.5;
   /// Steps in which vertices move so that faces become regular. 0 leaves them on the grid. Range 0 to 1000.
   int SmoothingIterations = 12;
   /// As in Options.

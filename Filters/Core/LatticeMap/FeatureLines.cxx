@@ -178,7 +178,7 @@ std::vector<char> FramelessVertices(
   std::vector<char> isFrameless(mesh.GetNumberOfVertices(), 0);
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    isFrameless[v] = valence[v] > 0 && !mesh.IsBoundary(v) &&
+    isFrameless[v] = valence[v] > 1 && !mesh.IsBoundary(v) &&
         (valence[v] != 2 || !GoesStraight(geometry, degree, features, v))
       ? 1
       : 0;

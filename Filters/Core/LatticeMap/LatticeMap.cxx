@@ -108,15 +108,20 @@ struct LatticeMap::Unknowns
   /// Finds the features at each vertex, and returns which variables are to be integers.
   std::vector<char> Flags()
   {
-    std::vector<char> isCone(this->Vertices, 0);
+    std::vector<char> isPoint(this->Vertices, 0);
     for (const ChartedMesh::Cone& cone : this->Mesh.Cones)
     {
-      isCone[cone.Vertex] = 1;
+      isPoint[cone.Vertex] = 1;
+    }
+    // Where a feature ends there is a lattice point, too.
+    for (std::size_t v = 0; v < this->Mesh.IsChainEnd.size(); ++v)
+    {
+      isPoint[v] = isPoint[v] != 0 || this->Mesh.IsChainEnd[v] != 0 ? 1 : 0;
     }
     std::vector<char> flags(2 * (this->Vertices + this->Mesh.NumberOfJumps), 1);
     for (Index v = 0; v < this->Vertices; ++v)
     {
-      flags[2 * v] = flags[2 * v + 1] = isCone[v];
+      flags[2 * v] = flags[2 * v + 1] = isPoint[v];
     }
     auto count = static_cast<Index>(flags.size());
     for (const ChartedMesh::IsolineEdge& edge : this->Mesh.Isolines)
@@ -126,7 +131,7 @@ struct LatticeMap::Unknowns
       {
         // zeta^-axis in the chart of the vertex, up to the sign.
         const int turn = (triangle.Corner[c].Turn + this->Degree - edge.Axis) % (this->Degree / 2);
-        if (isCone[triangle.Vertex[c]] == 0 &&
+        if (isPoint[triangle.Vertex[c]] == 0 &&
           this->AcrossFeature.emplace(std::pair(triangle.Vertex[c], turn), count).second)
         {
           ++count;
@@ -141,14 +146,9 @@ struct LatticeMap::Unknowns
   void FixOrigin()
   {
     Index origin = this->Mesh.Cones.empty() ? None : this->Mesh.Cones.front().Vertex;
-    for (auto i = this->AcrossFeature.begin(); origin == None && i != this->AcrossFeature.end();
-         ++i)
+    for (std::size_t v = 0; origin == None && v < this->Mesh.IsChainEnd.size(); ++v)
     {
-      const auto next = std::next(i);
-      if (next != this->AcrossFeature.end() && next->first.first == i->first.first)
-      {
-        origin = i->first.first;
-      }
+      origin = this->Mesh.IsChainEnd[v] != 0 ? static_cast<Index>(v) : None;
     }
     if (origin == None && !this->AcrossFeature.empty())
     {
@@ -188,7 +188,6 @@ struct LatticeMap::Energy
       }
       this->Reals = areIntegers ? this->Reals : this->Count;
     }
-    this->RightHandSide = Eigen::VectorXd::Zero(this->Count);
     const ChartedMesh& mesh = unknowns.Mesh;
     for (Index t = 0; t < static_cast<Index>(mesh.Triangles.size()); ++t)
     {
@@ -203,30 +202,40 @@ struct LatticeMap::Energy
         const double beyond = twin != None ? mesh.Triangles[twin / 3].Weight[twin % 3] : 0.0;
         const double size =
           0.5 * (perLength[triangle.Vertex[c]] + perLength[triangle.Vertex[(c + 1) % 3]]);
-        this->AddEdge(t, c, std::max(LeastWeight, triangle.Weight[c] + beyond),
-          plane.Coordinates(size * triangle.Target[c]));
+        this->Edges.push_back({ 3 * t + c, size * triangle.Target[c],
+          std::max(LeastWeight, triangle.Weight[c] + beyond) });
+        this->AddEdge(this->Edges.back());
       }
     }
   }
 
-  void AddEdge(Index t, int c, double weight, const std::array<double, 2>& target)
+  /// An edge, the half-edge of it that its target is in the chart of.
+  struct Edge
   {
-    LatticeSum edge = this->All.Corner(t, (c + 1) % 3);
-    edge.Add(this->All.Corner(t, c), -1);
-    const std::array<IntegerSum, 2> sums = { this->All.Solved.Resolve(edge.A),
-      this->All.Solved.Resolve(edge.B) };
+    Index HalfEdge;
+    Complex Target;
+    double Weight;
+  };
+
+  void AddEdge(const Edge& edge)
+  {
+    const Index t = edge.HalfEdge / 3;
+    const int c = edge.HalfEdge % 3;
+    LatticeSum difference = this->All.Corner(t, (c + 1) % 3);
+    difference.Add(this->All.Corner(t, c), -1);
+    const std::array<IntegerSum, 2> sums = { this->All.Solved.Resolve(difference.A),
+      this->All.Solved.Resolve(difference.B) };
     // |a + b zeta|^2 = a^2 + b^2 + 2 Re(zeta) a b
-    const double mixed = this->All.Degree == 4 ? 0.0 : 0.5;
+    const double mixed = this->Mixed();
     for (int i = 0; i < 2; ++i)
     {
       for (const auto& [v, p] : sums[i])
       {
         const Index row = this->Slot[v];
-        this->RightHandSide[row] +=
-          weight * static_cast<double>(p) * (target[i] + mixed * target[1 - i]);
+        this->Terms.emplace_back(row, static_cast<double>(p));
         for (int j = 0; j < 2; ++j)
         {
-          const double factor = weight * static_cast<double>(p) * (i == j ? 1.0 : mixed);
+          const double factor = edge.Weight * static_cast<double>(p) * (i == j ? 1.0 : mixed);
           for (const auto& [w, q] : sums[j])
           {
             const Index column = this->Slot[w];
@@ -237,7 +246,29 @@ struct LatticeMap::Energy
           }
         }
       }
+      this->TermsEnd.push_back(this->Terms.size());
     }
+  }
+  double Mixed() const { return this->All.Degree == 4 ? 0.0 : 0.5; }
+
+  /// The linear part of the energy.
+  Eigen::VectorXd RightHandSide() const
+  {
+    Eigen::VectorXd side = Eigen::VectorXd::Zero(this->Count);
+    std::size_t k = 0;
+    for (std::size_t e = 0; e < this->Edges.size(); ++e)
+    {
+      const std::array<double, 2> target = this->Plane.Coordinates(this->Edges[e].Target);
+      for (int i = 0; i < 2; ++i)
+      {
+        const double value = this->Edges[e].Weight * (target[i] + this->Mixed() * target[1 - i]);
+        for (; k < this->TermsEnd[2 * e + i]; ++k)
+        {
+          side[this->Terms[k].first] += this->Terms[k].second * value;
+        }
+      }
+    }
+    return side;
   }
 
   /// The area of the triangles' images, in unit cells' parallelograms.
@@ -275,7 +306,10 @@ struct LatticeMap::Energy
   Index Count = 0;
   Index Reals = 0;
   std::vector<Eigen::Triplet<double, std::int32_t>> Entries;
-  Eigen::VectorXd RightHandSide;
+  std::vector<Edge> Edges;
+  /// The variables that the two coordinates of each edge are sums of, and where those of each coordinate end.
+  std::vector<std::pair<Index, double>> Terms;
+  std::vector<std::size_t> TermsEnd;
 };
 
 LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const Progress& progress)
@@ -292,7 +326,8 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
     return;
   }
   progress.Report(0.7);
-  Eigen::VectorXd x = system.Solve(energy.RightHandSide);
+  Eigen::VectorXd x = system.Solve(energy.RightHandSide());
+  double scale = 1.0;
   if (settings.KeepsArea)
   {
     double wanted = 0.0;
@@ -308,15 +343,15 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
     const double reached = energy.AreaAt(x);
     if (reached > 0.25 * wanted && wanted > 0.0)
     {
-      const double factor = std::sqrt(wanted / reached);
-      energy.RightHandSide *= factor;
-      x *= factor;
+      scale = std::sqrt(wanted / reached);
+      x *= scale;
     }
   }
   Eigen::VectorXd integers = x.tail(this->NumberOfIntegers);
   RoundGreedily(system.TrailingFactor(), integers);
   progress.Report(0.9);
-  this->Evaluate(mesh, unknowns, system.SolveWith(energy.RightHandSide, integers));
+  x = system.SolveWith(scale * energy.RightHandSide(), integers);
+  this->Evaluate(mesh, unknowns, x);
 }
 
 void LatticeMap::Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eigen::VectorXd& free)

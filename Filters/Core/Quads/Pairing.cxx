@@ -87,11 +87,113 @@ public:
       this->Mesh.Head(h), this->Mesh.Tail(CellMesh::Previous(h)) };
   }
 
+  /// Joins a triangle that is left over with another one by way of few quads between them, whose triangles are
+  /// joined anew: an alternating path, as short as can be.
+  void Augment(Index first, const std::vector<Vector3>& points)
+  {
+    // The half-edge over which each triangle on the way would be joined, and what had its partner before.
+    struct Visit
+    {
+      Index Triangle;
+      Index From;
+      Index HalfEdge;
+      int Length;
+    };
+    std::vector<Visit> visits = { { first, None, None, 0 } };
+    std::vector<Index> seen = { first };
+    for (std::size_t k = 0; k < visits.size() && visits[k].Length < LongestPath; ++k)
+    {
+      for (Index h = 3 * visits[k].Triangle; h < 3 * visits[k].Triangle + 3; ++h)
+      {
+        const Index g = this->Mesh.Twin(h);
+        if (g == None || this->Mesh.IsFeature(h) ||
+          std::find(seen.begin(), seen.end(), g / 3) != seen.end() ||
+          ScaledJacobian(points, this->QuadOver(h)) <= LeastQuality)
+        {
+          continue;
+        }
+        const Index partner = this->Partner[g / 3];
+        if (partner == None)
+        {
+          std::vector<Index> path = { h };
+          for (std::size_t i = k; visits[i].From != None; i = visits[i].From)
+          {
+            path.push_back(visits[i].HalfEdge);
+          }
+          if (this->Follow(path))
+          {
+            return;
+          }
+          continue;
+        }
+        const Index freed = this->Mesh.Twin(partner) / 3;
+        if (std::find(seen.begin(), seen.end(), freed) == seen.end())
+        {
+          seen.insert(seen.end(), { g / 3, freed });
+          visits.push_back({ freed, static_cast<Index>(k), h, visits[k].Length + 1 });
+        }
+      }
+    }
+  }
+
   const CellMesh& Mesh;
   /// The half-edge over which each triangle is joined to another one.
   std::vector<Index> Partner;
 
 private:
+  static constexpr int LongestPath = 6;
+
+  void Set(Index h, bool isJoined)
+  {
+    const Index g = this->Mesh.Twin(h);
+    const int change = isJoined ? -1 : 1;
+    this->Partner[h / 3] = isJoined ? h : None;
+    this->Partner[g / 3] = isJoined ? g : None;
+    this->FacesAt[this->Mesh.Tail(h)] += change;
+    this->FacesAt[this->Mesh.Head(h)] += change;
+  }
+  /// Joins over these edges what was joined otherwise, unless that leaves a vertex with too few faces.
+  bool Follow(const std::vector<Index>& path)
+  {
+    std::vector<Index> before;
+    for (const Index h : path)
+    {
+      for (const Index t : { h / 3, this->Mesh.Twin(h) / 3 })
+      {
+        const Index old = this->Partner[t];
+        if (old != None)
+        {
+          before.push_back(old);
+          this->Set(old, false);
+        }
+      }
+    }
+    bool isSound = true;
+    for (const Index h : path)
+    {
+      this->Set(h, true);
+    }
+    for (const Index h : path)
+    {
+      for (const Index v : { this->Mesh.Tail(h), this->Mesh.Head(h) })
+      {
+        isSound = isSound && this->FacesAt[v] >= (this->OnBoundary[v] != 0 ? 1 : 3);
+      }
+    }
+    if (!isSound)
+    {
+      for (const Index h : path)
+      {
+        this->Set(h, false);
+      }
+      for (const Index h : before)
+      {
+        this->Set(h, true);
+      }
+    }
+    return isSound;
+  }
+
   std::vector<Index> FacesAt;
   std::vector<char> OnBoundary;
 };
@@ -136,6 +238,13 @@ Faces PairTriangles(const CellMesh& mesh)
     {
       pairs.Join(h);
     }
+    for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+    {
+      if (mesh.IsTriangle(t) && pairs.Partner[t] == None)
+      {
+        pairs.Augment(t, points);
+      }
+    }
   }
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
@@ -154,7 +263,7 @@ Faces PairTriangles(const CellMesh& mesh)
     else if (mesh.Twin(h) > h)
     {
       faces.Corners.push_back(pairs.QuadOver(h));
-      faces.IsRegular.push_back(isSquare[t]);
+      faces.IsRegular.push_back(isSquare[t] != 0 && IsHypotenuse(mesh, h) ? 1 : 0);
     }
   }
   return faces;
