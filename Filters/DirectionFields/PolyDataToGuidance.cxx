@@ -36,6 +36,20 @@ vtkDataArray* FindPointArray(
 }
 }
 
+std::vector<double> PointValues(vtkPolyData* polyData, const char* name, const char* property)
+{
+  std::vector<double> values;
+  if (vtkDataArray* array = FindPointArray(polyData, name, 1, property))
+  {
+    values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      values[i] = array->GetTuple1(i);
+    }
+  }
+  return values;
+}
+
 Guidance PolyDataToGuidance(vtkPolyData* polyData, const char* vectors, const char* weights)
 {
   Guidance guidance;
@@ -47,14 +61,7 @@ Guidance PolyDataToGuidance(vtkPolyData* polyData, const char* vectors, const ch
       array->GetTuple(i, guidance.Vectors[i].data());
     }
   }
-  if (vtkDataArray* array = FindPointArray(polyData, weights, 1, "GuidanceWeights"))
-  {
-    guidance.Weights.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      guidance.Weights[i] = array->GetTuple1(i);
-    }
-  }
+  guidance.Weights = PointValues(polyData, weights, "GuidanceWeights");
   return guidance;
 }
 }

@@ -3,10 +3,10 @@
 """Direction fields in plain VTK: from directionfields_vtk import vtkDirectionField."""
 
 from .vtkDirectionFieldsFilters import (
-    vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldStreamlines)
-
-__all__ = ["vtkDirectionField", "vtkDirectionFieldGlyphs", "vtkDirectionFieldStreamlines"]
     vtkCompareDirectionFields, vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldReader,
-    vtkDirectionFieldWriter, vtkGuidanceCurves)
+    vtkDirectionFieldStreamlines, vtkDirectionFieldWriter, vtkFieldAlignedRemesh,
+    vtkGuidanceCurves)
+
 __all__ = ["vtkCompareDirectionFields", "vtkDirectionField", "vtkDirectionFieldGlyphs",
-           "vtkDirectionFieldReader", "vtkDirectionFieldWriter", "vtkGuidanceCurves"]
+           "vtkDirectionFieldReader", "vtkDirectionFieldStreamlines", "vtkDirectionFieldWriter",
+           "vtkFieldAlignedRemesh", "vtkGuidanceCurves"]

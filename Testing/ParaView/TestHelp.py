@@ -32,6 +32,7 @@ for target in targets:
     assert target in files, target
 # Each filter has a page with all of its properties, which the guide leads to.
 for filter, inputs in ((DirectionField, {}), (DirectionFieldGlyphs, {}), (ReadDirectionField, {}),
+                       (DirectionFieldStreamlines, {}), (FieldAlignedRemesh, {}),
                        (GuidanceFromCurves, {"Curves": SplineSource()}),
                        (CompareDirectionFields, {"Other": Sphere()})):
     proxy = filter(Input=Sphere(), **inputs)

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -24,14 +24,15 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
   const std::vector<Eigen::Index>& left)
 {
   const Eigen::Index count = static_cast<Eigen::Index>(left.size());
-  std::vector<std::pair<double, Eigen::Index>> order;
+  // How far it is to the nearest integer, the variable, and its place among those that are left.
+  std::vector<std::tuple<double, Eigen::Index, Eigen::Index>> order;
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    order.emplace_back(ToNearest(x[left[i]]), i);
+    order.push_back({ ToNearest(x[left[i]]), left[i], i });
   }
   if (count <= MostSingly)
   {
-    return { std::min_element(order.begin(), order.end())->second };
+    return { std::get<2>(*std::min_element(order.begin(), order.end())) };
   }
   // Those that are so near that nothing else will change their integer, then what is independent of them.
   std::sort(order.begin(), order.end());
@@ -40,7 +41,7 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
   std::vector<Eigen::Index> batch;
   for (Eigen::Index i = 0; i < (count + 2) / 3 && batch.size() < mostCompared; ++i)
   {
-    const Eigen::Index k = order[i].second;
+    const Eigen::Index k = std::get<2>(order[i]);
     const bool isApart = std::all_of(batch.begin(), batch.end(),
       [&](Eigen::Index j)
       {
@@ -75,12 +76,11 @@ void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x)
   while (!left.empty())
   {
     // The covariance of those that are left stands in its first rows and columns, in their order.
-    const std::vector<Eigen::Index> batch = NextOnes(covariance, x, left);
-    const auto size = static_cast<Eigen::Index>(left.size());
-    std::vector<Eigen::Index> slots = batch;
+    std::vector<Eigen::Index> slots = NextOnes(covariance, x, left);
     std::sort(slots.begin(), slots.end(), std::greater<>());
     for (const Eigen::Index k : slots)
     {
+      const auto size = static_cast<Eigen::Index>(left.size());
       const double target = std::nearbyint(x[left[k]]);
       const Eigen::VectorXd column = covariance.col(k).head(size);
       const double variance = column[k];
@@ -94,22 +94,12 @@ void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x)
         covariance.topLeftCorner(size, size).noalias() -= (column / variance) * column.transpose();
       }
       x[left[k]] = target;
+      // The last one takes its place.
+      covariance.col(k).head(size) = covariance.col(size - 1).head(size);
+      covariance.row(k).head(size) = covariance.row(size - 1).head(size);
+      left[k] = left.back();
+      left.pop_back();
     }
-    Eigen::Index kept = 0;
-    for (Eigen::Index i = 0; i < size; ++i)
-    {
-      if (!std::binary_search(slots.rbegin(), slots.rend(), i))
-      {
-        left[kept] = left[i];
-        if (kept != i)
-        {
-          covariance.col(kept).head(size) = covariance.col(i).head(size);
-          covariance.row(kept).head(size) = covariance.row(i).head(size);
-        }
-        ++kept;
-      }
-    }
-    left.resize(kept);
   }
 }
 }

@@ -16,7 +16,7 @@ namespace DirectionFields::Internal
 /// @param x      where the energy is least; becomes the integers
 void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x);
 
-constexpr Eigen::Index MostSingly = 1500;
+constexpr Eigen::Index MostSingly = 800;
 /// Beyond these all are rounded at once, for the inverse of their matrix would not fit.
 constexpr Eigen::Index MostRounded = 8000;
 }

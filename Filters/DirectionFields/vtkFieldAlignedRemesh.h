@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFieldAlignedRemesh
+ * @brief makes a mesh of quads, or of triangles, that follows a direction field
+ *
+ * vtkFieldAlignedRemesh covers a surface with a new mesh of quads of about the same size whose edges follow a
+ * cross field, or of equilateral triangles along a field of degree 6. Boundaries, sharp edges and
+ * corners become edges and vertices of the mesh. Away from the field's singularities every vertex is
+ * regular: four quads, or six triangles, meet there.
+ *
+ * The mesh is cut out by an integer-grid map: coordinates on the surface whose gradients follow the field
+ * and that agree across every edge up to a map of the grid onto itself (D. Bommes et al.: Integer-Grid
+ * Maps for Reliable Quad Meshing, 2013). The grid's points are inserted into the triangles of the
+ * surface, and all other vertices are removed by local operations, which cannot change the topology: whatever
+ * the map is like, the mesh is manifold, consistently wound, and has as many boundaries and handles
+ * as the surface. Where the map folds, some triangles are among the quads.
+ *
+ * @section Input Input
+ * A vtkPolyData: triangles, polygons or triangle strips. If it has a direction field of degree 4 (6 for
+ * triangles), as output port 0 of vtkDirectionField does in the point arrays `Direction0`, `Direction1`, ...,
+ * the mesh follows that, else a field of unit length along boundary and sharp edges is computed.
+ *
+ * @section Output Output
+ * Port 0: polygons, wound as the input, with its point data interpolated and its cell data copied, except
+ * the arrays of the field, and
+ * - point data `VertexKind`: signed char. 0 on the surface, 1 on the boundary, 2 on a sharp edge, 3 corner,
+ *   4 singularity of the field.
+ * - point data `FieldIndex`: int. The singularity's index in units of 1/n, 0 elsewhere.
+ * - cell data `Regular`: signed char. 1 for cells of the map's grid.
+ * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices` (those that
+ *   are no points of the grid, but could not be removed), `FlippedTriangles` (of the map): int.
+ * - field data `EdgeLength`, the one that was asked for, and `MaximumDistance`, how far the middle of a
+ *   face is from the surface: double, in the input's unit.
+ * - field data `EulerCharacteristic`: int, two components, of the surface and of the mesh.
+ * - field data `Repairs` and `Warnings`, as vtkDirectionField.
+ *
+ * Port 1: the irregular vertices, with point data `Valence` and `FieldIndex`: int.
+ *
+ * The same input gives the same bytes, whatever the number of threads.
+ *
+ * @warning
+ * A component with one side only, like a Moebius strip, comes back as it is, with a warning.
+ *
+ * @sa
+ * vtkDirectionField
+ */
+
+#ifndef vtkFieldAlignedRemesh_h
+#define vtkFieldAlignedRemesh_h
+
+#include "vtkDirectionFieldsFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For the kept stages
+
+namespace DirectionFields
+{
+struct RemeshOptions;
+}
+
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkFieldAlignedRemesh : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkFieldAlignedRemesh* New();
+  vtkTypeMacro(vtkFieldAlignedRemesh, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Elements
+  {
+    QUADS = 0,
+    TRIANGLES = 1
+  };
+
+  ///@{
+  /**
+   * What the mesh is made of: QUADS (0, default), or TRIANGLES (1).
+   */
+  vtkSetClampMacro(Element, int, QUADS, TRIANGLES);
+  vtkGetMacro(Element, int);
+  ///@}
+
+  enum SizeModes
+  {
+    FACES = 0,
+    EDGE_LENGTH = 1
+  };
+
+  ///@{
+  /**
+   * How the size of the faces is given: by NumberOfFaces (FACES, 0, default), or by EdgeLength
+   * (EDGE_LENGTH, 1).
+   */
+  vtkSetClampMacro(SizeMode, int, FACES, EDGE_LENGTH);
+  vtkGetMacro(SizeMode, int);
+  ///@}
+
+  ///@{
+  /**
+   * About how many faces there are to be, over all components. Range 1 to 10000000, default 5000.
+   */
+  vtkSetClampMacro(NumberOfFaces, int, 1, 10000000);
+  vtkGetMacro(NumberOfFaces, int);
+  ///@}
+
+  ///@{
+  /**
+   * Wanted length of the edges, in the input's unit of length. Range 0 to VTK_DOUBLE_MAX, default 1; 0 is an
+   * error where the SizeMode asks for it.
+   */
+  vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of 1 component: the wanted length of edges relative to elsewhere, from 1/8 to 8. An
+   * error if there is none. Null, the default, an empty name and "None" are no array: the same everywhere.
+   */
+  vtkSetStringMacro(SizingArray);
+  vtkGetStringMacro(SizingArray);
+  ///@}
+
+  ///@{
+  /**
+   * Quads only: a mesh of twice the edge length is made, and every face of it split into quads. No effect
+   * on triangles. Default off.
+   */
+  vtkSetMacro(PureQuads, bool);
+  vtkGetMacro(PureQuads, bool);
+  vtkBooleanMacro(PureQuads, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Make edges of the mesh of edges sharper than FeatureAngle. The boundary always becomes that. Default on.
+   */
+  vtkSetMacro(KeepFeatures, bool);
+  vtkGetMacro(KeepFeatures, bool);
+  vtkBooleanMacro(KeepFeatures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Angle between the normals of two faces above which their edge is sharp, in degrees. Range 0 to 180,
+   * default 40.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Steps in which vertices move along the surface so that faces become regular. 0: they stay where the grid
+   * has them. Range 0 to 1000, default 12.
+   */
+  vtkSetClampMacro(SmoothingIterations, int, 0, 1000);
+  vtkGetMacro(SmoothingIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Keep the field for the next mesh of the same surface, which then takes less time. Default on.
+   */
+  vtkSetMacro(KeepStages, bool);
+  vtkGetMacro(KeepStages, bool);
+  vtkBooleanMacro(KeepStages, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to compute with; 0 (default) for as many as the process may run at once. Range 0 to 1024.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+protected:
+  vtkFieldAlignedRemesh();
+  ~vtkFieldAlignedRemesh() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkFieldAlignedRemesh(const vtkFieldAlignedRemesh&) = delete;
+  void operator=(const vtkFieldAlignedRemesh&) = delete;
+
+  DirectionFields::RemeshOptions MakeOptions(vtkPolyData* input) const;
+
+  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
+  void MakeMesh(vtkPolyData* input, vtkPolyData* output, vtkPolyData* irregular);
+
+  int Element;
+  int SizeMode;
+  int NumberOfFaces;
+  double EdgeLength;
+  char* SizingArray;
+  bool PureQuads;
+  bool KeepFeatures;
+  double FeatureAngle;
+  int SmoothingIterations;
+  bool KeepStages;
+  int NumberOfThreads;
+
+  struct Stages;
+  std::unique_ptr<Stages> Last;
+};
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The remesher in a pipeline: parameters, data carried over, fields, errors, unusual input, abort.
+
+#include "Checks.h"
+
+#include "vtkDirectionField.h"
+#include "vtkFieldAlignedRemesh.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+
+#include <sstream>
+
+using namespace Checks;
+
+namespace
+{
+double Number(vtkPolyData* mesh, const char* name)
+{
+  vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
+  return array ? array->GetTuple1(0) : std::nan("");
+}
+
+void TestParameters()
+{
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  CHECK(filter->GetElement() == vtkFieldAlignedRemesh::QUADS);
+  CHECK(filter->GetNumberOfFaces() == 5000);
+  CHECK(filter->GetNumberOfOutputPorts() == 2);
+  filter->SetElement(7);
+  CHECK(filter->GetElement() == vtkFieldAlignedRemesh::TRIANGLES);
+  filter->SetSizeMode(1);
+  filter->SetNumberOfFaces(0);
+  CHECK(filter->GetNumberOfFaces() == 1);
+  filter->SetEdgeLength(0.25);
+  filter->SetSizingArray("Size");
+  filter->PureQuadsOn();
+  filter->KeepFeaturesOff();
+  filter->SetFeatureAngle(200.0);
+  filter->SetSmoothingIterations(3);
+  filter->KeepStagesOff();
+  filter->SetNumberOfThreads(2);
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* line :
+    { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n", "EdgeLength: 0.25\n",
+      "SizingArray: Size\n", "PureQuads: 1\n", "KeepFeatures: 0\n", "FeatureAngle: 180\n",
+      "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
+  {
+    CHECK(text.str().find(line) != std::string::npos);
+  }
+}
+
+/// Linear data stay what they are where the surface is flat, and cells keep those of the cell below.
+void TestDataIsCarriedOver()
+{
+  vtkSmartPointer<vtkPolyData> square = Meshes::ToPolyData(Meshes::Square(8));
+  vtkNew<vtkDoubleArray> x;
+  x->SetName("X");
+  for (vtkIdType i = 0; i < square->GetNumberOfPoints(); ++i)
+  {
+    x->InsertNextValue(square->GetPoint(i)[0]);
+  }
+  square->GetPointData()->AddArray(x);
+  vtkNew<vtkIntArray> cell;
+  cell->SetName("Cell");
+  for (vtkIdType i = 0; i < square->GetNumberOfCells(); ++i)
+  {
+    cell->InsertNextValue(static_cast<int>(i));
+  }
+  square->GetCellData()->AddArray(cell);
+
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  filter->SetInputData(square);
+  filter->SetNumberOfFaces(144);
+  filter->Update();
+  vtkPolyData* mesh = filter->GetOutput();
+  CHECK(mesh->GetNumberOfCells() == 144);
+  CHECK(Number(mesh, "Quads") == 144.0);
+  CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
+  vtkDataArray* carried = mesh->GetPointData()->GetArray("X");
+  CHECK(carried != nullptr);
+  for (vtkIdType i = 0; carried && i < mesh->GetNumberOfPoints(); ++i)
+  {
+    CHECK(std::abs(carried->GetTuple1(i) - mesh->GetPoint(i)[0]) < 1e-9);
+  }
+  CHECK(mesh->GetCellData()->GetArray("Cell") != nullptr);
+  CHECK(mesh->GetCellData()->GetArray("Regular")->GetRange()[0] == 1.0);
+  CHECK(mesh->GetPointData()->GetArray("VertexKind")->GetRange()[1] == 3.0);
+}
+
+/// The field that the input has is followed; one of another degree is not, which is said.
+void TestFieldOfTheInput()
+{
+  vtkNew<vtkDirectionField> field;
+  field->SetInputData(Meshes::ToPolyData(Meshes::Potato(3)));
+  field->SetDegree(4);
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  filter->SetInputConnection(field->GetOutputPort());
+  filter->SetNumberOfFaces(400);
+  filter->Update();
+  CHECK(Number(filter->GetOutput(), "Quads") > 350.0);
+  CHECK(filter->GetOutput()->GetPointData()->GetArray("Direction0") == nullptr);
+  CHECK(filter->GetOutput()->GetFieldData()->GetAbstractArray("Warnings") == nullptr);
+
+  field->SetDegree(2);
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->Update();
+  CHECK(messages->Warnings.size() == 1);
+  CHECK(filter->GetOutput()->GetFieldData()->GetAbstractArray("Warnings") != nullptr);
+}
+
+void TestErrorsAndUnusualInput()
+{
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(Meshes::ToPolyData(Meshes::Cube()));
+  filter->SetSizingArray("Nothing");
+  filter->Update();
+  CHECK(messages->Errors.size() == 1);
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  filter->SetSizingArray(nullptr);
+  filter->SetSizeMode(vtkFieldAlignedRemesh::EDGE_LENGTH);
+  filter->SetEdgeLength(0.0);
+  filter->Update();
+  CHECK(messages->Errors.size() == 2);
+  filter->SetEdgeLength(0.25);
+  filter->Update();
+  CHECK(messages->Errors.size() == 2);
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 6 * 16);
+
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  CHECK(messages->Errors.size() == 2);
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+
+  filter->SetInputData(Meshes::ToPolyData(Meshes::MoebiusStrip(20)));
+  filter->Update();
+  CHECK(messages->Warnings.size() == 1);
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 40);
+}
+
+/// The same mesh with and without what is kept.
+void TestKeptStages()
+{
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  filter->SetInputData(Meshes::ToPolyData(Meshes::Potato(3)));
+  filter->SetNumberOfFaces(300);
+  filter->Update();
+  filter->SetNumberOfFaces(500);
+  filter->Update();
+  vtkNew<vtkFieldAlignedRemesh> fresh;
+  fresh->SetInputData(Meshes::ToPolyData(Meshes::Potato(3)));
+  fresh->SetNumberOfFaces(500);
+  fresh->KeepStagesOff();
+  fresh->Update();
+  CHECK(filter->GetOutput()->GetNumberOfPoints() == fresh->GetOutput()->GetNumberOfPoints());
+  bool isSame = true;
+  for (vtkIdType i = 0; i < fresh->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      isSame = isSame && filter->GetOutput()->GetPoint(i)[c] == fresh->GetOutput()->GetPoint(i)[c];
+    }
+  }
+  CHECK(isSame);
+}
+
+void TestAbort()
+{
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  filter->SetInputData(Meshes::ToPolyData(Meshes::Potato(3)));
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      if (algorithm->GetProgress() > 0.5)
+      {
+        algorithm->SetAbortExecute(1);
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  filter->Update();
+  CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+}
+}
+
+int TestFieldAlignedRemesh(int, char*[])
+{
+  TestParameters();
+  TestDataIsCarriedOver();
+  TestFieldOfTheInput();
+  TestErrorsAndUnusualInput();
+  TestKeptStages();
+  TestAbort();
+  return Result();
+}
