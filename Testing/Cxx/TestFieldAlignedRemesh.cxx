@@ -4,6 +4,8 @@
 // The remesher in a pipeline: parameters, data carried over, fields, errors, unusual input, abort.
 
 #include "Checks.h"
+#include "Meshes/PolyData.h"
+#include "Meshes/Surfaces.h"
 
 #include "vtkDirectionField.h"
 #include "vtkFieldAlignedRemesh.h"

@@ -5,6 +5,7 @@
 
 #include "LatticeMap/IntegerElimination.h"
 #include "LatticeMap/IntegerRounding.h"
+#include "LatticeMap/IsolineFolds.h"
 #include "LatticeMap/LatticeSystem.h"
 
 #include <algorithm>
@@ -407,12 +408,24 @@ void LatticeMap::Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eig
   {
     isCone[cone.Vertex] = 1;
   }
+  std::vector<char> isFixed = isCone;
+  for (std::size_t v = 0; v < mesh.IsChainEnd.size(); ++v)
+  {
+    isFixed[v] = isFixed[v] != 0 || mesh.IsChainEnd[v] != 0 ? 1 : 0;
+  }
+  std::vector<LatticePoint> places(unknowns.Vertices);
+  for (Index v = 0; v < unknowns.Vertices; ++v)
+  {
+    places[v] = { value[2 * v], value[2 * v + 1] };
+  }
   for (std::size_t h = 0; h < own.size(); ++h)
   {
-    const ChartedMesh::MapTriangle& t = mesh.Triangles[h / 3];
-    const Index v = t.Vertex[h % 3];
-    own[h] = transition(t.Corner[h % 3]);
-    this->Corners[h] = this->Plane.Apply(own[h], { value[2 * v], value[2 * v + 1] });
+    own[h] = transition(mesh.Triangles[h / 3].Corner[h % 3]);
+  }
+  UnfoldIsolines(mesh, own, isFixed, places);
+  for (std::size_t h = 0; h < own.size(); ++h)
+  {
+    this->Corners[h] = this->Plane.Apply(own[h], places[mesh.Triangles[h / 3].Vertex[h % 3]]);
   }
   for (std::size_t h = 0; h < own.size(); ++h)
   {

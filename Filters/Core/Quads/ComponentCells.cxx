@@ -73,6 +73,18 @@ Index Reduce(CellMesh& cells, const Progress& progress)
   for (int k = 0; k < mostRounds; ++k)
   {
     progress.RequireToGoOn();
+    const Index before = left;
+    removal.RemoveAll(VertexRemoval::Mode::Joining);
+    RepairFolds(cells);
+    left = removal.RemoveAll(VertexRemoval::Mode::Strict);
+    if (left >= before)
+    {
+      break;
+    }
+  }
+  for (int k = 0; k < mostRounds; ++k)
+  {
+    progress.RequireToGoOn();
     left = removal.RemoveAll(VertexRemoval::Mode::Relaxed);
     if (!RepairFolds(cells))
     {

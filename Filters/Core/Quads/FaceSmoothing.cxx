@@ -14,6 +14,8 @@ namespace
 {
 constexpr Index PieceSize = 256;
 constexpr int CarefulSweeps = 4;
+/// How often vertices with bad faces have another try after that.
+constexpr int Rescues = 16;
 /// Faces better than this may become worse.
 constexpr double GoodEnough = 0.5;
 /// Around vertices with worse faces more places are tried.
@@ -86,9 +88,28 @@ public:
       }
       if (now < Bad)
       {
-        this->TryAround(v, now);
+        this->TryAround(v, now, 1.0);
       }
     }
+  }
+
+  /// Moves the vertices of bad faces, and returns whether that helped any of them.
+  bool Rescue(int round)
+  {
+    bool hasHelped = false;
+    for (Index v = 0; v < static_cast<Index>(this->Points.size()); ++v)
+    {
+      if (this->Domain.Line[v] >= 0 && this->First[v + 1] > this->First[v])
+      {
+        const double before = this->LeastQuality(v);
+        if (before < Bad)
+        {
+          this->TryAround(v, before, std::pow(0.8, round));
+          hasHelped = hasHelped || this->LeastQuality(v) > before;
+        }
+      }
+    }
+    return hasHelped;
   }
 
 private:
@@ -177,7 +198,7 @@ private:
   }
 
   /// Takes the best of places on two circles.
-  void TryAround(Index v, double quality)
+  void TryAround(Index v, double quality, double size)
   {
     const Vector3 start = this->Points[v];
     const Vector3 normal = this->NormalAt(v, this->Points).normalized();
@@ -186,7 +207,7 @@ private:
     Vector3 best = start;
     for (int k = 0; k < 24; ++k)
     {
-      const double radius = this->Domain.EdgeLength[v] * (k < 12 ? 0.1 : 0.25);
+      const double radius = size * this->Domain.EdgeLength[v] * (k < 12 ? 0.1 : 0.25);
       const double angle = 2.0 * Pi * k / 12.0;
       const Vector3 place = start + radius * (std::cos(angle) * x + std::sin(angle) * y);
       this->Points[v] = start;
@@ -226,6 +247,10 @@ void SmoothFaces(const Faces& faces, const SmoothingDomain& domain, int steps,
   {
     smoother.CarefulSweep();
     progress.Report(0.8 + 0.2 * (k + 1) / CarefulSweeps);
+  }
+  for (int k = 0; k < Rescues && smoother.Rescue(k); ++k)
+  {
+    progress.RequireToGoOn();
   }
 }
 }

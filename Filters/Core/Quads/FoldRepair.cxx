@@ -10,18 +10,15 @@ namespace DirectionFields::Internal
 namespace
 {
 /// Of two lattice points at the same place in the ring of a vertex that could not be removed, one is not to
-/// be kept. Near a cone only the cone counts: others may lie on different sheets.
+/// be kept. Near a cone or corner only that counts: others may lie on different sheets.
 bool TakeBack(CellMesh& mesh, Index v, CellMesh::Layout& layout)
 {
   mesh.LayOut(v, layout);
-  if (!layout.IsFlat || layout.Positive == static_cast<Index>(layout.Star.size()))
+  const auto isCone = [&](Index w) { return mesh.GetRole(w).IsCone || mesh.GetRole(w).IsCorner; };
+  const bool hasCone = std::any_of(layout.Ring.begin(), layout.Ring.end(), isCone);
+  if (!layout.IsFlat || (!hasCone && layout.Positive == static_cast<Index>(layout.Star.size())))
   {
     return false;
-  }
-  bool hasCone = false;
-  for (const Index w : layout.Ring)
-  {
-    hasCone = hasCone || mesh.GetRole(w).IsCone;
   }
   const auto isPoint = [&](Index w)
   { return mesh.GetRole(w).IsKept && !mesh.GetRole(w).IsCone && !mesh.GetRole(w).IsCorner; };
@@ -35,7 +32,7 @@ bool TakeBack(CellMesh& mesh, Index v, CellMesh::Layout& layout)
       {
         continue;
       }
-      const bool isFirst = hasCone ? mesh.GetRole(a).IsCone : isPoint(a) && a < b;
+      const bool isFirst = hasCone ? isCone(a) : isPoint(a) && a < b;
       if (isFirst)
       {
         mesh.SetKept(b, false);

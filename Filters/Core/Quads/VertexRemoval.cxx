@@ -11,16 +11,25 @@
 
 namespace DirectionFields::Internal
 {
+namespace
+{
+/// The quality of a triangle two corners of which are at the same place.
+constexpr double NoArea = 1e-9;
+}
+
 double VertexRemoval::QualityOf(int i, int j, int k, Mode mode) const
 {
-  if (mode == Mode::Strict)
+  if (mode != Mode::Relaxed)
   {
     const LatticePoint& p = this->Star.Places[i];
     const LatticePoint& q = this->Star.Places[j];
     const LatticePoint& r = this->Star.Places[k];
-    if (Lattice::Orientation(p, q, r) <= 0)
+    const int orientation = Lattice::Orientation(p, q, r);
+    if (orientation <= 0)
     {
-      return -1.0;
+      const bool isAllowed =
+        mode == Mode::Joining && orientation == 0 && (p == q || q == r || r == p);
+      return isAllowed ? NoArea : -1.0;
     }
     const Lattice& plane = this->Mesh.GetPlane();
     const Complex u = plane.Place(q - p);
@@ -180,6 +189,22 @@ bool VertexRemoval::IsSimple()
   return true;
 }
 
+/// Whether two vertices of the ring are at the same place.
+bool VertexRemoval::HasCoincidence() const
+{
+  for (std::size_t i = 0; i < this->Star.Places.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (this->Star.Places[i] == this->Star.Places[j])
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool VertexRemoval::KeepsOrientations(const std::vector<Triangle>& triangles) const
 {
   Index wrong = 0;
@@ -198,7 +223,8 @@ bool VertexRemoval::Remove(Index v, Mode mode)
   this->Mesh.LayOut(v, this->Star);
   const auto count = static_cast<Index>(this->Star.Ring.size());
   std::array<Index, 2> feature{};
-  if (!this->Star.IsFlat || count > LargestRing || !this->FindFeature(feature) || !this->IsSimple())
+  if (!this->Star.IsFlat || count > LargestRing || !this->FindFeature(feature) ||
+    !this->IsSimple() || (mode == Mode::Joining && !this->HasCoincidence()))
   {
     return false;
   }

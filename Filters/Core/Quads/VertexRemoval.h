@@ -27,7 +27,10 @@ public:
     Strict,
     /// They do so in space, seen along the mean normal of those that go, and there are not more than before
     /// that lie the wrong way round in the plane.
-    Relaxed
+    Relaxed,
+    /// As Strict, but triangles may have no area, as those between vertices at the same place do. For vertices
+    /// with such neighbours only, so that these can become one.
+    Joining
   };
 
   /// Removes what can be, in the order of the numbers, until nothing changes. Returns how many are left that
@@ -46,6 +49,7 @@ private:
   bool FindFeature(std::array<Index, 2>& feature) const;
   void FindJoined();
   bool IsSimple();
+  bool HasCoincidence() const;
   bool KeepsOrientations(const std::vector<Triangle>& triangles) const;
 
   CellMesh& Mesh;
