@@ -21,7 +21,7 @@ double ToNearest(double x)
 
 /// The variables to be rounded next, of those that are left.
 std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& x,
-  const std::vector<Eigen::Index>& left)
+  const std::vector<Eigen::Index>& left, Eigen::Index mostSingly)
 {
   const Eigen::Index count = static_cast<Eigen::Index>(left.size());
   // How far it is to the nearest integer, the variable, and its place among those that are left.
@@ -30,7 +30,7 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
   {
     order.push_back({ ToNearest(x[left[i]]), left[i], i });
   }
-  if (count <= MostSingly)
+  if (count <= mostSingly)
   {
     return { std::get<2>(*std::min_element(order.begin(), order.end())) };
   }
@@ -57,7 +57,7 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
 }
 }
 
-void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x)
+void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, Eigen::Index mostSingly)
 {
   const Eigen::Index count = x.size();
   if (count > MostRounded)
@@ -76,7 +76,7 @@ void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x)
   while (!left.empty())
   {
     // The covariance of those that are left stands in its first rows and columns, in their order.
-    std::vector<Eigen::Index> slots = NextOnes(covariance, x, left);
+    std::vector<Eigen::Index> slots = NextOnes(covariance, x, left, mostSingly);
     std::sort(slots.begin(), slots.end(), std::greater<>());
     for (const Eigen::Index k : slots)
     {

@@ -8,17 +8,18 @@
 
 namespace DirectionFields::Internal
 {
-/// Integers near the minimum of a quadratic energy, found greedily: the variable that is nearest to an
-/// integer gets it, the others move to where the energy is least with that, and so on (D. Bommes, H. Zimmer,
-/// L. Kobbelt: Mixed-Integer Quadrangulation, 2009). Of equally near ones the first goes first. Where there
-/// are more than MostSingly variables, those that depend little on each other go at once.
-/// @param factor lower triangular: factor factor^T is the matrix of the energy
-/// @param x      where the energy is least; becomes the integers
-void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x);
-
 constexpr Eigen::Index MostSingly = 800;
 /// Beyond these all are rounded at once, for the inverse of their matrix would not fit.
 constexpr Eigen::Index MostRounded = 8000;
+
+/// Integers near the minimum of a quadratic energy, found greedily: the variable that is nearest to an
+/// integer gets it, the others move to where the energy is least with that, and so on (D. Bommes, H. Zimmer,
+/// L. Kobbelt: Mixed-Integer Quadrangulation, 2009). Of equally near ones the first goes first. Where there
+/// are more than mostSingly variables, those that depend little on each other go at once.
+/// @param factor lower triangular: factor factor^T is the matrix of the energy
+/// @param x      where the energy is least; becomes the integers
+void RoundGreedily(
+  const Eigen::MatrixXd& factor, Eigen::VectorXd& x, Eigen::Index mostSingly = MostSingly);
 }
 
 #endif
