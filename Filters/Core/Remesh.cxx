@@ -31,9 +31,13 @@ int DegreeOf(Element element)
   return element == Element::Quads ? 4 : 6;
 }
 
-FeatureSettings FeaturesOf(const RemeshOptions& options)
+/// Features that end freely, or are closed, are longer than this, in wanted lengths of edges.
+constexpr double ShortestFeature = 6.0;
+
+FeatureSettings FeaturesOf(const RemeshOptions& options, double edgeLength)
 {
-  return { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength };
+  return { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength,
+    ShortestFeature * edgeLength };
 }
 
 double SizeAt(const RemeshOptions& options, std::size_t point)
@@ -95,10 +99,10 @@ void Check(const RemeshOptions& options, std::size_t points)
 /// What does not depend on the wanted size.
 struct Remesh::Kept
 {
-  Kept(const Surface& surface, const RemeshOptions& options, const std::vector<Vector3>& given,
-    const Progress& progress)
+  Kept(const Surface& surface, const RemeshOptions& options, double edgeLength,
+    const std::vector<Vector3>& given, const Progress& progress)
     : Element(options.Element)
-    , Features(FeaturesOf(options))
+    , Features(FeaturesOf(options, edgeLength))
     , Given(given)
     , Prepared(surface, DegreeOf(options.Element), this->Features)
     , Field(this->Prepared.GetSurface())
@@ -106,18 +110,18 @@ struct Remesh::Kept
   {
     progress.Report(0.2);
     const int degree = DegreeOf(options.Element);
+    this->IsFeature = FindFeatures(this->Field.GetGeometry(), this->Features);
     if (given.empty())
     {
       Options field;
       field.Degree = degree;
       field.ConstrainBoundary = true;
-      field.ConstrainSharpEdges = options.KeepFeatures;
-      field.FeatureAngle = options.FeatureAngle;
-      field.MinimumFeatureLength = options.MinimumFeatureLength;
       field.MergePoints = MergePoints::Off;
       field.UnitLength = true;
       std::vector<std::string> notes;
-      const Guide guide(this->Field, field, {}, notes);
+      const Guidance guidance = this->AlongFeatures();
+      field.ConstrainGuidance = options.KeepFeatures;
+      const Guide guide(this->Field, field, guidance, notes);
       EnergyStage& energy = this->Field.GetEnergy(field, progress.Part(0.2, 0.6));
       this->Section =
         SolveComponents(this->Field, energy, guide, {}, field, false, progress.Part(0.6, 0.95))
@@ -132,15 +136,32 @@ struct Remesh::Kept
     }
     const SurfaceGeometry& geometry = this->Field.GetGeometry();
     this->Charts.emplace(geometry, degree, this->Section);
-    this->IsFeature = FindFeatures(geometry, this->Features);
     this->IsFrameless = FramelessVertices(geometry, degree, this->IsFeature);
     progress.Report(1.0);
   }
 
-  bool IsFor(const RemeshOptions& options, const std::vector<Vector3>& given) const
+  bool IsFor(
+    const RemeshOptions& options, double edgeLength, const std::vector<Vector3>& given) const
   {
-    return this->Element == options.Element && this->Features == FeaturesOf(options) &&
-      this->Given == given;
+    return this->Element == options.Element && this->Given == given &&
+      this->IsFeature == FindFeatures(this->Field.GetGeometry(), FeaturesOf(options, edgeLength));
+  }
+
+  /// Vectors along the features, at the points of the prepared surface.
+  Guidance AlongFeatures() const
+  {
+    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    const std::vector<Vector3> directions = FeatureDirections(geometry, this->IsFeature);
+    Guidance guidance;
+    guidance.Vectors.assign(this->Prepared.GetSurface()->Points.size(), Vector3::Zero());
+    for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+    {
+      if (!directions[v].isZero(0.0))
+      {
+        guidance.Vectors[geometry.Mesh.Point(v)] = directions[v];
+      }
+    }
+    return guidance;
   }
 
   DirectionFields::Element Element;
@@ -166,29 +187,29 @@ Remesh& Remesh::operator=(Remesh&&) noexcept = default;
 namespace
 {
 /// The wanted length of edges that gives the wanted number of faces.
-double EdgeLengthFor(
-  const SurfaceGeometry& geometry, const RemeshOptions& options, const std::vector<double>& size)
+double EdgeLengthFor(const Surface& surface, const RemeshOptions& options)
 {
   if (options.UseEdgeLength)
   {
     return options.EdgeLength;
   }
-  // The area in units of the square of the size there.
+  // The area in units of the square of the size there. Coordinates that are not finite are refused later.
   double area = 0.0;
-  for (std::size_t c = 0; c < geometry.Mesh.GetComponents().size(); ++c)
+  for (const Triangle& t : surface.Triangles)
   {
-    const TriangleMesh::Component& part = geometry.Mesh.GetComponents()[c];
-    double sum = 0.0;
-    for (Index t = part.FirstTriangle; t < part.EndTriangle; ++t)
+    double perLength = 0.0;
+    for (const Index p : t)
     {
-      double perLength = 0.0;
-      for (int k = 0; k < 3; ++k)
+      if (p < 0 || p >= static_cast<Index>(surface.Points.size()))
       {
-        perLength += 1.0 / (3.0 * size[geometry.Mesh.Tail(3 * t + k)]);
+        return 0.0;
       }
-      sum += geometry.Mesh.IsFront(t) ? geometry.Lengths.Area[t] * perLength * perLength : 0.0;
+      perLength += 1.0 / (3.0 * SizeAt(options, p));
     }
-    area += sum * geometry.Lengths.Unit[c] * geometry.Lengths.Unit[c];
+    const Vector3 u = surface.Points[t[1]] - surface.Points[t[0]];
+    const Vector3 v = surface.Points[t[2]] - surface.Points[t[0]];
+    area += 0.5 * u.stableNorm() *
+      (v - v.dot(u.stableNormalized()) * u.stableNormalized()).stableNorm() * perLength * perLength;
   }
   const double face = area / options.NumberOfFaces;
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
@@ -343,11 +364,13 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
   RemeshResult result;
   try
   {
-    if (!this->State || !this->State->IsFor(options, directions))
+    result.EdgeLength = EdgeLengthFor(*this->Input, options);
+    const double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
+    if (!this->State || !this->State->IsFor(options, coarse, directions))
     {
       this->State.reset();
       this->State =
-        std::make_unique<Kept>(*this->Input, options, directions, progress.Part(0.0, 0.4));
+        std::make_unique<Kept>(*this->Input, options, coarse, directions, progress.Part(0.0, 0.4));
     }
     const Kept& kept = *this->State;
     const SurfaceGeometry& geometry = kept.Field.GetGeometry();
@@ -363,8 +386,6 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     {
       size[v] = sizes[mesh.Point(v)];
     }
-    result.EdgeLength = EdgeLengthFor(geometry, options, size);
-    const double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
     std::vector<double> perLength(size.size());
     for (std::size_t v = 0; v < size.size(); ++v)
     {

@@ -3,8 +3,6 @@
 
 #include "Quads/PreparedSurface.h"
 
-#include "Field/FeatureChains.h"
-#include "Geometry/DihedralAngles.h"
 #include "LatticeMap/FeatureLines.h"
 #include "Mesh/MergePoints.h"
 
@@ -12,22 +10,6 @@
 
 namespace DirectionFields::Internal
 {
-std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings)
-{
-  std::vector<char> isFeature(geometry.Mesh.GetNumberOfEdges(), 0);
-  if (settings.AreKept)
-  {
-    const std::vector<double> dihedral = DihedralAngles(geometry);
-    const FeatureChains chains(
-      geometry, dihedral, { settings.Angle * Pi / 180.0, settings.MinimumLength });
-    for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
-    {
-      isFeature[e] = chains.IsFeature(e) ? 1 : 0;
-    }
-  }
-  return isFeature;
-}
-
 PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings)
 {
   const MergedMesh merged = MergedMesh::AcrossSeams(input);

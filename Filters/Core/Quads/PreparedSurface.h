@@ -6,6 +6,7 @@
 
 #include "Geometry/SurfaceGeometry.h"
 #include "Quads/ClosestPoints.h"
+#include "Quads/KeptFeatures.h"
 #include "Surface.h"
 
 #include <memory>
@@ -13,24 +14,6 @@
 
 namespace DirectionFields::Internal
 {
-/// Which edges of a surface are to be edges of a mesh.
-struct FeatureSettings
-{
-  bool AreKept;
-  /// As Options::FeatureAngle, degrees.
-  double Angle;
-  /// As Options::MinimumFeatureLength.
-  double MinimumLength;
-
-  friend bool operator==(const FeatureSettings& a, const FeatureSettings& b)
-  {
-    return a.AreKept == b.AreKept && a.Angle == b.Angle && a.MinimumLength == b.MinimumLength;
-  }
-};
-
-/// Not 0 for each sharp edge that is to be kept.
-std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings);
-
 /// A surface as it can be mapped: connected across seams, wound consistently, and with a point in the middle
 /// of each edge both ends of which have no frame (FramelessVertices).
 class PreparedSurface
