@@ -60,11 +60,6 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
 void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, Eigen::Index mostSingly)
 {
   const Eigen::Index count = x.size();
-  if (count > MostRounded)
-  {
-    x = x.array().round();
-    return;
-  }
   const Eigen::MatrixXd inverse =
     factor.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
   Eigen::MatrixXd covariance = inverse.transpose() * inverse;

@@ -9,8 +9,8 @@
 namespace DirectionFields::Internal
 {
 constexpr Eigen::Index MostSingly = 800;
-/// Beyond these all are rounded at once, for the inverse of their matrix would not fit.
-constexpr Eigen::Index MostRounded = 8000;
+/// More are not to be rounded like that: memory grows with their square, and time with their cube.
+constexpr Eigen::Index MostRounded = 2000;
 
 /// Integers near the minimum of a quadratic energy, found greedily: the variable that is nearest to an
 /// integer gets it, the others move to where the energy is least with that, and so on (D. Bommes, H. Zimmer,

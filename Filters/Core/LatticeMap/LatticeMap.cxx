@@ -313,6 +313,25 @@ struct LatticeMap::Energy
   std::vector<std::size_t> TermsEnd;
 };
 
+namespace
+{
+/// The area that the targets ask for, in parallelograms of the lattice.
+double WantedArea(
+  const ChartedMesh& mesh, const LatticeMap::Settings& settings, const Lattice& plane)
+{
+  double wanted = 0.0;
+  for (const ChartedMesh::MapTriangle& t : mesh.Triangles)
+  {
+    const double size = (settings.PerLength[t.Vertex[0]] + settings.PerLength[t.Vertex[1]] +
+                          settings.PerLength[t.Vertex[2]]) /
+      3.0;
+    const double area = 0.5 * (std::conj(t.Target[0]) * -t.Target[2]).imag();
+    wanted += size * size * std::max(0.0, area);
+  }
+  return wanted / plane.Combined(0.0, 1.0).imag();
+}
+}
+
 LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const Progress& progress)
   : Plane(mesh.Degree)
 {
@@ -320,38 +339,37 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
   Energy energy(this->Plane, unknowns, settings.PerLength);
   this->NumberOfIntegers = energy.Count - energy.Reals;
   progress.Report(0.2);
-  LatticeSystem system(energy.Entries, energy.Count, energy.Reals);
-  if (!system.IsDefinite())
+  const double wanted = settings.KeepsArea ? WantedArea(mesh, settings, this->Plane) : 0.0;
+  const auto scaleOf = [&](const Eigen::VectorXd& relaxed)
+  {
+    const double reached = wanted > 0.0 ? energy.AreaAt(relaxed) : 0.0;
+    return reached > 0.25 * wanted && wanted > 0.0 ? std::sqrt(wanted / reached) : 1.0;
+  };
+  const Eigen::VectorXd side = energy.RightHandSide();
+  Eigen::VectorXd x;
+  if (this->NumberOfIntegers > MostRounded)
+  {
+    x = SolveInRounds(energy.Entries, side, energy.Reals);
+  }
+  else
+  {
+    const LatticeSystem system(energy.Entries, energy.Count, energy.Reals);
+    progress.Report(0.7);
+    if (system.IsDefinite())
+    {
+      x = system.Solve(side);
+      const double scale = scaleOf(x);
+      Eigen::VectorXd integers = scale * x.tail(this->NumberOfIntegers);
+      RoundGreedily(system.TrailingFactor(), integers);
+      x = system.SolveWith(scale * side, integers);
+    }
+  }
+  if (x.size() == 0 && energy.Count > 0)
   {
     this->Failure = "the equations of its grid could not be solved";
     return;
   }
-  progress.Report(0.7);
-  Eigen::VectorXd x = system.Solve(energy.RightHandSide());
-  double scale = 1.0;
-  if (settings.KeepsArea)
-  {
-    double wanted = 0.0;
-    for (const ChartedMesh::MapTriangle& t : mesh.Triangles)
-    {
-      const double size = (settings.PerLength[t.Vertex[0]] + settings.PerLength[t.Vertex[1]] +
-                            settings.PerLength[t.Vertex[2]]) /
-        3.0;
-      const double area = 0.5 * (std::conj(t.Target[0]) * -t.Target[2]).imag();
-      wanted += size * size * std::max(0.0, area);
-    }
-    wanted /= this->Plane.Combined(0.0, 1.0).imag();
-    const double reached = energy.AreaAt(x);
-    if (reached > 0.25 * wanted && wanted > 0.0)
-    {
-      scale = std::sqrt(wanted / reached);
-      x *= scale;
-    }
-  }
-  Eigen::VectorXd integers = x.tail(this->NumberOfIntegers);
-  RoundGreedily(system.TrailingFactor(), integers);
   progress.Report(0.9);
-  x = system.SolveWith(scale * energy.RightHandSide(), integers);
   this->Evaluate(mesh, unknowns, x);
 }
 

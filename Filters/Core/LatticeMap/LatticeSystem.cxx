@@ -6,6 +6,7 @@
 #include <Eigen/OrderingMethods>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace DirectionFields::Internal
@@ -111,5 +112,77 @@ Eigen::MatrixXd LatticeSystem::TrailingFactor() const
     }
   }
   return factor;
+}
+
+Eigen::VectorXd SolveInRounds(const std::vector<LatticeSystem::Entry>& entries,
+  const Eigen::VectorXd& rightHandSide, Index reals)
+{
+  constexpr int rounds = 4;
+  const auto size = static_cast<Index>(rightHandSide.size());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(size);
+  std::vector<char> isFixed(size, 0);
+  for (int round = 0; round <= rounds; ++round)
+  {
+    std::vector<Index> place(size, None);
+    Index count = 0;
+    for (Index i = 0; i < size; ++i)
+    {
+      place[i] = isFixed[i] == 0 ? count++ : None;
+    }
+    Eigen::VectorXd side(count);
+    for (Index i = 0; i < size; ++i)
+    {
+      if (isFixed[i] == 0)
+      {
+        side[place[i]] = rightHandSide[i];
+      }
+    }
+    std::vector<LatticeSystem::Entry> left;
+    for (const LatticeSystem::Entry& entry : entries)
+    {
+      const Index i = entry.row();
+      const Index j = entry.col();
+      if (isFixed[i] == 0 && isFixed[j] == 0)
+      {
+        left.emplace_back(place[i], place[j], entry.value());
+      }
+      else if (isFixed[i] == 0)
+      {
+        side[place[i]] -= entry.value() * x[j];
+      }
+      else if (isFixed[j] == 0)
+      {
+        side[place[j]] -= entry.value() * x[i];
+      }
+    }
+    const LatticeSystem system(left, count, count);
+    if (!system.IsDefinite())
+    {
+      return {};
+    }
+    const Eigen::VectorXd solution = system.Solve(side);
+    std::vector<std::pair<double, Index>> order;
+    for (Index i = 0; i < size; ++i)
+    {
+      if (isFixed[i] == 0)
+      {
+        x[i] = solution[place[i]];
+        if (i >= reals)
+        {
+          order.emplace_back(std::abs(x[i] - std::nearbyint(x[i])), i);
+        }
+      }
+    }
+    std::sort(order.begin(), order.end());
+    // All that are left in the last round but one.
+    const std::size_t part = (order.size() + rounds - 1 - round) / std::max(1, rounds - round);
+    for (std::size_t k = 0; k < std::min(part, order.size()); ++k)
+    {
+      const Index i = order[k].second;
+      x[i] = std::nearbyint(x[i]);
+      isFixed[i] = 1;
+    }
+  }
+  return x;
 }
 }

@@ -43,6 +43,12 @@ private:
   Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>> Factor;
   bool Definite = false;
 };
+/// The solution, some of whose unknowns are integers, where these are too many to be rounded with regard to each
+/// other: first all are real, then, in a few rounds, those that are nearest to an integer get it and the rest is
+/// solved for again. Returns an empty vector where the matrix is not positive definite up to rounding.
+/// @param entries, reals as for LatticeSystem
+Eigen::VectorXd SolveInRounds(const std::vector<LatticeSystem::Entry>& entries,
+  const Eigen::VectorXd& rightHandSide, Index reals);
 }
 
 #endif
