@@ -5,8 +5,8 @@
 #include "LatticeMap/FieldCharts.h"
 #include "LatticeMap/JumpPaths.h"
 #include "LatticeMap/LatticeMap.h"
+#include "Meshes/Surfaces.h"
 #include "Sections/Singularities.h"
-#include "Surfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 
 #include "LatticeMap/ChartedMesh.h"
 #include "LatticeMap/LatticeMap.h"
+#include "Meshes/Surfaces.h"
 #include "Quads/CellMesh.h"
 #include "Quads/LatticePoints.h"
 #include "Quads/Pairing.h"
 #include "Quads/VertexRemoval.h"
-#include "Surfaces.h"
 
 #include <gtest/gtest.h>
 

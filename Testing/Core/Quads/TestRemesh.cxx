@@ -3,9 +3,9 @@
 
 #include "Remesh.h"
 
+#include "Meshes/Remeshed.h"
+#include "Meshes/Surfaces.h"
 #include "Quads/Faces.h"
-#include "Remeshed.h"
-#include "Surfaces.h"
 
 #include <gtest/gtest.h>
 
