@@ -7,6 +7,7 @@
 #include "FieldToPolyData.h"
 #include "GlyphsToPolyData.h"
 #include "PolyDataCheck.h"
+#include "PolyDataToField.h"
 #include "PolyDataToGuidance.h"
 #include "PolyDataToSurface.h"
 #include "RemeshToPolyData.h"
