@@ -52,6 +52,24 @@ TEST(Multigrid, AutomaticFallsBackToTheDirectSolver)
   EXPECT_TRUE(automatic.Converged);
 }
 
+/// A residual of the tolerance does not tell the smallest one of 17 close eigenvalues from the others.
+TEST(Multigrid, ALooseToleranceIsNotEnoughWhereEigenvaluesAreClose)
+{
+  Options options;
+  options.Degree = 8;
+  options.Tolerance = 0.1;
+  options.Solver = Solver::Multigrid;
+  const Surface sphere = Icosphere(4);
+  const ComponentReport all = DirectionField(sphere).Compute(options).Components[0];
+  EXPECT_TRUE(all.Converged);
+  EXPECT_LE(all.RequiredResidual, 1e-5);
+  EXPECT_LE(all.Residual, all.RequiredResidual);
+  options.MaximumIterations = all.Iterations / 2;
+  const ComponentReport half = DirectionField(sphere).Compute(options).Components[0];
+  EXPECT_LE(half.Residual, options.Tolerance);
+  EXPECT_FALSE(half.Converged);
+}
+
 TEST(Multigrid, SmallComponentsAreSolvedDirectlyByAutomatic)
 {
   Options options;
