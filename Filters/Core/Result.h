@@ -23,8 +23,8 @@ struct ComponentReport
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
   /// rounding, relative to 1e-7 ||A||u||, or 0 if it is no more than rounding.
   double Residual = 0.0;
-  /// What Residual has to be: Options::Tolerance, or less where other eigenvalues are so near that it takes less to
-  /// tell the smallest one from them.
+  /// What Residual has to be: Options::Tolerance, or less where that would not tell the smallest eigenvalue from the
+  /// next ones: at most 1e-5 by multigrid, by the direct solver where it has found another one first.
   double RequiredResidual = 0.0;
   /// Solves with the factored matrix, or V-cycles after the nested iteration; 0 where that was
   /// enough or the component small enough for a dense solver.

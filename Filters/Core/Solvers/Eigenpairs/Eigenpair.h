@@ -19,8 +19,8 @@ struct Eigenpair
   ComplexVector Vector;
   /// RelativeResidual of the pair.
   double Residual = 0.0;
-  /// Up to this residual the pair counts as the smallest one: the tolerance, or less where other eigenvalues are so
-  /// near that it takes less to tell the smallest one from them.
+  /// Up to this residual the pair counts as the smallest one: the tolerance, or less where that would not tell it
+  /// from the next ones.
   double RequiredResidual = 0.0;
   /// Solves with the factor, or V-cycles; 0 where the dense solver was used.
   int Iterations = 0;

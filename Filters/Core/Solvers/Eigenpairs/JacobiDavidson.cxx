@@ -43,10 +43,9 @@ constexpr double SlowReduction = 0.7;
 constexpr double ReductionOfLongStep = 0.2;
 constexpr int FewSlowSteps = 2;
 constexpr int MostSlowCycles = 100;
-/// The iteration goes on to this residual though a larger one be allowed, and to that of many close eigenvalues
-/// where all steps are kept: mixtures of sections, and others than the smallest, leave residuals above.
-constexpr double TellingResidual = 1e-3;
-constexpr double TellingResidualInSpace = 1e-5;
+/// The iteration goes on to this residual though a larger one be allowed: mixtures of sections, and others than the
+/// smallest, leave residuals above.
+constexpr double TellingResidual = 1e-5;
 /// The work of a step besides its cycles (see WorkLimit), by the row: with the space of all steps for each of
 /// its sections.
 constexpr double StepWork = 250.0;
@@ -328,11 +327,7 @@ private:
         work - half->Work, half->Residual, this->Best.Residual, this->RequiredResidual()));
   }
 
-  double RequiredResidual() const
-  {
-    return std::min(
-      this->Settings.Tolerance, this->Space ? TellingResidualInSpace : TellingResidual);
-  }
+  double RequiredResidual() const { return std::min(this->Settings.Tolerance, TellingResidual); }
 
   int CyclesLeft() const { return this->Settings.MaximumIterations - this->Cycles.GetCount(); }
 
