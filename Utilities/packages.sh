@@ -58,7 +58,8 @@ case $release in
     ;;
   sid)
     # This ParaView is built upon Debian's VTK.
-    plugin_packages+=("${qt6_packages[@]}" xsltproc libvtk9-dev python3-vtk9)
+    plugin_packages+=("${qt6_packages[@]}" xsltproc libvtk9-dev libvtk9-qt-dev
+      python3-vtk9)
     vtk_packages=(libvtk9-dev python3-vtk9)
     ;;
 esac
