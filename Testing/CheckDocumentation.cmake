@@ -67,7 +67,7 @@ foreach (page IN LISTS pages)
     continue ()
   endif ()
   string(REGEX MATCHALL
-    "`(Support|Mesh|Geometry|Sections|Solvers|Field|Tracing|Glyphs)(/[A-Za-z]+)+(\\.h|\\.cxx)?`"
+    "`(Support|Mesh|Geometry|Sections|Interpolation|Solvers|Field|Tracing|Glyphs|Lines)(/[A-Za-z]+)+(\\.h|\\.cxx)?`"
     rooms "${text}")
   foreach (room IN LISTS rooms)
     math(EXPR names "${names} + 1")

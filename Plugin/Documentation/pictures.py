@@ -24,6 +24,12 @@ def tile(append, mesh, folder, after=None, **options):
                                  glyphs={"MaximumNumberOfGlyphs": 500}, **options)
     if after:
         after(shown)
+    add(append, view, folder)
+    return shown
+
+
+def add(append, view, folder):
+    """Adds a picture of a view, which is deleted, to a row of pictures."""
     path = os.path.join(folder, f"{append.GetNumberOfInputConnections(0)}.png")
     simple.SaveScreenshot(path, view, ImageResolution=[FACTOR * pixels for pixels in SIZE])
     reader = vtkPNGReader()
@@ -35,10 +41,9 @@ def tile(append, mesh, folder, after=None, **options):
     shrink.Update()
     append.AddInputConnection(shrink.GetOutputPort())
     simple.Delete(view)
-    return shown
 
 
-def draw(name, mesh, choices):
+def draw(name, mesh, choices, tile=tile):
     with tempfile.TemporaryDirectory() as folder:
         append = vtkImageAppend()
         for options in choices:
@@ -47,6 +52,17 @@ def draw(name, mesh, choices):
         writer.SetInputConnection(append.GetOutputPort())
         writer.SetFileName(os.path.join(os.path.dirname(os.path.abspath(__file__)), name))
         writer.Write()
+
+
+def lines_tile(append, mesh, folder, degree, **options):
+    """A tile with lines in place of glyphs."""
+    view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
+                             UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
+    field = simple.DirectionField(Input=mesh, Degree=degree)
+    simple.Show(field, view)
+    simple.Show(simple.DirectionFieldStreamlines(Input=field, **options), view).LineWidth = 3.0
+    simple.ResetCamera(view)
+    add(append, view, folder)
 
 
 mesh = directionfields.read(sys.argv[2])
@@ -88,3 +104,6 @@ def compare(shown):
 draw("comparison.png", mesh, [
     {"after": fields.append}, {"Alignment": "Principal Curvature", "after": fields.append},
     {"after": compare}])
+draw("lines.png", mesh, [{"degree": 2}, {"degree": 4},
+                         {"degree": 4, "SeedType": "Singularities", "StopAtCrossings": 1}],
+     lines_tile)

@@ -28,6 +28,8 @@ struct Motorcycle
   ZeroRay Ray;
   std::unique_ptr<LineTrace> Trace;
   TracedLine Line;
+  /// The length at which the trace begins.
+  double Before = 0.0;
   /// The line that is this one turned around; None without one.
   Index Reverse = None;
   /// When it stops, and at which line, as of the last round.
@@ -53,13 +55,13 @@ public:
       Motorcycle& rider = this->Riders[i];
       rider.Ray = rays[i];
       const RayStart start = StartOf(field, rays[i]);
-      rider.Line.Sense = rays[i].Sense;
-      rider.Line.Seed = rays[i].Zero;
-      rider.Line.Zeros[0] = rays[i].Zero;
-      rider.Line.Ends[0] = LineEnd::Singularity;
-      rider.Line.Pieces.push_back(start.First);
-      rider.Trace = std::make_unique<LineTrace>(field, start.Start);
-      rider.Trace->StartAtZero(start.FreeUntil);
+      rider.Line = BeginOf(rays[i], start);
+      rider.Before = rider.Line.Length();
+      if (start.Start.Triangle != None)
+      {
+        rider.Trace = std::make_unique<LineTrace>(field, start.Start);
+        rider.Trace->StartAtZero(start.FreeUntil);
+      }
     }
   }
 
@@ -100,8 +102,6 @@ private:
             continue;
           }
           TracedLine& line = rider.Line;
-          // The trace counts its own length from the end of the first piece on.
-          const double before = line.Pieces.front().Length();
           while (line.Length() < length)
           {
             std::optional<LinePiece> piece = rider.Trace->Next();
@@ -111,7 +111,7 @@ private:
               line.Zeros[1] = rider.Trace->EndZero();
               break;
             }
-            piece->Arc += before;
+            piece->Arc += rider.Before;
             line.Pieces.push_back(*piece);
           }
           if (!rider.IsTraced() && line.Length() >= this->MostLength)

@@ -125,16 +125,6 @@ std::vector<double> RayAngles(
   return angles;
 }
 
-double DistanceToRim(const FlatTriangle& flat, const Complex& place)
-{
-  double least = -1.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double distance = 2.0 * flat.Area() * flat.Weight(c, place) / flat.Length((c + 1) % 3);
-    least = least < 0.0 ? distance : std::min(least, distance);
-  }
-  return least;
-}
 }
 
 FieldZeros::FieldZeros(const GivenField& field)
@@ -186,8 +176,8 @@ std::vector<ZeroRay> FieldZeros::Rays(Index zero) const
   const int n = this->Field.GetDegree();
   const PowerOnTriangle power(
     this->Field.GetGeometry(), n, this->Field.GetSection().data(), at.Triangle);
-  const double radius = std::min(
-    Circle * std::sqrt(2.0 * power.Flat().Area()), 0.5 * DistanceToRim(power.Flat(), at.Place));
+  // Beyond the edges it is that of the triangle still: singularities may lie close to an edge.
+  const double radius = Circle * std::sqrt(2.0 * power.Flat().Area());
   const Turning turning(power, at.Place, radius);
   const double phase = turning.PhaseOf(at.Index_);
   std::vector<ZeroRay> rays;

@@ -322,7 +322,8 @@ std::optional<LinePiece> LineTrace::Next()
   return piece;
 }
 
-LineStart WalkStraight(const GivenField& field, const LineStart& start, double length)
+LineStart WalkStraight(
+  const GivenField& field, const LineStart& start, double length, std::vector<LinePiece>* pieces)
 {
   LineStart at = start;
   double left = length;
@@ -346,7 +347,12 @@ LineStart WalkStraight(const GivenField& field, const LineStart& start, double l
         }
       }
     }
+    const Complex from = at.Place;
     at.Place += nearest * at.Direction;
+    if (pieces)
+    {
+      pieces->push_back({ at.Triangle, from, at.Place, at.Direction, at.Direction, length - left });
+    }
     left -= nearest;
     if (exit == None)
     {

@@ -136,7 +136,9 @@ private:
 /// surface.
 /// @return the place and the direction that the way has there; Triangle is None where it has left the
 ///         surface
-LineStart WalkStraight(const GivenField& field, const LineStart& start, double length);
+/// @param pieces is given the pieces of the way where it is not null
+LineStart WalkStraight(const GivenField& field, const LineStart& start, double length,
+  std::vector<LinePiece>* pieces = nullptr);
 }
 
 #endif

@@ -66,28 +66,37 @@ TracedLine TraceLine(const TracedField& field, const LineStart& start, double mo
 RayStart StartOf(const TracedField& field, const ZeroRay& ray)
 {
   const FieldZero& zero = field.Zeros.GetZeros()[ray.Zero];
-  const Complex direction = std::polar(1.0, ray.Angle);
   RayStart start;
-  start.Start = { zero.Triangle, zero.Place + ray.Radius * direction, direction, ray.Sense };
-  start.First = { zero.Triangle, zero.Place, start.Start.Place, direction, direction, 0.0 };
+  start.Start = WalkStraight(field.Field,
+    { zero.Triangle, zero.Place, std::polar(1.0, ray.Angle), ray.Sense }, ray.Radius, &start.Way);
   // It leaves almost straight.
   const double area = field.Field.GetGeometry().Lengths.Area[zero.Triangle];
   start.FreeUntil = 4.0 * field.Capture * std::sqrt(2.0 * area);
   return start;
 }
 
-TracedLine TraceRay(const TracedField& field, const ZeroRay& ray, double mostLength)
+TracedLine BeginOf(const ZeroRay& ray, const RayStart& start)
 {
-  const RayStart start = StartOf(field, ray);
   TracedLine line;
   line.Sense = ray.Sense;
   line.Seed = ray.Zero;
   line.Zeros[0] = ray.Zero;
   line.Ends[0] = LineEnd::Singularity;
-  line.Pieces.push_back(start.First);
-  LineTrace trace(field, start.Start);
-  trace.StartAtZero(start.FreeUntil);
-  Follow(trace, mostLength, line);
+  line.Ends[1] = start.Start.Triangle == None ? LineEnd::Boundary : LineEnd::None;
+  line.Pieces = start.Way;
+  return line;
+}
+
+TracedLine TraceRay(const TracedField& field, const ZeroRay& ray, double mostLength)
+{
+  const RayStart start = StartOf(field, ray);
+  TracedLine line = BeginOf(ray, start);
+  if (start.Start.Triangle != None)
+  {
+    LineTrace trace(field, start.Start);
+    trace.StartAtZero(start.FreeUntil);
+    Follow(trace, mostLength, line);
+  }
   return line;
 }
 }

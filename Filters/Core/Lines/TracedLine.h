@@ -46,16 +46,20 @@ TracedLine Joined(TracedLine&& backward, TracedLine&& forward);
 /// Traces a line in one direction until it ends by itself or is as long as given.
 TracedLine TraceLine(const TracedField& field, const LineStart& start, double mostLength);
 
-/// The start of the line along a ray of a singularity, at a small distance from that, and the piece from
-/// the singularity to there.
+/// The start of the line along a ray of a singularity, at a small distance from that, and the straight way
+/// from the singularity to there.
 struct RayStart
 {
+  /// Its triangle is None where the way leaves the surface.
   LineStart Start;
-  LinePiece First;
+  std::vector<LinePiece> Way;
   /// The line's length from Start on until which it cannot run into the singularity that it comes from.
   double FreeUntil;
 };
 RayStart StartOf(const TracedField& field, const ZeroRay& ray);
+
+/// The line from a singularity as far as that way.
+TracedLine BeginOf(const ZeroRay& ray, const RayStart& start);
 
 /// Traces a line from a singularity.
 TracedLine TraceRay(const TracedField& field, const ZeroRay& ray, double mostLength);

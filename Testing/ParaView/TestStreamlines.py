@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filter for lines in Python: TestStreamlines.py PLUGIN PRINT_PROPERTIES STATE_FILE
+
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filter."""
+import json
+import os
+import subprocess
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+
+LoadPlugin(sys.argv[1], remote=False, ns=globals())
+
+ENUMERATIONS = {
+    "SeedType": ["Evenly Spaced", "Singularities", "Points"],
+    "IntegrationDirection": ["Both", "Forward", "Backward"],
+}
+ADVANCED = ("SeedSource", "SeparatingDistanceRatio", "MinimumStreamlineLength",
+            "MaximumNumberOfLines", "Offset")
+# Which properties are shown for which seed type only.
+SHOWN_FOR = {"SeparatingDistance": "0", "SeparatingDistanceRatio": "0", "StopAtCrossings": "1",
+             "IntegrationDirection": "2"}
+# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
+UNLIMITED = 1e299
+
+
+def make(degree=4, **properties):
+    field = DirectionField(Input=Sphere(ThetaResolution=32, PhiResolution=24), Degree=degree)
+    return field, DirectionFieldStreamlines(Input=field, **properties)
+
+
+def test_properties():
+    """Defaults and ranges equal those of C++, and everything is documented."""
+    _, lines = make()
+    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    properties = [name for name in lines.ListProperties() if name not in ("Input", "SeedSource")]
+    assert sorted(properties) == sorted(expected), properties
+    for name, figures in expected.items():
+        proxy = lines.SMProxy.GetProperty(name)
+        assert proxy.GetElement(0) == figures["default"], (name, proxy.GetElement(0))
+        if "min" not in figures:
+            assert proxy.GetDomain("bool"), name
+        elif name in ENUMERATIONS:
+            domain = proxy.GetDomain("enum")
+            entries = [(domain.GetEntryValue(i), domain.GetEntryText(i))
+                       for i in range(domain.GetNumberOfEntries())]
+            assert entries == list(enumerate(ENUMERATIONS[name])), entries
+            assert (entries[0][0], entries[-1][0]) == (figures["min"], figures["max"]), name
+        else:
+            domain = proxy.GetDomain("range")
+            assert domain.GetMinimumExists(0) and domain.GetMinimum(0) == figures["min"], name
+            assert bool(domain.GetMaximumExists(0)) == (figures["max"] < UNLIMITED), name
+            if figures["max"] < UNLIMITED:
+                assert domain.GetMaximum(0) == figures["max"], name
+    for name in ["Input", "SeedSource"] + properties:
+        proxy = lines.SMProxy.GetProperty(name)
+        assert name == "Input" or proxy.GetPanelVisibility() == (
+            "advanced" if name in ADVANCED else "default"), name
+        documentation = proxy.GetDocumentation()
+        assert documentation and documentation.GetDescription().strip(), name
+        if name in SHOWN_FOR:
+            decorator = proxy.GetHints().FindNestedElementByName("PropertyWidgetDecorator")
+            assert [decorator.GetAttribute(key)
+                    for key in ("type", "mode", "property", "value")] == [
+                        "GenericDecorator", "visibility", "SeedType", SHOWN_FOR[name]], name
+    documentation = lines.SMProxy.GetDocumentation()
+    for text in (documentation.GetDescription(), documentation.GetShortHelp(),
+                 documentation.GetLongHelp()):
+        assert text and text.strip()
+
+
+def test_menu():
+    _, lines = make()
+    assert lines.SMProxy.GetXMLLabel() == "Direction Field Streamlines"
+    hints = lines.SMProxy.GetHints()
+    assert hints.FindNestedElementByName("ShowInMenu").GetAttribute(
+        "category") == "Direction Fields"
+    # The surface stays to be seen, and no dialog asks for seeds.
+    assert hints.FindNestedElementByName("Visibility").GetAttribute("replace_input") == "0"
+    seeds = lines.SMProxy.GetProperty("SeedSource")
+    assert seeds.GetHints().FindNestedElementByName("Optional")
+    assert lines.SMProxy.GetNumberOfOutputPorts() == 2
+
+
+def test_lines():
+    for degree in (1, 2, 3, 4, 6):
+        _, lines = make(degree)
+        data = servermanager.Fetch(lines)
+        assert data.GetNumberOfLines() > 10, (degree, data.GetNumberOfLines())
+        families = degree if degree % 2 else degree // 2
+        assert data.GetCellData().GetArray("Family").GetRange()[1] <= families - 1
+        lines.SeedType = "Singularities"
+        lines.MaximumStreamlineLength = 0.5
+        lines.UpdatePipeline()
+        nodes = servermanager.Fetch(lines, idx=1)
+        indices = [int(nodes.GetPointData().GetArray("SingularityIndex").GetTuple1(i))
+                   for i in range(nodes.GetNumberOfPoints())]
+        assert sum(indices) == 2 * degree, (degree, indices)
+        count = sum(abs(degree - k) for k in indices if k) * (2 if degree % 2 else 1)
+        assert servermanager.Fetch(lines).GetNumberOfLines() == count, degree
+
+
+def test_points():
+    seeds = PointSource(Center=[0.0, 0.0, 1.0], NumberOfPoints=3, Radius=0.1)
+    _, lines = make(4, SeedSource=seeds, SeedType="Points", MaximumStreamlineLength=0.5)
+    data = servermanager.Fetch(lines)
+    assert data.GetNumberOfLines() == 6, data.GetNumberOfLines()
+    assert data.GetCellData().GetArray("Length").GetRange()[1] < 0.501
+
+
+def test_blocks():
+    """Each block of a composite input has lines of its own."""
+    a, b = Sphere(), Sphere(Center=[3.0, 0.0, 0.0])
+    field = DirectionField(Input=GroupDatasets(Input=[a, b]), Degree=2)
+    lines = DirectionFieldStreamlines(Input=field)
+    lines.UpdatePipeline()
+    bounds = lines.GetDataInformation().GetBounds()
+    assert bounds[0] < -0.4 and bounds[1] > 3.4, bounds
+
+
+def test_first_look():
+    """Shown without any setting, the lines have one quiet colour, on the surface."""
+    field, lines = make()
+    view = CreateRenderView(ViewSize=[200, 200])
+    surface = Show(field, view)
+    display = Show(lines, view)
+    assert display.Representation == "Surface", display.Representation
+    assert display.ColorArrayName[1] in ("", None), list(display.ColorArrayName)
+    assert [round(c, 2) for c in display.DiffuseColor] == [0.0, 0.42, 0.46]
+    assert [round(c, 2) for c in surface.DiffuseColor] != [0.0, 0.42, 0.46]
+    assert display.LineWidth == 2.0
+    Delete(view)
+
+
+def test_state():
+    state = sys.argv[3]
+    if os.path.exists(state):
+        os.remove(state)
+    values = {"SeedType": "Singularities", "SeparatingDistance": 0.125,
+              "SeparatingDistanceRatio": 0.75, "StopAtCrossings": 1,
+              "IntegrationDirection": "Forward", "MaximumStreamlineLength": 7.5,
+              "MinimumStreamlineLength": 0.0625, "MaximumNumberOfLines": 321, "Offset": 0.25}
+    RenameSource("lines", make(4, **values)[1])
+    SaveState(state)
+    ResetSession()
+    LoadState(state)
+    lines = FindSource("lines")
+    assert lines.GetXMLName() == "DirectionFieldStreamlines"
+    for name, value in values.items():
+        assert getattr(lines, name) == value, (name, getattr(lines, name))
+    assert servermanager.Fetch(lines).GetNumberOfLines() >= 4
+
+
+test_properties()
+test_menu()
+test_lines()
+test_points()
+test_blocks()
+test_first_look()
+test_state()
+print("passed")
