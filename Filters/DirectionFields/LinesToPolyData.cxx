@@ -134,6 +134,10 @@ std::vector<LineSeed> NearestPlaces(const Surface& surface, vtkPointSet* points)
 {
   const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
   std::vector<LineSeed> seeds(count);
+  if (count == 0)
+  {
+    return seeds;
+  }
   vtkNew<vtkPolyData> triangles;
   vtkNew<vtkPoints> corners;
   corners->SetDataTypeToDouble();

@@ -88,22 +88,16 @@ bool IsOneOf(const PointDirections& directions, Index point, const Vector3& dire
 }
 }
 
-GivenField::GivenField(const Surface& surface, const PointDirections& directions)
-  : Input(surface)
-  , Degree(directions.Degree)
+FieldSurface::FieldSurface(const Surface& surface, bool joinsSeams)
 {
   const bool isSound = AllAreFinite(surface);
   const Surface mended = isSound ? Surface() : WithoutUnsound(surface);
   const Surface& sound = isSound ? surface : mended;
-  MergedMesh mesh = MergedMesh::AcrossSeams(sound);
-  if (!mesh.FirstPoint.empty() && !this->SeamsAgree(directions, mesh.FirstPoint))
-  {
-    mesh = MergedMesh::OfPoints(sound);
-  }
+  MergedMesh mesh = joinsSeams ? MergedMesh::AcrossSeams(sound) : MergedMesh::OfPoints(sound);
   this->FirstPoint = std::move(mesh.FirstPoint);
   this->Geometry = std::make_unique<SurfaceGeometry>(std::move(mesh.Mesh), sound);
   this->MeshTriangle.assign(surface.Triangles.size(), None);
-  const TriangleMesh& triangles = this->GetMesh();
+  const TriangleMesh& triangles = this->Geometry->Mesh;
   ParallelFor(triangles.GetNumberOfTriangles(), LightPiece,
     [&](Index begin, Index end)
     {
@@ -115,11 +109,27 @@ GivenField::GivenField(const Surface& surface, const PointDirections& directions
         }
       }
     });
+}
+
+GivenField::GivenField(const Surface& surface, const PointDirections& directions)
+  : GivenField(surface, std::make_shared<const FieldSurface>(surface), directions)
+{
+}
+
+GivenField::GivenField(const Surface& surface, std::shared_ptr<const FieldSurface> made,
+  const PointDirections& directions)
+  : Input(surface)
+  , Degree(directions.Degree)
+  , Made(std::move(made))
+{
+  if (!this->Made->FirstPoint.empty() && !SeamsAgree(directions, this->Made->FirstPoint))
+  {
+    this->Made = std::make_shared<const FieldSurface>(surface, false);
+  }
   this->ReadSection(directions);
 }
 
-bool GivenField::SeamsAgree(
-  const PointDirections& directions, const std::vector<Index>& first) const
+bool GivenField::SeamsAgree(const PointDirections& directions, const std::vector<Index>& first)
 {
   // Only points of triangles are asked, which those at seams are.
   return ParallelSum(static_cast<Index>(first.size()), LightPiece, 0,
@@ -159,7 +169,7 @@ void GivenField::ReadSection(const PointDirections& directions)
         if (IsDirection(direction, magnitude))
         {
           const Complex tangential =
-            this->Geometry->Frames.Tangential(v, direction.stableNormalized());
+            this->GetGeometry().Frames.Tangential(v, direction.stableNormalized());
           const double length = Modulus(tangential);
           if (length > LeastTangential)
           {
@@ -172,7 +182,7 @@ void GivenField::ReadSection(const PointDirections& directions)
 
 std::vector<int> GivenField::Indices() const
 {
-  return SingularityIndices(*this->Geometry, this->Degree, this->Section);
+  return SingularityIndices(this->GetGeometry(), this->Degree, this->Section);
 }
 
 int GivenField::MeshCorner(Index meshTriangle, int c) const
@@ -192,11 +202,11 @@ Index GivenField::PointAt(Index meshTriangle, int meshCorner) const
 {
   const TriangleMesh& mesh = this->GetMesh();
   const Index point = mesh.Point(mesh.Tail(3 * meshTriangle + meshCorner));
-  if (!this->FirstPoint.empty())
+  if (!this->Made->FirstPoint.empty())
   {
     for (const Index i : this->Input.Triangles[mesh.InputTriangle(meshTriangle)])
     {
-      if (this->FirstPoint[i] == point)
+      if (this->Made->FirstPoint[i] == point)
       {
         return i;
       }
@@ -211,7 +221,7 @@ TriangleInSpace GivenField::InSpace(Index meshTriangle) const
   TriangleInSpace result;
   for (int c = 0; c < 3; ++c)
   {
-    result.Corners[c] = this->Geometry->Positions[mesh.Tail(3 * meshTriangle + c)];
+    result.Corners[c] = this->GetGeometry().Positions[mesh.Tail(3 * meshTriangle + c)];
   }
   const Vector3 edge = (result.Corners[1] - result.Corners[0]).stableNormalized();
   const Vector3 other = (result.Corners[2] - result.Corners[0]).stableNormalized();
@@ -223,7 +233,7 @@ TriangleInSpace GivenField::InSpace(Index meshTriangle) const
   }
   else
   {
-    result.Normal = this->Geometry->Frames.Normal[mesh.Tail(3 * meshTriangle)];
+    result.Normal = this->GetGeometry().Frames.Normal[mesh.Tail(3 * meshTriangle)];
     const Vector3 tangential = edge - edge.dot(result.Normal) * result.Normal;
     result.X = tangential.norm() > LeastTangential ? Vector3(tangential.normalized())
                                                    : AnyOrthogonal(result.Normal);

@@ -44,14 +44,29 @@ struct TriangleInSpace
   Vector3 Direction(const Complex& z) const { return z.real() * this->X + z.imag() * this->Y; }
 };
 
+/// A surface as the computation of a field sees it, whatever the field: the mesh with its geometry, and how it
+/// belongs to the surface's own triangles. Points across seams are one, as for Direction Field by default.
+/// Triangles with ids of no point or with coordinates that are not finite are left out.
+struct FieldSurface
+{
+  /// Takes linear time, on the threads of the scope.
+  /// @param joinsSeams false: points across seams stay apart
+  explicit FieldSurface(const Surface& surface, bool joinsSeams = true);
+
+  /// For each point the one that stands for it in the mesh; empty where each stands for itself.
+  std::vector<Index> FirstPoint;
+  std::unique_ptr<SurfaceGeometry> Geometry;
+  /// The mesh's triangle, on the front, of each triangle of the surface; None for those ignored.
+  std::vector<Index> MeshTriangle;
+};
+
 /// A direction field read back from what is given at the points of a surface: the mesh that the field
 /// was computed on with its geometry, and the representation vector of each vertex. All that follows a
 /// field or looks at it between the points starts from here, and hence sees the same field, be it our
 /// own or one that came with a file.
 ///
-/// Points across seams become one, as for Direction Field by default, where the directions at them are
-/// the same; else the seams stay, as for a field that was computed with MergePoints off. Triangles with
-/// ids of no point or with coordinates that are not finite are left out.
+/// Points across seams become one where the directions at them are the same; else the seams stay, as for a
+/// field that was computed with MergePoints off.
 class GivenField
 {
 public:
@@ -59,20 +74,23 @@ public:
   /// @param surface   must outlive this
   /// @param directions are not asked for points that no triangle uses
   GivenField(const Surface& surface, const PointDirections& directions);
+  /// @param made of the surface, for many fields on it
+  GivenField(const Surface& surface, std::shared_ptr<const FieldSurface> made,
+    const PointDirections& directions);
   GivenField(const GivenField&) = delete;
   GivenField& operator=(const GivenField&) = delete;
 
   const Surface& GetSurface() const { return this->Input; }
-  const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
-  const TriangleMesh& GetMesh() const { return this->Geometry->Mesh; }
+  const SurfaceGeometry& GetGeometry() const { return *this->Made->Geometry; }
+  const TriangleMesh& GetMesh() const { return this->Made->Geometry->Mesh; }
   int GetDegree() const { return this->Degree; }
   /// u of each vertex; 0 where no directions are given, or none that are tangent and finite.
   const std::vector<Complex>& GetSection() const { return this->Section; }
   /// Index of each triangle of the mesh, in units of 1/n.
   std::vector<int> Indices() const;
 
-  /// The mesh's triangle, on the front, of each triangle of the surface; None for those ignored.
-  const std::vector<Index>& GetMeshTriangles() const { return this->MeshTriangle; }
+  /// FieldSurface::MeshTriangle.
+  const std::vector<Index>& GetMeshTriangles() const { return this->Made->MeshTriangle; }
   /// The corner of a mesh triangle that is corner c of its triangle of the surface.
   int MeshCorner(Index meshTriangle, int c) const;
   /// The surface's point at the corner of a mesh triangle.
@@ -82,15 +100,12 @@ public:
 private:
   void ReadSection(const PointDirections& directions);
   /// Whether the directions at points that became one are the same.
-  bool SeamsAgree(const PointDirections& directions, const std::vector<Index>& first) const;
+  static bool SeamsAgree(const PointDirections& directions, const std::vector<Index>& first);
 
   const Surface& Input;
   int Degree;
-  /// For each point the one that stands for it in the mesh; empty where each stands for itself.
-  std::vector<Index> FirstPoint;
-  std::unique_ptr<SurfaceGeometry> Geometry;
+  std::shared_ptr<const FieldSurface> Made;
   std::vector<Complex> Section;
-  std::vector<Index> MeshTriangle;
 };
 }
 

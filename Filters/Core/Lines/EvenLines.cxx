@@ -17,8 +17,11 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Lines that are traced at once: the same number for any number of threads.
-constexpr std::size_t AtOnce = 48;
+/// Lines that are traced at once, at most, and as a part of the lines at hand. While these are few, those
+/// that are traced at once come into each other's way, and what is cut off is lost work. It is the same
+/// number for any number of threads.
+constexpr std::size_t MostAtOnce = 48;
+constexpr std::size_t PartAtOnce = 6;
 /// Places that are looked at at once for gaps.
 constexpr Index PlacesAtOnce = 1 << 13;
 constexpr Index FewPlaces = 256;
@@ -132,13 +135,18 @@ private:
     return std::nullopt;
   }
 
+  std::size_t NumberAtOnce() const
+  {
+    return std::clamp(this->Lines.size() / PartAtOnce, std::size_t(1), MostAtOnce);
+  }
+
   /// Traces lines beside all there are until no seed is left.
   void FollowFronts(const Progress& progress)
   {
     while (!this->Fronts.empty() && !this->IsFull())
     {
       progress.RequireToGoOn();
-      const std::size_t count = std::min(this->Fronts.size(), AtOnce);
+      const std::size_t count = std::min(this->Fronts.size(), this->NumberAtOnce());
       std::vector<Front> fronts(this->Fronts.begin(), this->Fronts.begin() + count);
       this->Fronts.erase(this->Fronts.begin(), this->Fronts.begin() + count);
       std::vector<std::optional<SpacedLine>> attempts(count);

@@ -3,6 +3,8 @@
 
 #include "Lines/LineSeeds.h"
 
+#include "Lines/LineGrid.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,8 @@ namespace
 {
 /// Distance of places in large triangles, as a part of the spacing.
 constexpr double PlacePart = 0.25;
+/// Where vertices are closer than this part of it, some are left out.
+constexpr double ThinnedPart = 0.12;
 /// Places along an edge at most.
 constexpr double MostAlongEdge = 4096.0;
 /// Vertices are left by this part of the way to the middle of a triangle, where directions are defined.
@@ -69,6 +73,39 @@ void AddInner(const GivenField& field, Index triangle, double size, std::vector<
     }
   }
 }
+
+/// Leaves out places that are near to earlier ones, where there are many.
+void Thin(const GivenField& field, Index component, double distance, std::vector<SeedPlace>& places)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  const double unit = geometry.Lengths.Unit[component];
+  const double needed =
+    geometry.Lengths.ComponentArea[component] * unit * unit / (distance * distance);
+  if (static_cast<double>(places.size()) < 2.0 * needed)
+  {
+    return;
+  }
+  const TriangleMesh::Component& range = geometry.Mesh.GetComponents()[component];
+  LineGrid kept(geometry.Positions[range.FirstVertex], distance, 1, range.IsCover);
+  const auto isNearOther = [&](const SeedPlace& place)
+  {
+    // The vertex, as far as that goes: where there are many, triangles are small.
+    const FlatTriangle flat(geometry, place.Triangle);
+    const std::array<double, 3> weights = flat.Weights(place.Place);
+    const auto corner = std::max_element(weights.begin(), weights.end()) - weights.begin();
+    const Index v = geometry.Mesh.Tail(3 * place.Triangle + static_cast<Index>(corner));
+    LineSample sample;
+    sample.Position = geometry.Positions[v];
+    sample.Normal = sample.Tangent = geometry.Frames.Normal[v];
+    if (kept.IsNear(sample, distance))
+    {
+      return true;
+    }
+    kept.Insert(sample);
+    return false;
+  };
+  places.erase(std::remove_if(places.begin(), places.end(), isNearOther), places.end());
+}
 }
 
 std::vector<SeedPlace> SeedPlaces(
@@ -105,6 +142,7 @@ std::vector<SeedPlace> SeedPlaces(
   }
   std::stable_sort(places.begin(), places.end(),
     [](const SeedPlace& a, const SeedPlace& b) { return a.Rank > b.Rank; });
+  Thin(field, component, ThinnedPart * spacing, places);
   return places;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -14,6 +15,7 @@ namespace
 /// Parts of the spacing: between samples of a line; how far a line runs before it minds itself; how near
 /// it must come back to its start to be closed, and from where on it may come to that.
 constexpr double SamplePart = 0.2;
+constexpr std::ptrdiff_t MarksPerSeed = 3;
 constexpr double OwnPart = 3.0;
 constexpr double ClosedPart = 0.1;
 constexpr double ClosingPart = 0.15;
@@ -69,14 +71,13 @@ void SpacedLine::InsertInto(LineGrid& grid) const
 std::vector<LineStart> SpacedLine::Places() const
 {
   std::vector<LineStart> places;
-  for (auto mark = this->Backward.Marks.rbegin(); mark != this->Backward.Marks.rend(); ++mark)
+  const std::vector<SpacedHalf::Mark>& behind = this->Backward.Marks;
+  const auto back = static_cast<std::ptrdiff_t>(behind.size());
+  const auto ahead = static_cast<std::ptrdiff_t>(this->Forward.Marks.size());
+  for (std::ptrdiff_t i = -back; i < ahead; i += MarksPerSeed)
   {
-    places.push_back(mark->Place);
-    places.back().Direction = -places.back().Direction;
-  }
-  for (const SpacedHalf::Mark& mark : this->Forward.Marks)
-  {
-    places.push_back(mark.Place);
+    places.push_back(i < 0 ? behind[-i - 1].Place : this->Forward.Marks[i].Place);
+    places.back().Direction *= i < 0 ? -1.0 : 1.0;
   }
   return places;
 }

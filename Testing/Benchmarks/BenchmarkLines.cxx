@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What lines cost, as ratios within one run:
+//
+//   BenchmarkLines [TRIANGLES]
+//
+// Prints the time of evenly spaced lines at the default spacing beside that of the field; what a point
+// of a line takes; how the time of reading the field back grows with the triangles; and as many points by
+// vtkStreamTracer on the same surface.
+
+#include "BenchmarkMeshes.h"
+
+#include "vtkDirectionField.h"
+#include "vtkDirectionFieldStreamlines.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamTracer.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double TimeOf(vtkAlgorithm* filter)
+{
+  filter->Modified();
+  const double start = Now();
+  filter->Update();
+  return Now() - start;
+}
+
+/// The time of a filter that has nothing to trace: reading the surface and the field.
+double SetupTime(vtkPolyData* field)
+{
+  vtkNew<vtkDirectionFieldStreamlines> lines;
+  vtkNew<vtkPolyData> nothing;
+  lines->SetInputData(0, field);
+  lines->SetInputData(1, nothing);
+  lines->SetSeedType(vtkDirectionFieldStreamlines::POINTS);
+  TimeOf(lines);
+  return TimeOf(lines);
+}
+
+vtkSmartPointer<vtkPolyData> FieldOf(int triangles, double& time)
+{
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(BenchmarkMeshes::Potato(triangles));
+  filter->SetDegree(4);
+  time = TimeOf(filter);
+  vtkNew<vtkPolyData> field;
+  field->ShallowCopy(filter->GetOutput());
+  return field.GetPointer();
+}
+
+/// Lines of VTK's own tracer from the begins of lines, as long as these are.
+void CompareStreamTracer(vtkPolyData* field, vtkPolyData* lines, double ours)
+{
+  vtkNew<vtkPoints> begins;
+  double length = 0.0;
+  vtkDataArray* lengths = lines->GetCellData()->GetArray("Length");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < lines->GetNumberOfCells(); ++i)
+  {
+    lines->GetCellPoints(i, ids);
+    begins->InsertNextPoint(lines->GetPoint(ids->GetId(ids->GetNumberOfIds() / 2)));
+    length += lengths->GetTuple1(i);
+  }
+  vtkNew<vtkPolyData> seeds;
+  seeds->SetPoints(begins);
+  vtkNew<vtkPolyData> vectors;
+  vectors->ShallowCopy(field);
+  vectors->GetPointData()->SetActiveVectors("Direction0");
+  vtkNew<vtkStreamTracer> tracer;
+  tracer->SetInputData(vectors);
+  tracer->SetSourceData(seeds);
+  tracer->SetSurfaceStreamlines(true);
+  tracer->SetIntegrationDirectionToBoth();
+  tracer->SetIntegratorTypeToRungeKutta4();
+  const double step = length / static_cast<double>(lines->GetNumberOfPoints());
+  tracer->SetIntegrationStepUnit(vtkStreamTracer::LENGTH_UNIT);
+  tracer->SetInitialIntegrationStep(step);
+  tracer->SetMaximumPropagation(0.5 * length / static_cast<double>(lines->GetNumberOfCells()));
+  tracer->SetMaximumNumberOfSteps(1000000);
+  const double theirs = TimeOf(tracer);
+  const auto points = static_cast<double>(tracer->GetOutput()->GetNumberOfPoints());
+  const double perPoint = theirs / points;
+  std::cout << "vtkStreamTracer: " << points << " points, " << 1e6 * perPoint << " us each; ours "
+            << 1e6 * ours << " us: " << perPoint / ours << " times faster\n";
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const int triangles = argc > 1 ? std::atoi(argv[1]) : 1600000;
+  double fieldTime = 0.0;
+  const auto field = FieldOf(triangles, fieldTime);
+  vtkNew<vtkDirectionFieldStreamlines> lines;
+  lines->SetInputData(field);
+  const double evenly = TimeOf(lines);
+  const double points = lines->GetOutput(0)->GetNumberOfPoints();
+  std::cout << field->GetNumberOfPolys() << " triangles: field " << fieldTime
+            << " s, evenly spaced lines " << evenly << " s, " << evenly / fieldTime
+            << " of the field; " << lines->GetOutput(0)->GetNumberOfCells() << " lines, " << points
+            << " points\n";
+  double smallTime = 0.0;
+  const auto small = FieldOf(triangles / 4, smallTime);
+  const double setup = SetupTime(field);
+  const double smallSetup = SetupTime(small);
+  std::cout << "reading the field back: " << setup << " s, of a quarter of the triangles "
+            << smallSetup << " s: " << setup / smallSetup << " times as long\n";
+  vtkNew<vtkDirectionFieldStreamlines> separatrices;
+  separatrices->SetInputData(field);
+  separatrices->SetSeedType(vtkDirectionFieldStreamlines::SINGULARITIES);
+  const double traced = TimeOf(separatrices) - setup;
+  const double perPoint =
+    traced / static_cast<double>(separatrices->GetOutput(0)->GetNumberOfPoints());
+  std::cout << "lines out of the singularities: " << separatrices->GetOutput(0)->GetNumberOfPoints()
+            << " points, " << 1e6 * perPoint << " us each, on all threads\n"
+            << "evenly spaced lines: " << 1e6 * (evenly - setup) / points << " us a point\n";
+  CompareStreamTracer(field, lines->GetOutput(0), evenly / points);
+  return EXIT_SUCCESS;
+}
