@@ -134,7 +134,16 @@ std::vector<Neighbour> Nearest(const IntrinsicGeometry& geometry, const Singular
     SurfaceDistance::AddSeeds(geometry, all.Places[i], i, seeds);
     within.emplace(all.Places[i].Triangle, i);
   }
-  const SurfaceDistance distance(geometry, seeds);
+  std::vector<Index> corners;
+  for (const Index i : from)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      corners.push_back(geometry.Mesh.Tail(3 * all.Places[i].Triangle + c));
+    }
+  }
+  const SurfaceDistance distance(geometry, seeds, std::numeric_limits<double>::infinity(),
+    SurfaceDistance::Sources::Points, corners);
   std::vector<Neighbour> nearest(from.size());
   for (std::size_t k = 0; k < from.size(); ++k)
   {

@@ -11,10 +11,9 @@ namespace DirectionFields::Internal
 {
 TextWriter& TextWriter::operator<<(double number)
 {
-  // A sign, 17 digits, a point, and an exponent of five characters.
+  // A sign, 17 digits, a point, and an exponent of five characters at most.
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(
-    digits.data(), digits.data() + digits.size(), number, std::chars_format::general, 17);
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
   this->Text.append(digits.data(), end.ptr);
   return *this;
 }

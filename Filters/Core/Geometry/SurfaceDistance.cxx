@@ -133,8 +133,8 @@ double SurfaceDistance::At(
   return nearest;
 }
 
-SurfaceDistance::SurfaceDistance(
-  const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds, double most, Sources sources)
+SurfaceDistance::SurfaceDistance(const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds,
+  double most, Sources sources, const std::vector<Index>& targets)
   : Distance(static_cast<std::size_t>(geometry.Mesh.GetNumberOfVertices()), Infinity)
   , Source(this->Distance.size(), None)
   , Kind(sources)
@@ -181,8 +181,15 @@ SurfaceDistance::SurfaceDistance(
       }
     }
   };
+  std::vector<char> isTarget(targets.empty() ? 0 : this->Distance.size(), 0);
+  std::size_t left = 0;
+  for (const Index vertex : targets)
+  {
+    left += isTarget[static_cast<std::size_t>(vertex)] == 0 ? 1 : 0;
+    isTarget[static_cast<std::size_t>(vertex)] = 1;
+  }
   std::vector<Index> fan;
-  while (!fronts.empty())
+  while (!fronts.empty() && (targets.empty() || left > 0))
   {
     const Arrival arrival = fronts.top();
     fronts.pop();
@@ -192,6 +199,7 @@ SurfaceDistance::SurfaceDistance(
       continue;
     }
     isFinal[at] = 1;
+    left -= !isTarget.empty() && isTarget[at] != 0 ? 1 : 0;
     this->Order.push_back(arrival.Vertex);
     mesh.GetFan(arrival.Vertex, fan);
     for (const Index h : fan)

@@ -43,9 +43,11 @@ public:
     Curves
   };
 
-  /// @param most fronts end at this distance
+  /// @param most    fronts end at this distance
+  /// @param targets fronts end where all of these vertices are reached, if there are any; others may not have been then
   SurfaceDistance(const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds,
-    double most = std::numeric_limits<double>::infinity(), Sources sources = Sources::Points);
+    double most = std::numeric_limits<double>::infinity(), Sources sources = Sources::Points,
+    const std::vector<Index>& targets = {});
 
   /// The distance of each vertex in the unit of its component; infinite where no front came.
   std::vector<double> Distance;
