@@ -119,6 +119,22 @@ def test_save_data():
         assert file.readline() == "4 706\n"
 
 
+def test_time_steps():
+    """Each time step of a moving surface becomes a field and a mesh of its own."""
+    files = []
+    for i, radius in enumerate((0.5, 1.0, 2.0)):
+        files.append(os.path.join(FOLDER, f"moving{i}.vtp"))
+        SaveData(files[-1], proxy=Sphere(Radius=radius), DataMode="Binary")
+        clean(f"moving_{i}")
+    field = DirectionField(Input=XMLPolyDataReader(FileName=files))
+    SaveData(os.path.join(FOLDER, "moving.rosy"), proxy=field, WriteTimeSteps=1)
+    for i, radius in enumerate((0.5, 1.0, 2.0)):
+        with open(os.path.join(FOLDER, f"moving_{i}.obj"), encoding="ascii") as file:
+            first = [line.split() for line in file if line.startswith("v ")][0]
+        assert math.isclose(math.hypot(*map(float, first[1:])), radius), (i, first)
+        assert os.path.exists(os.path.join(FOLDER, f"moving_{i}.rosy"))
+
+
 def test_round_trip():
     """What is saved is read back, with true indices, and glyphs show it."""
     field = DirectionField(Input=mesh())
@@ -201,6 +217,7 @@ def test_state():
 test_properties()
 test_labels()
 test_save_data()
+test_time_steps()
 test_round_trip()
 test_curves()
 test_composite()
