@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Meshes/Surfaces.h"
 #include "Quads/ClosestPoints.h"
 #include "Quads/FaceSmoothing.h"
 #include "Quads/Faces.h"
 #include "Quads/KeptFeatures.h"
-#include "Surfaces.h"
 
 #include <gtest/gtest.h>
 
