@@ -86,6 +86,15 @@ const SurfaceSamples& GlyphSurface::GetPlaces(const GlyphOptions& options, const
   return this->Places;
 }
 
+const std::shared_ptr<const FieldSurface>& GlyphSurface::GetFieldSurface()
+{
+  if (!this->FieldMesh)
+  {
+    this->FieldMesh = std::make_shared<const FieldSurface>(*this->Triangles);
+  }
+  return this->FieldMesh;
+}
+
 const std::vector<signed char>& GlyphSurface::GetOutwardSides()
 {
   if (!this->Sides)

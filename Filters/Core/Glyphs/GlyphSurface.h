@@ -5,6 +5,7 @@
 #define DirectionFields_GlyphSurface_h
 
 #include "Glyphs/GlyphOptions.h"
+#include "Interpolation/GivenField.h"
 #include "Progress.h"
 #include "Surface.h"
 #include "Tracing/SurfaceIncidence.h"
@@ -40,6 +41,9 @@ public:
   /// How many times places were sought.
   int GetNumberOfSamplings() const { return this->NumberOfSamplings; }
 
+  /// The mesh that fields between the points are interpolated on, in the unit of the triangles.
+  const std::shared_ptr<const FieldSurface>& GetFieldSurface();
+
   /// Of each triangle, see OutwardSides.
   const std::vector<signed char>& GetOutwardSides();
 
@@ -65,6 +69,7 @@ private:
   std::optional<SurfaceIncidence> Incidence;
   std::optional<Key> PlacesKey;
   SurfaceSamples Places;
+  std::shared_ptr<const FieldSurface> FieldMesh;
   std::optional<std::vector<signed char>> Sides;
   int NumberOfSamplings = 0;
 };

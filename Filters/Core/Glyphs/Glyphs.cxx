@@ -164,7 +164,8 @@ public:
     : Surface(surface.GetIncidence())
     , Samples(samples)
     , Options(options)
-    , Interpolation(this->Surface, field)
+    , Given(this->Surface.GetSurface(), surface.GetFieldSurface(), field)
+    , Interpolation(this->Surface, this->Given, field)
     , Degree(field.Degree)
   {
     if (options.Side == GlyphSide::Automatic)
@@ -234,6 +235,7 @@ private:
   const SurfaceIncidence& Surface;
   const SurfaceSamples& Samples;
   const GlyphOptions& Options;
+  GivenField Given;
   FieldInterpolation Interpolation;
   int Degree;
   /// Null where the outside does not matter.

@@ -3,6 +3,7 @@
 
 #include "Tracing/FieldInterpolation.h"
 
+#include "Interpolation/PowerOnTriangle.h"
 #include "Support/VectorMath.h"
 
 #include <array>
@@ -14,23 +15,6 @@ namespace
 {
 /// Where the sum of the n-th powers is less than this part of their sizes, only rounding is left.
 constexpr double LeastPart = 1e-9;
-/// Normals at two corners of a triangle with a cosine below this mean different sides of the surface;
-/// above it they may stand at a sharp feature.
-constexpr double LeastOpposite = -0.5;
-
-/// A vector orthogonal to the unit vector `from` after the least rotation that takes `from` to the
-/// unit vector `to`.
-Vector3 Carry(const Vector3& v, const Vector3& from, const Vector3& to)
-{
-  const double denominator = 1.0 + from.dot(to);
-  if (denominator < 1e-9)
-  {
-    // Half a turn, about whatever axis: that of v, which then stays.
-    return v;
-  }
-  return v - to.dot(v) / denominator * (from + to);
-}
-
 /// The corner of a triangle that is nearest to a place, the first of several.
 int NearestCorner(const SurfaceIncidence& surface, Index triangle, const Vector3& place)
 {
@@ -49,52 +33,6 @@ int NearestCorner(const SurfaceIncidence& surface, Index triangle, const Vector3
 }
 }
 
-/// What is given at the corners of a triangle.
-struct FieldInterpolation::Corners
-{
-  std::array<Vector3, 3> Direction, Normal;
-  std::array<double, 3> Magnitude;
-  /// Whether a corner has directions; what else there is of it is undefined if not.
-  std::array<bool, 3> Valid;
-
-  /// The interpolated normal, not normalized.
-  /// @param weights        of the corners
-  /// @param triangleNormal the unit normal of the triangle
-  Vector3 Blend(const std::array<double, 3>& weights, const Vector3& triangleNormal)
-  {
-    Vector3 blended = Vector3::Zero();
-    for (int c = 0; c < 3; ++c)
-    {
-      if (this->Valid[c])
-      {
-        blended += weights[c] * this->Normal[c];
-      }
-    }
-    // Around a surface that cannot be oriented there are triangles whose corners mean different
-    // sides; the directions are the same from both.
-    int clearest = 0;
-    for (int c = 0; c < 3; ++c)
-    {
-      if (this->Valid[c] &&
-        (!this->Valid[clearest] ||
-          std::abs(this->Normal[c].dot(triangleNormal)) >
-            std::abs(this->Normal[clearest].dot(triangleNormal))))
-      {
-        clearest = c;
-      }
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      if (this->Valid[c] && this->Normal[c].dot(this->Normal[clearest]) < LeastOpposite)
-      {
-        this->Normal[c] = -this->Normal[c];
-        blended += 2.0 * weights[c] * this->Normal[c];
-      }
-    }
-    return blended;
-  }
-};
-
 Vector3 DirectionsAt::Turned(int k, int degree) const
 {
   const double angle = 2.0 * Pi * k / degree;
@@ -102,8 +40,9 @@ Vector3 DirectionsAt::Turned(int k, int degree) const
 }
 
 FieldInterpolation::FieldInterpolation(
-  const SurfaceIncidence& surface, const PointDirections& field)
+  const SurfaceIncidence& surface, const GivenField& given, const PointDirections& field)
   : Surface(surface)
+  , Given(given)
   , Field(field)
 {
 }
@@ -148,20 +87,12 @@ Vector3 FieldInterpolation::Normal(
   return length > 1e-6 ? Vector3(normal / length) : AnyOrthogonal(direction);
 }
 
-FieldInterpolation::Corners FieldInterpolation::ReadCorners(Index triangle) const
+bool FieldInterpolation::CountsClockwise(Index point, Index vertex) const
 {
-  const Triangle& points = this->Surface.GetSurface().Triangles[triangle];
-  const Vector3 triangleNormal = this->Surface.Normal(triangle);
-  Corners corners;
-  for (int c = 0; c < 3; ++c)
-  {
-    corners.Valid[c] = this->Read(points[c], corners.Direction[c], corners.Magnitude[c]);
-    if (corners.Valid[c])
-    {
-      corners.Normal[c] = this->Normal(points[c], corners.Direction[c], triangleNormal);
-    }
-  }
-  return corners;
+  return this->Field.Degree > 2 &&
+    this->Field.Direction(point, 0)
+      .cross(this->Field.Direction(point, 1))
+      .dot(this->Given.GetGeometry().Frames.Normal[vertex]) < 0.0;
 }
 
 DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
@@ -169,48 +100,50 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
   DirectionsAt result;
   result.Position = place.Position(this->Surface);
   result.Normal = this->Surface.Normal(place.Triangle);
-  Corners corners = this->ReadCorners(place.Triangle);
-  const Vector3 blended = corners.Blend(place.Weights, result.Normal);
-  if (blended.dot(result.Normal) < 0.0)
-  {
-    result.Normal = -result.Normal;
-  }
-  const double length = blended.norm();
-  const Vector3 between = length > 1e-6 ? Vector3(blended / length) : result.Normal;
-  const Vector3 x = AnyOrthogonal(between);
-  const Vector3 y = between.cross(x);
-  // u, of which each corner's is carried to the plane between.
-  Complex sum = 0.0;
-  double total = 0.0;
-  std::array<double, 3> angle;
-  for (int c = 0; c < 3; ++c)
-  {
-    if (corners.Valid[c])
-    {
-      const Vector3 carried = Carry(corners.Direction[c], corners.Normal[c], between);
-      angle[c] = std::atan2(carried.dot(y), carried.dot(x));
-      const double weight = place.Weights[c] * corners.Magnitude[c];
-      sum += std::polar(weight, this->Field.Degree * angle[c]);
-      total += weight;
-    }
-  }
-  if (!(std::abs(sum) > LeastPart * total))
+  const Index triangle = this->Given.GetMeshTriangles()[place.Triangle];
+  if (triangle == None)
   {
     return result;
   }
-
+  const TriangleInSpace space = this->Given.InSpace(triangle);
+  const PowerOnTriangle power(
+    this->Given.GetGeometry(), this->Field.Degree, this->Given.GetSection().data(), triangle);
+  std::array<double, 3> weights;
+  std::array<int, 3> corners;
+  double total = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    corners[c] = this->Given.MeshCorner(triangle, c);
+    weights[corners[c]] = place.Weights[c];
+    const Index vertex = this->Given.GetMesh().Tail(3 * triangle + corners[c]);
+    total += std::abs(this->Given.GetSection()[vertex]);
+  }
+  const Complex flat = power.Flat().Place(weights);
+  const Complex value = power.At(flat);
+  result.Normal = space.Normal;
+  if (!(std::abs(value) > LeastPart * total))
+  {
+    return result;
+  }
   const int nearest = NearestCorner(this->Surface, place.Triangle, result.Position);
   result.Point = this->Surface.GetSurface().Triangles[place.Triangle][nearest];
-  result.Magnitude = std::abs(sum);
-  double root = std::arg(sum) / this->Field.Degree;
-  if (corners.Valid[nearest])
+  result.Magnitude = std::abs(value);
+  double root = std::arg(value) / this->Field.Degree;
+  const Index vertex = this->Given.GetMesh().Tail(3 * triangle + corners[nearest]);
+  if (this->Given.GetSection()[vertex] != 0.0)
   {
     // The n-th root that is nearest to direction 0 there.
+    const Complex first =
+      this->Given.GetGeometry().Frames.Tangential(vertex, this->Field.Direction(result.Point, 0));
+    const double wanted = power.AngleInFlat(corners[nearest], std::arg(first), flat);
     const double step = 2.0 * Pi / this->Field.Degree;
-    root += step * std::round((angle[nearest] - root) / step);
+    root += step * std::round((wanted - root) / step);
+    if (this->CountsClockwise(result.Point, vertex))
+    {
+      result.Normal = -result.Normal;
+    }
   }
-  const Vector3 there = std::cos(root) * x + std::sin(root) * y;
-  result.Direction = Carry(there, between, result.Normal).normalized();
+  result.Direction = space.Direction(std::polar(1.0, root));
   return result;
 }
 

@@ -26,36 +26,34 @@ struct DirectionsAt
   Vector3 Turned(int k, int degree) const;
 };
 
-/// A direction field between the points where it is given.
-///
-/// What is interpolated are not the directions, which are defined up to a turn by 2 pi / n, but
-/// their n-th powers u = |u| exp(i n phi), which are not: u(x) = sum over the triangle's corners of
-/// hat_j(x) u_j. Each u_j is first carried to the tangent plane at x by the least rotation that
-/// takes the normal at j to the normal at x, which is interpolated as well. So the field is
-/// continuous across edges, equals the given one at the points, turns with the surface, and does
-/// not depend on which of the directions comes first. A last least rotation lays it into the
-/// triangle, for what is seen is flat.
+/// A direction field between the points where it is given: that of PowerOnTriangle, which lines follow, too.
+/// It is continuous across edges, equals the given one at the points, turns with the surface, and does not
+/// depend on which of the directions comes first.
 class FieldInterpolation
 {
 public:
-  FieldInterpolation(const SurfaceIncidence& surface, const PointDirections& field);
+  /// All must outlive this.
+  /// @param given made of the surface and the field
+  FieldInterpolation(
+    const SurfaceIncidence& surface, const GivenField& given, const PointDirections& field);
 
   /// The directions at a place, in the triangle's plane. Point is the nearest corner of the triangle, and
-  /// direction k is the one nearest to direction k of that.
+  /// direction k is the one nearest to direction k of that. The normal is that of most triangles of the
+  /// component, or the opposite one where the directions count the other way around.
   DirectionsAt At(const SurfacePoint& place) const;
   /// The directions that are given at a point, in its tangent plane.
   DirectionsAt AtPoint(Index point) const;
 
 private:
-  struct Corners;
-
   /// The unit direction 0 and |u| of a point; false where it has none.
   bool Read(Index point, Vector3& direction, double& magnitude) const;
   /// Unit normal of the plane of a point's directions.
   Vector3 Normal(Index point, const Vector3& direction, const Vector3& triangleNormal) const;
-  Corners ReadCorners(Index triangle) const;
+  /// Whether the directions at a corner of a triangle of the mesh count clockwise about its normal.
+  bool CountsClockwise(Index point, Index vertex) const;
 
   const SurfaceIncidence& Surface;
+  const GivenField& Given;
   const PointDirections& Field;
 };
 }
