@@ -4,6 +4,8 @@
 #include "FuzzedField.h"
 
 #include "Bytes.h"
+#include "Interpolation/GivenField.h"
+#include "Lines/FieldLines.h"
 #include "Meshes/Soundness.h"
 #include "Meshes/Surfaces.h"
 
@@ -355,6 +357,36 @@ std::string ComputeFlaw(DirectionField& field, const Surface& surface, const Opt
     : Meshes::Flaw(surface, options, result);
 }
 
+/// What does not hold of lines along a field that was computed, read back from what it gives.
+std::string LinesFlaw(const Surface& surface, const Result& result, SeedType seeds)
+{
+  Surface output;
+  for (const Index i : result.OriginalPoint)
+  {
+    output.Points.push_back(surface.Points[i]);
+  }
+  output.Triangles = result.SplitTriangles.empty() ? surface.Triangles : result.SplitTriangles;
+  output.Ghost = surface.Ghost;
+  PointDirections directions;
+  directions.Degree = result.Degree;
+  directions.Direction = [&result](Index point, int k) { return result.Direction(point, k); };
+  directions.Magnitude = [&result](Index point) { return std::abs(result.Representation[point]); };
+  const GivenField field(output, directions);
+  LineOptions options;
+  options.Seeds = seeds;
+  options.StopAtCrossings = result.Degree % 2 == 0;
+  options.MostLines = 20;
+  const FieldLines lines = TraceFieldLines(field, directions, {}, options);
+  for (std::size_t i = 0; i < lines.Points.size(); ++i)
+  {
+    if (!lines.Points[i].allFinite() || !(std::abs(lines.Directions[i].norm() - 1.0) < 1e-6))
+    {
+      return "a line is not finite";
+    }
+  }
+  return lines.Offsets.size() == lines.Length.size() + 1 ? "" : "lines without points";
+}
+
 /// Some triangles, other ones for each byte but 0.
 std::vector<char> Ghosts(unsigned byte, std::size_t triangles)
 {
@@ -398,7 +430,9 @@ std::string FuzzedField(const std::uint8_t* data, std::size_t size)
   Result result;
   if (again % 2 == 0)
   {
-    return ComputeFlaw(field, surface, options, guidance, {}, result);
+    const std::string flaw = ComputeFlaw(field, surface, options, guidance, {}, result);
+    const SeedType seeds = again % 4 == 0 ? SeedType::EvenlySpaced : SeedType::Singularities;
+    return flaw.empty() && !result.OriginalPoint.empty() ? LinesFlaw(surface, result, seeds) : flaw;
   }
   unsigned calls = 0;
   const auto progress = [&calls, progressCalls](double)
