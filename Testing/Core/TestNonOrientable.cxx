@@ -292,7 +292,8 @@ TEST(NonOrientable, GlyphsLieAlongTheFieldWhereCornersMeanDifferentSides)
     const Result result = Compute(strip, degree);
     const SurfaceIncidence incidence(strip);
     const PointDirections field = Of(result);
-    const FieldInterpolation interpolation(incidence, field);
+    const GivenField given(strip, field);
+    const FieldInterpolation interpolation(incidence, given, field);
     int torn = 0;
     for (Index t = 0; t < incidence.GetNumberOfTriangles(); ++t)
     {
