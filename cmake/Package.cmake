@@ -84,7 +84,8 @@ file(WRITE "${debian}/shlibs"
 libvtkDirectionFieldsServerManager ${soversion} direction-fields (= ${version})
 ")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
-  ${scripts} "${debian}/shlibs" "${CMAKE_CURRENT_LIST_DIR}/Debian/triggers")
+  ${scripts} "${CMAKE_CURRENT_LIST_DIR}/Debian/prerm" "${debian}/shlibs"
+  "${CMAKE_CURRENT_LIST_DIR}/Debian/triggers")
 file(READ LICENSE license)
 string(REGEX REPLACE "\n\n" "\n.\n" license "${license}")
 string(REGEX REPLACE "\n([^\n])" "\n \\1" license "${license}")
