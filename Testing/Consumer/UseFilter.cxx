@@ -14,8 +14,8 @@
 #include <cstdlib>
 #include <iostream>
 
-// These names may be the consumer's own.
-#if __has_include(<Options.h>) || __has_include(<Types.h>) || __has_include(<DirectionField.h>)
+// These names may be the consumer's own. Options.h is in newer versions of ParaView.
+#if __has_include(<MeshError.h>) || __has_include(<Types.h>) || __has_include(<DirectionField.h>)
 #error "Headers of Direction Fields lie bare on the include path."
 #endif
 
