@@ -36,6 +36,48 @@ def symmetries(directory):
     return panels
 
 
+def what_it_does(directory):
+    """What one does with a field: a cross field that keeps the features of a part, a line field as a
+    texture, lines, and a mesh of quads."""
+    part = simple.STLReader(FileNames=[os.path.join(directory, "bracket.stl")])
+    panels = [
+        Panel(part, 4, ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 0.85), glyphs=700,
+              ConstrainSharpEdges=1, UnitLength=1),
+        Panel(bunny(directory), 2, BUNNY_CAMERA, UnitLength=1),
+        Panel(bunny(directory), 4, BUNNY_CAMERA, UnitLength=1),
+        Panel(bunny(directory), 4, BUNNY_CAMERA, UnitLength=1)]
+    part, texture, lines, quads = panels
+    for panel in panels:
+        panel.field.check_sum()
+    sharp = np.count_nonzero(part.field.kind == SHARP_EDGE)
+    assert sharp > 20, sharp
+
+    display = simple.GetRepresentation(texture.picture.surface, texture.view)
+    display.SetRepresentationType("Surface LIC")
+    display.SelectInputVectors = ["POINTS", "Direction0"]
+    display.NumberOfSteps = 60
+    display.ColorMode = "Blend"
+    display.LICIntensity = 0.6
+    display.EnhanceContrast = "LIC Only"
+    for panel in (texture, lines, quads):
+        simple.Hide(panel.picture.glyphs, panel.view)
+
+    followed = simple.DirectionFieldStreamlines(Input=lines.proxy)
+    simple.Show(followed, lines.view).LineWidth = 2.0
+    count = servermanager.Fetch(followed).GetNumberOfLines()
+    assert count > 10, count
+
+    remeshed = simple.FieldAlignedRemesh(Input=quads.proxy, NumberOfFaces=3000)
+    mesh = servermanager.Fetch(remeshed)
+    sizes = np.diff(vtk_to_numpy(mesh.GetPolys().GetOffsetsArray()))
+    assert 2400 < len(sizes) < 3600 and np.mean(sizes == 4) > 0.99, (len(sizes), np.mean(sizes == 4))
+    simple.Hide(quads.picture.surface, quads.view)
+    display = simple.Show(remeshed, quads.view)
+    display.SetRepresentationType("Surface With Edges")
+    display.EdgeColor = [0.25, 0.25, 0.28]
+    return panels
+
+
 def energies(_):
     """3.3: the Dirichlet energy against the holomorphic energy, on a torus with bumps."""
     torus = producer(meshes.torus())
@@ -278,6 +320,7 @@ def exchange(directory):
 
 
 FIGURES = {
+    "WhatItDoes": what_it_does,
     "Symmetries": symmetries,
     "Energies": energies,
     "UnitLength": unit_length,
