@@ -58,6 +58,11 @@ def test_field():
     zero = color_of(lookup, 0)
     assert max(zero) - min(zero) < 30 and min(zero) > 200, zero
 
+    # The panel Information shows the summary where other arrays have their ranges.
+    data = field.GetDataInformation(0).GetFieldDataInformation()
+    text = data.GetArrayInformation("Summary").GetRangesAsString()
+    assert " singularities (" in text and "index sum 8" in text, text
+
     # The legend names the two signs, without ticks and numbers.
     balls.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(balls.LookupTable, view)
