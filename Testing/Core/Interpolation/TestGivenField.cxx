@@ -117,7 +117,7 @@ TEST(GivenField, KeepsSeamsWhereTheDirectionsDiffer)
   EXPECT_EQ(one.GetMesh().GetComponents().size(), 1u);
   PointDirections torn = Fields::PlanarField(surface, 4, along);
   const auto direction = torn.Direction;
-  torn.Direction = [direction](Index point, int k)
+  torn.Direction = [direction](Index point, int k) -> Vector3
   { return direction(point < 16 ? point : 0, k) + (point < 16 ? 0.0 : 0.2) * Vector3::UnitX(); };
   const GivenField two(surface, torn);
   EXPECT_EQ(two.GetMesh().GetComponents().size(), 2u);
