@@ -13,10 +13,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+class vtkIdTypeArray;
+class vtkPoints;
 
 namespace DirectionFields
 {
@@ -128,6 +132,11 @@ vtkNew<ArrayT> MakeScalars(const char* name, const std::vector<Value>& values)
     });
   return array;
 }
+
+/// Points of double precision where pointDataType is VTK_DOUBLE, else of single precision.
+vtkNew<vtkPoints> MakePoints(const std::vector<Vector3>& positions, int pointDataType);
+/// The offsets or the connectivity of cells.
+vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids);
 }
 
 #endif

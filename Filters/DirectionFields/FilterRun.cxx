@@ -13,7 +13,7 @@
 namespace DirectionFields
 {
 bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkDataObject*> outputs,
-  std::string& error)
+  std::string& error, const char* remedy)
 {
   bool isWrong = true;
   try
@@ -27,7 +27,7 @@ bool RunFilter(const std::function<void()>& body, std::initializer_list<vtkDataO
   }
   catch (const std::bad_alloc&)
   {
-    error = "Out of memory. Decimate the surface or process it in parts.";
+    error = std::string(remedy) + ": there is too little memory.";
   }
   catch (const std::exception& exception)
   {

@@ -26,26 +26,9 @@ namespace DirectionFields
 {
 namespace
 {
-
-vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids)
-{
-  auto array = MakeArray<vtkIdTypeArray>("", 1, ids.size());
-  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
-  return array;
-}
-
 void AddGeometry(const GlyphMesh& mesh, int pointDataType, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  if (pointDataType == VTK_DOUBLE)
-  {
-    points->SetData(MakeVectors<vtkDoubleArray>("Points", mesh.Points));
-  }
-  else
-  {
-    points->SetData(MakeVectors<vtkFloatArray>("Points", mesh.Points));
-  }
-  output->SetPoints(points);
+  output->SetPoints(MakePoints(mesh.Points, pointDataType));
   output->GetPointData()->SetNormals(MakeVectors<vtkFloatArray>("Normals", mesh.Normals));
 
   vtkNew<vtkCellArray> cells;

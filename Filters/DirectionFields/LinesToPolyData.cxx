@@ -30,27 +30,6 @@ namespace DirectionFields
 {
 namespace
 {
-vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids)
-{
-  auto array = MakeArray<vtkIdTypeArray>("", 1, ids.size());
-  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
-  return array;
-}
-
-void AddPoints(const std::vector<Vector3>& positions, int pointDataType, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  if (pointDataType == VTK_DOUBLE)
-  {
-    points->SetData(MakeVectors<vtkDoubleArray>("Points", positions));
-  }
-  else
-  {
-    points->SetData(MakeVectors<vtkFloatArray>("Points", positions));
-  }
-  output->SetPoints(points);
-}
-
 /// An array of one component with the values that a function gives.
 template <typename ArrayT, typename Value>
 vtkNew<ArrayT> MakeValues(const char* name, std::size_t size, const Value& value)
@@ -193,7 +172,7 @@ std::vector<LineSeed> NearestPlaces(const Surface& surface, vtkPointSet* points)
 
 void AddLines(const FieldLines& lines, int pointDataType, vtkPolyData* output)
 {
-  AddPoints(lines.Points, pointDataType, output);
+  output->SetPoints(MakePoints(lines.Points, pointDataType));
   std::vector<std::int64_t> connectivity(lines.Points.size());
   std::iota(connectivity.begin(), connectivity.end(), 0);
   vtkNew<vtkCellArray> cells;
@@ -222,7 +201,7 @@ void AddNodes(const FieldLines& lines, int degree, const TriangulatedPolyData& s
   {
     positions.push_back(node.Position);
   }
-  AddPoints(positions, pointDataType, output);
+  output->SetPoints(MakePoints(positions, pointDataType));
   vtkNew<vtkCellArray> cells;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {

@@ -29,20 +29,6 @@ namespace DirectionFields
 {
 namespace
 {
-vtkNew<vtkPoints> MakePoints(const std::vector<Vector3>& places, int pointDataType)
-{
-  vtkNew<vtkPoints> points;
-  if (pointDataType == VTK_DOUBLE)
-  {
-    points->SetData(MakeVectors<vtkDoubleArray>("Points", places));
-  }
-  else
-  {
-    points->SetData(MakeVectors<vtkFloatArray>("Points", places));
-  }
-  return points;
-}
-
 int SizeOf(const std::array<Index, 4>& face)
 {
   return face[3] == None ? 3 : 4;

@@ -8,6 +8,7 @@
 #include "DefaultThreads.h"
 #include "DirectionFieldCache.h"
 #include "FieldToPolyData.h"
+#include "FilterRun.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToGuidance.h"
 #include "SingularPoints.h"
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -266,44 +266,17 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-
-  // Where nothing is to be kept, it goes whatever happens below.
-  const struct AtEnd
-  {
-    vtkDirectionField* Self;
-    ~AtEnd()
-    {
-      if (!this->Self->KeepStages)
-      {
-        this->Self->ReleaseStages();
-      }
-    }
-  } atEnd{ this };
-  const auto giveNothing = [=]
-  {
-    output->Initialize();
-    singularities->Initialize();
-  };
   std::string error;
-  try
+  const bool isRight = DirectionFields::RunFilter([&]
+    { this->ComputeOutputs(outputVector->GetInformationObject(0), input, output, singularities); },
+    { output, singularities }, error);
+  if (!this->KeepStages)
   {
-    this->ComputeOutputs(outputVector->GetInformationObject(0), input, output, singularities);
-    return 1;
+    this->ReleaseStages();
   }
-  catch (const DirectionFields::Stopped&)
+  if (!isRight)
   {
-    giveNothing();
-    return 1;
+    vtkErrorMacro(<< error);
   }
-  catch (const std::bad_alloc&)
-  {
-    error = "Out of memory. Decimate the surface or process it in parts.";
-  }
-  catch (const std::exception& exception)
-  {
-    error = exception.what();
-  }
-  vtkErrorMacro(<< error);
-  giveNothing();
-  return 0;
+  return isRight ? 1 : 0;
 }

@@ -5,6 +5,7 @@
 
 #include "AlgorithmProgress.h"
 #include "DefaultThreads.h"
+#include "FilterRun.h"
 #include "GlyphSurfaceCache.h"
 #include "GlyphsToPolyData.h"
 #include "PolyDataCheck.h"
@@ -20,7 +21,6 @@
 #include "vtkPolyData.h"
 
 #include <exception>
-#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkDirectionFieldGlyphs);
@@ -149,26 +149,13 @@ int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   std::string error;
-  try
+  if (DirectionFields::RunFilter([&] { this->DrawGlyphs(input, output); }, { output }, error,
+        "Lower Maximum Number Of Glyphs or decimate the surface"))
   {
-    this->DrawGlyphs(input, output);
     return 1;
   }
-  catch (const DirectionFields::Stopped&)
-  {
-    output->Initialize();
-    return 1;
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->ReleaseSurfaces();
-    error = "Out of memory. Lower MaximumNumberOfGlyphs or decimate the surface.";
-  }
-  catch (const std::exception& exception)
-  {
-    error = exception.what();
-  }
+  // What is kept may be what the memory lacks.
+  this->ReleaseSurfaces();
   vtkErrorMacro(<< error);
-  output->Initialize();
   return 0;
 }

@@ -5,6 +5,7 @@
 
 #include "AlgorithmProgress.h"
 #include "DefaultThreads.h"
+#include "FilterRun.h"
 #include "LinesToPolyData.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToField.h"
@@ -19,7 +20,6 @@
 #include "vtkPolyData.h"
 
 #include <exception>
-#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -155,29 +155,12 @@ int vtkDirectionFieldStreamlines::RequestData(vtkInformation* vtkNotUsed(request
     return 0;
   }
   std::string error;
-  try
+  if (DirectionFields::RunFilter([&] { this->TraceLines(input, seeds, lines, nodes); },
+        { lines, nodes }, error,
+        "Raise Separating Distance, lower Maximum Streamline Length, or decimate the surface"))
   {
-    this->TraceLines(input, seeds, lines, nodes);
     return 1;
-  }
-  catch (const DirectionFields::Stopped&)
-  {
-    lines->Initialize();
-    nodes->Initialize();
-    return 1;
-  }
-  catch (const std::bad_alloc&)
-  {
-    error =
-      "Out of memory. Raise SeparatingDistance, lower MaximumStreamlineLength, or decimate the "
-      "surface.";
-  }
-  catch (const std::exception& exception)
-  {
-    error = exception.what();
   }
   vtkErrorMacro(<< error);
-  lines->Initialize();
-  nodes->Initialize();
   return 0;
 }

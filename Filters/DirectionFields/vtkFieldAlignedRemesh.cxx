@@ -5,7 +5,7 @@
 
 #include "AlgorithmProgress.h"
 #include "FieldToPolyData.h"
-#include "GlyphsToPolyData.h"
+#include "FilterRun.h"
 #include "PolyDataCheck.h"
 #include "PolyDataToField.h"
 #include "PolyDataToGuidance.h"
@@ -19,7 +19,6 @@
 #include "vtkPolyData.h"
 
 #include <exception>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -163,43 +162,16 @@ int vtkFieldAlignedRemesh::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-  // Where nothing is to be kept, it goes whatever happens below.
-  const struct AtEnd
-  {
-    vtkFieldAlignedRemesh* Self;
-    ~AtEnd()
-    {
-      if (!this->Self->KeepStages)
-      {
-        this->Self->Last.reset();
-      }
-    }
-  } atEnd{ this };
-  const auto giveNothing = [=]
-  {
-    output->Initialize();
-    irregular->Initialize();
-  };
   std::string error;
-  try
+  const bool isRight = DirectionFields::RunFilter([&] { this->MakeMesh(input, output, irregular); },
+    { output, irregular }, error, "Lower Number Of Faces or decimate the surface");
+  if (!this->KeepStages)
   {
-    this->MakeMesh(input, output, irregular);
-    return 1;
+    this->Last.reset();
   }
-  catch (const DirectionFields::Stopped&)
+  if (!isRight)
   {
-    giveNothing();
-    return 1;
+    vtkErrorMacro(<< error);
   }
-  catch (const std::bad_alloc&)
-  {
-    error = "Out of memory. Ask for fewer faces or decimate the surface.";
-  }
-  catch (const std::exception& exception)
-  {
-    error = exception.what();
-  }
-  vtkErrorMacro(<< error);
-  giveNothing();
-  return 0;
+  return isRight ? 1 : 0;
 }

@@ -12,11 +12,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+from Properties import check_properties, check_property
+
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 FOLDER = os.path.join(sys.argv[3], "FieldTools")
 os.makedirs(FOLDER, exist_ok=True)
-# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
-UNLIMITED = 1e299
 ENUMERATIONS = {"ReadDirectionField": ["Automatic", "Cells", "Points"],
                 "DirectionFieldWriter": ["Cells", "Points"]}
 ADVANCED = {"ReadDirectionField": ["FieldOn"], "DirectionFieldWriter": [],
@@ -52,38 +52,15 @@ def make(name):
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
-    for filter, figures in expected.items():
-        proxy = make(filter)
-        for name, figure in figures.items():
-            property = proxy.SMProxy.GetProperty(name)
-            assert property.GetElement(0) == figure["default"], (filter, name)
-            if "min" not in figure:
-                assert property.GetDomain("bool"), name
-            elif name == "FieldOn":
-                domain = property.GetDomain("enum")
-                entries = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
-                assert entries == ENUMERATIONS[filter], entries
-                assert (figure["min"], figure["max"]) == (0, len(entries) - 1), name
-            else:
-                domain = property.GetDomain("range")
-                assert domain.GetMinimumExists(0) and domain.GetMinimum(0) == figure["min"], name
-                assert bool(domain.GetMaximumExists(0)) == (figure["max"] < UNLIMITED), name
-                if figure["max"] < UNLIMITED:
-                    assert domain.GetMaximum(0) == figure["max"], name
-            assert property.GetPanelVisibility() == (
-                "advanced" if name in ADVANCED[filter] else "default"), name
-        if filter == "DirectionFieldWriter":
+    for name, figures in expected.items():
+        proxy = make(name)
+        enumerations = {"FieldOn": ENUMERATIONS.get(name)}
+        if name == "DirectionFieldWriter":
+            for own in figures:
+                check_property(proxy.SMProxy.GetProperty(own), own, figures[own], enumerations)
             continue
-        names = [name for name in proxy.ListProperties()
-                 if name not in ("Input", "Curves", "Other", "FileName")]
-        assert sorted(names) == sorted(figures), names
-        for name in proxy.ListProperties():
-            documentation = proxy.SMProxy.GetProperty(name).GetDocumentation()
-            assert documentation and documentation.GetDescription().strip(), name
-        documentation = proxy.SMProxy.GetDocumentation()
-        for text in (documentation.GetDescription(), documentation.GetShortHelp(),
-                     documentation.GetLongHelp()):
-            assert text and text.strip()
+        check_properties(proxy, figures, enumerations, ADVANCED[name],
+                         others=("Input", "Curves", "Other", "FileName"))
         hints = proxy.SMProxy.GetHints()
         assert hints.FindNestedElementByName("ShowInMenu").GetAttribute(
             "category") == "Direction Fields"

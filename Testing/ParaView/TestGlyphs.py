@@ -11,6 +11,8 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+from Properties import check_properties
+
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 ENUMERATIONS = {
@@ -19,8 +21,6 @@ ENUMERATIONS = {
     "Side": ["Automatic", "Front", "Back", "Both"],
 }
 ADVANCED = ("Side", "Offset", "FollowSurface")
-# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
-UNLIMITED = 1e299
 
 
 def make(degree=4, **properties):
@@ -36,34 +36,7 @@ def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     _, glyphs = make()
     expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
-    properties = [name for name in glyphs.ListProperties() if name != "Input"]
-    assert sorted(properties) == sorted(expected), properties
-    for name, figures in expected.items():
-        proxy = glyphs.SMProxy.GetProperty(name)
-        assert proxy.GetElement(0) == figures["default"], (name, proxy.GetElement(0))
-        if "min" not in figures:
-            assert proxy.GetDomain("bool"), name
-        elif name in ENUMERATIONS:
-            domain = proxy.GetDomain("enum")
-            entries = [(domain.GetEntryValue(i), domain.GetEntryText(i))
-                       for i in range(domain.GetNumberOfEntries())]
-            assert entries == list(enumerate(ENUMERATIONS[name])), entries
-            assert (entries[0][0], entries[-1][0]) == (figures["min"], figures["max"]), name
-        else:
-            domain = proxy.GetDomain("range")
-            assert domain.GetMinimumExists(0) and domain.GetMinimum(0) == figures["min"], name
-            assert bool(domain.GetMaximumExists(0)) == (figures["max"] < UNLIMITED), name
-            if figures["max"] < UNLIMITED:
-                assert domain.GetMaximum(0) == figures["max"], name
-        assert proxy.GetPanelVisibility() == (
-            "advanced" if name in ADVANCED else "default"), name
-    for name in ["Input"] + properties:
-        documentation = glyphs.SMProxy.GetProperty(name).GetDocumentation()
-        assert documentation and documentation.GetDescription().strip(), name
-    documentation = glyphs.SMProxy.GetDocumentation()
-    for text in (documentation.GetDescription(), documentation.GetShortHelp(),
-                 documentation.GetLongHelp()):
-        assert text and text.strip()
+    check_properties(glyphs, expected, ENUMERATIONS, ADVANCED)
 
 
 def test_panel():

@@ -10,6 +10,8 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+from Properties import check_properties
+
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 
@@ -31,49 +33,13 @@ ENUMERATIONS = {
     "MergePoints": ["Off", "On", "Automatic"],
     "Solver": ["Automatic", "Multigrid", "Direct"],
 }
-# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
-UNLIMITED = 1e299
 
 
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     field = DirectionField(Input=Sphere())
     expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
-    properties = [name for name in field.ListProperties() if name != "Input"]
-    assert sorted(properties) == sorted(expected), properties
-    for name, figures in expected.items():
-        proxy = field.SMProxy.GetProperty(name)
-        value = proxy.GetElement(0)
-        if figures["default"] is None:
-            assert value in ("", "None"), (name, value)
-            assert proxy.GetDomain("array_list"), name
-            continue
-        assert value == figures["default"], (name, value)
-        if "min" not in figures:
-            assert proxy.GetDomain("bool"), name
-        elif name in ENUMERATIONS:
-            domain = proxy.FindDomain("vtkSMEnumerationDomain")
-            entries = [(domain.GetEntryValue(i), domain.GetEntryText(i))
-                       for i in range(domain.GetNumberOfEntries())]
-            assert entries == list(enumerate(ENUMERATIONS[name])), entries
-            assert (entries[0][0], entries[-1][0]) == (figures["min"], figures["max"]), name
-        else:
-            domain = proxy.GetDomain("range")
-            assert domain.GetMinimumExists(0), name
-            assert domain.GetMinimum(0) == figures["min"], name
-            assert bool(domain.GetMaximumExists(0)) == (figures["max"] < UNLIMITED), name
-            if figures["max"] < UNLIMITED:
-                assert domain.GetMaximum(0) == figures["max"], name
-    for name in ["Input"] + properties:
-        documentation = field.SMProxy.GetProperty(name).GetDocumentation()
-        assert documentation and documentation.GetDescription().strip(), name
-    documentation = field.SMProxy.GetDocumentation()
-    for text in (documentation.GetDescription(), documentation.GetShortHelp(),
-                 documentation.GetLongHelp()):
-        assert text and text.strip()
-    for name in properties:
-        visibility = field.SMProxy.GetProperty(name).GetPanelVisibility()
-        assert visibility == ("advanced" if name in ADVANCED else "default"), (name, visibility)
+    check_properties(field, expected, ENUMERATIONS, ADVANCED)
     Delete(field)
 
 

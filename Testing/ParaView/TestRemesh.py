@@ -10,6 +10,8 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+from Properties import check_properties
+
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 ENUMERATIONS = {
@@ -17,7 +19,6 @@ ENUMERATIONS = {
     "SizeMode": ["Number Of Faces", "Edge Length"],
 }
 ADVANCED = ("SizingArray", "SmoothingIterations", "KeepStages", "NumberOfThreads")
-UNLIMITED = 1e299
 
 
 def number(data, name):
@@ -28,24 +29,7 @@ def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     remesh = FieldAlignedRemesh(Input=Sphere())
     expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
-    properties = [name for name in remesh.ListProperties() if name != "Input"]
-    assert sorted(properties) == sorted(expected), properties
-    for name, figures in expected.items():
-        proxy = remesh.SMProxy.GetProperty(name)
-        assert proxy.GetElement(0) == figures["default"], (name, proxy.GetElement(0))
-        if name in ENUMERATIONS:
-            domain = proxy.GetDomain("enum")
-            entries = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
-            assert entries == ENUMERATIONS[name], entries
-        elif "min" in figures:
-            domain = proxy.GetDomain("range")
-            assert domain.GetMinimumExists(0) and domain.GetMinimum(0) == figures["min"], name
-            assert bool(domain.GetMaximumExists(0)) == (figures["max"] < UNLIMITED), name
-        assert proxy.GetPanelVisibility() == (
-            "advanced" if name in ADVANCED else "default"), name
-    for name in ["Input"] + properties:
-        documentation = remesh.SMProxy.GetProperty(name).GetDocumentation()
-        assert documentation and documentation.GetDescription().strip(), name
+    check_properties(remesh, expected, ENUMERATIONS, ADVANCED)
 
 
 def test_scan():

@@ -11,6 +11,8 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+from Properties import check_properties
+
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 ENUMERATIONS = {
@@ -22,8 +24,6 @@ ADVANCED = ("SeedSource", "SeparatingDistanceRatio", "MinimumStreamlineLength",
 # Which properties are shown for which seed type only.
 SHOWN_FOR = {"SeparatingDistance": "0", "SeparatingDistanceRatio": "0", "StopAtCrossings": "1",
              "IntegrationDirection": "2"}
-# A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
-UNLIMITED = 1e299
 
 
 def make(degree=4, **properties):
@@ -35,40 +35,13 @@ def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     _, lines = make()
     expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
-    properties = [name for name in lines.ListProperties() if name not in ("Input", "SeedSource")]
-    assert sorted(properties) == sorted(expected), properties
-    for name, figures in expected.items():
-        proxy = lines.SMProxy.GetProperty(name)
-        assert proxy.GetElement(0) == figures["default"], (name, proxy.GetElement(0))
-        if "min" not in figures:
-            assert proxy.GetDomain("bool"), name
-        elif name in ENUMERATIONS:
-            domain = proxy.GetDomain("enum")
-            entries = [(domain.GetEntryValue(i), domain.GetEntryText(i))
-                       for i in range(domain.GetNumberOfEntries())]
-            assert entries == list(enumerate(ENUMERATIONS[name])), entries
-            assert (entries[0][0], entries[-1][0]) == (figures["min"], figures["max"]), name
-        else:
-            domain = proxy.GetDomain("range")
-            assert domain.GetMinimumExists(0) and domain.GetMinimum(0) == figures["min"], name
-            assert bool(domain.GetMaximumExists(0)) == (figures["max"] < UNLIMITED), name
-            if figures["max"] < UNLIMITED:
-                assert domain.GetMaximum(0) == figures["max"], name
-    for name in ["Input", "SeedSource"] + properties:
-        proxy = lines.SMProxy.GetProperty(name)
-        assert name == "Input" or proxy.GetPanelVisibility() == (
-            "advanced" if name in ADVANCED else "default"), name
-        documentation = proxy.GetDocumentation()
-        assert documentation and documentation.GetDescription().strip(), name
-        if name in SHOWN_FOR:
-            decorator = proxy.GetHints().FindNestedElementByName("PropertyWidgetDecorator")
-            assert [decorator.GetAttribute(key)
-                    for key in ("type", "mode", "property", "value")] == [
-                        "GenericDecorator", "visibility", "SeedType", SHOWN_FOR[name]], name
-    documentation = lines.SMProxy.GetDocumentation()
-    for text in (documentation.GetDescription(), documentation.GetShortHelp(),
-                 documentation.GetLongHelp()):
-        assert text and text.strip()
+    check_properties(lines, expected, ENUMERATIONS, ADVANCED, others=("Input", "SeedSource"))
+    for name, seeds in SHOWN_FOR.items():
+        decorator = lines.SMProxy.GetProperty(name).GetHints().FindNestedElementByName(
+            "PropertyWidgetDecorator")
+        assert [decorator.GetAttribute(key)
+                for key in ("type", "mode", "property", "value")] == [
+                    "GenericDecorator", "visibility", "SeedType", seeds], name
 
 
 def test_menu():
