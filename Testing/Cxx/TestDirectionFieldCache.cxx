@@ -82,79 +82,79 @@ PolyMeshes::Mesh WithVectors(PolyMeshes::Mesh mesh)
 }
 
 /// The settings, each of which is made on top of the ones before it.
-void TestSettings()
+const std::vector<Settings> Changes = {
+  [](vtkDirectionField*) {},
+  [](vtkDirectionField* filter)
+  { filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE); },
+  [](vtkDirectionField* filter) { filter->SetAlignmentStrength(0.8); },
+  [](vtkDirectionField* filter) { filter->ConstrainBoundaryOn(); },
+  [](vtkDirectionField* filter) { filter->SetConstraintSolver(vtkDirectionField::LEAST_SQUARES); },
+  [](vtkDirectionField* filter) { filter->SetDegree(2); },
+  [](vtkDirectionField* filter)
+  { filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE); },
+  [](vtkDirectionField* filter) { filter->SetCurvatureDirection(vtkDirectionField::MOST_BENT); },
+  [](vtkDirectionField* filter) { filter->SetCurvatureScale(4.0); },
+  [](vtkDirectionField* filter)
+  {
+    filter->ConstrainSharpEdgesOn();
+    filter->SetFeatureAngle(6.0);
+  },
+  [](vtkDirectionField* filter) { filter->SetFeatureAngle(8.0); },
+  [](vtkDirectionField* filter)
+  {
+    filter->ConstrainSharpEdgesOff();
+    filter->ConstrainCurvatureOn();
+    filter->SetCurvatureTolerance(0.4);
+  },
+  // With these limits there are constraints everywhere, also where they wind.
+  [](vtkDirectionField* filter)
+  {
+    filter->SetCurvatureTolerance(0.0);
+    filter->SetConsistencyAngle(180.0);
+  },
+  [](vtkDirectionField* filter) { filter->DropConstraintsAtSingularitiesOn(); },
+  [](vtkDirectionField* filter) { filter->SetConsistencyAngle(10.0); },
+  [](vtkDirectionField* filter)
+  {
+    filter->ConstrainCurvatureOff();
+    filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
+    filter->SetGuidanceVectors("vectors");
+    filter->SetDegree(6);
+  },
+  [](vtkDirectionField* filter) { filter->SetEnergyBias(0.5); },
+  [](vtkDirectionField* filter)
+  {
+    filter->UseShiftOn();
+    filter->SetShift(7.0);
+  },
+  [](vtkDirectionField* filter) { filter->ConstrainBoundaryOff(); },
+  [](vtkDirectionField* filter) { filter->SetTolerance(1e-9); },
+  [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_MULTIGRID); },
+  [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_DIRECT); },
+  [](vtkDirectionField* filter)
+  {
+    filter->UnitLengthOn();
+    filter->SetSingularityCost(1.5);
+  },
+  [](vtkDirectionField* filter)
+  {
+    filter->IntrinsicDelaunayOn();
+    filter->CellDirectionsOn();
+  },
+  [](vtkDirectionField* filter)
+  {
+    filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
+    filter->SetDegree(4);
+    filter->SetEnergyBias(0.0);
+    filter->SetTolerance(1e-6);
+    filter->IntrinsicDelaunayOff();
+    filter->CellDirectionsOff();
+  },
+};
+
+/// A stretched surface, so that some edges are not Delaunay, and open, so that it has a boundary.
+vtkSmartPointer<vtkPolyData> StretchedSurface()
 {
-  const std::vector<Settings> changes = {
-    [](vtkDirectionField*) {},
-    [](vtkDirectionField* filter)
-    { filter->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE); },
-    [](vtkDirectionField* filter) { filter->SetAlignmentStrength(0.8); },
-    [](vtkDirectionField* filter) { filter->ConstrainBoundaryOn(); },
-    [](vtkDirectionField* filter)
-    { filter->SetConstraintSolver(vtkDirectionField::LEAST_SQUARES); },
-    [](vtkDirectionField* filter) { filter->SetDegree(2); },
-    [](vtkDirectionField* filter)
-    { filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE); },
-    [](vtkDirectionField* filter) { filter->SetCurvatureDirection(vtkDirectionField::MOST_BENT); },
-    [](vtkDirectionField* filter) { filter->SetCurvatureScale(4.0); },
-    [](vtkDirectionField* filter)
-    {
-      filter->ConstrainSharpEdgesOn();
-      filter->SetFeatureAngle(6.0);
-    },
-    [](vtkDirectionField* filter) { filter->SetFeatureAngle(8.0); },
-    [](vtkDirectionField* filter)
-    {
-      filter->ConstrainSharpEdgesOff();
-      filter->ConstrainCurvatureOn();
-      filter->SetCurvatureTolerance(0.4);
-    },
-    // With these limits there are constraints everywhere, also where they wind.
-    [](vtkDirectionField* filter)
-    {
-      filter->SetCurvatureTolerance(0.0);
-      filter->SetConsistencyAngle(180.0);
-    },
-    [](vtkDirectionField* filter) { filter->DropConstraintsAtSingularitiesOn(); },
-    [](vtkDirectionField* filter) { filter->SetConsistencyAngle(10.0); },
-    [](vtkDirectionField* filter)
-    {
-      filter->ConstrainCurvatureOff();
-      filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
-      filter->SetGuidanceVectors("vectors");
-      filter->SetDegree(6);
-    },
-    [](vtkDirectionField* filter) { filter->SetEnergyBias(0.5); },
-    [](vtkDirectionField* filter)
-    {
-      filter->UseShiftOn();
-      filter->SetShift(7.0);
-    },
-    [](vtkDirectionField* filter) { filter->ConstrainBoundaryOff(); },
-    [](vtkDirectionField* filter) { filter->SetTolerance(1e-9); },
-    [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_MULTIGRID); },
-    [](vtkDirectionField* filter) { filter->SetSolver(vtkDirectionField::SOLVER_DIRECT); },
-    [](vtkDirectionField* filter)
-    {
-      filter->UnitLengthOn();
-      filter->SetSingularityCost(1.5);
-    },
-    [](vtkDirectionField* filter)
-    {
-      filter->IntrinsicDelaunayOn();
-      filter->CellDirectionsOn();
-    },
-    [](vtkDirectionField* filter)
-    {
-      filter->SetAlignment(vtkDirectionField::ALIGN_NONE);
-      filter->SetDegree(4);
-      filter->SetEnergyBias(0.0);
-      filter->SetTolerance(1e-6);
-      filter->IntrinsicDelaunayOff();
-      filter->CellDirectionsOff();
-    },
-  };
-  // The surface is stretched, so that some edges are not Delaunay, and open, so that it has a boundary.
   auto mesh = WithVectors(PolyMeshes::Pebble(3));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -172,10 +172,17 @@ void TestSettings()
     hidden->SetValue(i, bounds[4] > 0.5 ? vtkDataSetAttributes::HIDDENCELL : 0);
   }
   mesh->GetCellData()->AddArray(hidden);
+  return mesh;
+}
+
+/// After every change the field is the one that a new filter computes.
+void TestSettings()
+{
+  const auto mesh = StretchedSurface();
   vtkNew<vtkDirectionField> filter;
   filter->SetInputData(mesh);
   vtkNew<vtkDoubleArray> last;
-  for (const Settings& change : changes)
+  for (const Settings& change : Changes)
   {
     change(filter);
     filter->Update();

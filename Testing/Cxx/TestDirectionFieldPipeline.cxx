@@ -19,7 +19,7 @@ using namespace Checks;
 
 namespace
 {
-void TestParameters()
+void TestDefaults()
 {
   vtkNew<vtkDirectionField> filter;
   CHECK(filter->GetDegree() == 4);
@@ -54,7 +54,11 @@ void TestParameters()
   CHECK(filter->GetConstraintSolver() == vtkDirectionField::ENERGY);
   CHECK(filter->GetNumberOfInputPorts() == 1);
   CHECK(filter->GetNumberOfOutputPorts() == 2);
+}
 
+void TestPrinting()
+{
+  vtkNew<vtkDirectionField> filter;
   filter->SetDegree(3);
   filter->SetEnergyBias(0.25);
   filter->SetTolerance(1e-4);
@@ -99,7 +103,11 @@ void TestParameters()
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
+}
 
+void TestRanges()
+{
+  vtkNew<vtkDirectionField> filter;
   filter->SetDegree(0);
   CHECK(filter->GetDegree() == 1);
   filter->SetDegree(17);
@@ -410,7 +418,9 @@ void TestComposite()
 
 int TestDirectionFieldPipeline(int, char*[])
 {
-  TestParameters();
+  TestDefaults();
+  TestPrinting();
+  TestRanges();
   TestProgress();
   TestAbort();
   TestRepetition();
