@@ -6,6 +6,7 @@
 #include "DisplayHints.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
+#include "vtkSMDirectionFieldRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -96,5 +97,9 @@ void vtkSMDirectionFieldDisplay::PostInitializeProxy(
         element, "Glyph", [&](vtkPVXMLElement* glyph) { ChooseGlyph(proxy, glyph, isFree); });
       display_hints::SetProperties(proxy, element, isFree);
     });
+  if (auto* representation = vtkSMDirectionFieldRepresentationProxy::SafeDownCast(proxy))
+  {
+    representation->ColorWhereThereAreValues();
+  }
   proxy->UpdateVTKObjects();
 }

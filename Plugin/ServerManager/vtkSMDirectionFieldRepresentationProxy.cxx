@@ -5,8 +5,12 @@
 
 #include "DisplayHints.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVGeneralSettings.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionProxy.h"
 
 #include <cstring>
@@ -53,6 +57,61 @@ bool vtkSMDirectionFieldRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* 
       });
   }
   return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSMDirectionFieldRepresentationProxy::HasArray(int association, const std::string& name)
+{
+  const vtkSMPropertyHelper input(this, "Input");
+  auto* producer = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  return producer &&
+    producer->GetDataInformation(input.GetOutputPort())
+      ->GetArrayInformation(name.c_str(), association);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::ColorWhereThereAreValues()
+{
+  this->AwaitedArray.clear();
+  if (!this->GetUsingScalarColoring())
+  {
+    return;
+  }
+  vtkSMPropertyHelper coloring(this, "ColorArrayName");
+  const char* name = coloring.GetInputArrayNameToProcess();
+  const int association = coloring.GetInputArrayAssociation();
+  if (name && !this->HasArray(association, name))
+  {
+    this->AwaitedArray = name;
+    this->AwaitedAssociation = association;
+    coloring.SetInputArrayToProcess(association, "");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
+{
+  this->Superclass::ViewUpdated(view);
+  if (this->AwaitedArray.empty())
+  {
+    return;
+  }
+  const bool isColored = this->GetUsingScalarColoring();
+  if (!isColored && !this->HasArray(this->AwaitedAssociation, this->AwaitedArray))
+  {
+    return;
+  }
+  const std::string array = this->AwaitedArray;
+  this->AwaitedArray.clear();
+  if (!isColored && this->SetScalarColoring(array.c_str(), this->AwaitedAssociation))
+  {
+    this->UpdateVTKObjects();
+    if (vtkPVGeneralSettings::GetInstance()->GetScalarBarMode() ==
+      vtkPVGeneralSettings::AUTOMATICALLY_SHOW_AND_HIDE_SCALAR_BARS)
+    {
+      this->SetScalarBarVisibility(view, true);
+    }
+  }
 }
 
 #if !__has_include("vtkSMColorMapEditorHelper.h")

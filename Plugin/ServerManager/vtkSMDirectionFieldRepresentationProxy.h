@@ -15,6 +15,8 @@
 #include "vtkDirectionFieldsServerManagerModule.h" // For export macro
 #include "vtkSMPVRepresentationProxy.h"
 
+#include <string>
+
 class VTKDIRECTIONFIELDSSERVERMANAGER_EXPORT vtkSMDirectionFieldRepresentationProxy
   : public vtkSMPVRepresentationProxy
 {
@@ -27,6 +29,18 @@ public:
    * Shows or hides the legend. One that is made here gets the properties of the hints' Legend.
    */
   bool SetScalarBarVisibility(vtkSMProxy* view, bool visible) override;
+
+  /**
+   * Takes the coloring back where its array is not there, which newer ParaViews warn of, as that of
+   * singularities where a field has none. It comes when the array does, unless another one was
+   * chosen meanwhile.
+   */
+  void ColorWhereThereAreValues();
+
+  /**
+   * Called by a view after its data are up to date, before it draws.
+   */
+  void ViewUpdated(vtkSMProxy* view) override;
 
 protected:
   vtkSMDirectionFieldRepresentationProxy();
@@ -46,6 +60,12 @@ protected:
 #endif
 
 private:
+  bool HasArray(int association, const std::string& name);
+
+  /// The array to color by once there is one of that name; empty: none.
+  std::string AwaitedArray;
+  int AwaitedAssociation = 0;
+
   vtkSMDirectionFieldRepresentationProxy(const vtkSMDirectionFieldRepresentationProxy&) = delete;
   void operator=(const vtkSMDirectionFieldRepresentationProxy&) = delete;
 };

@@ -151,12 +151,13 @@ def test_no_singularity():
     field, _, balls = shown_field(view, simple.Plane(XResolution=20, YResolution=20))
     assert field.GetDataInformation(1).GetNumberOfPoints() == 0
     path = picture_of(view, "ApplyNone.png")
-    assert pixels(path, red) + pixels(path, blue) == 0
+    assert pixels(path, red) + pixels(path, blue) == 0 and not balls.ColorArrayName[1]
     field.Degree = 1
     field.ConstrainBoundary = 1
     field.UpdatePipeline()
     assert field.GetDataInformation(1).GetNumberOfPoints() > 0
     assert pixels(picture_of(view, "ApplySome.png"), red) > 10
+    assert balls.ColorArrayName[:] == ["POINTS", "SingularityIndex"]
     simple.ResetSession()
 
 
