@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The surfaces of the gallery's figures, as vtkPolyData."""
 
+import itertools
 import math
 
 import numpy as np
@@ -9,8 +10,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataConnectivityFilter
-from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
-from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 
 
 def polydata(points, triangles):
@@ -31,6 +30,18 @@ def closed(points, triangles):
     a, b, c = (points[triangles[:, k]] for k in range(3))
     volume = np.sum(a * np.cross(b, c))
     return polydata(points, triangles if volume > 0.0 else triangles[:, ::-1])
+
+
+def ordered(points, triangles):
+    """Points by their coordinates, triangles by their points: versions of VTK number what their
+    filters make differently, and noise and the places of glyphs follow the numbers."""
+    order = np.lexsort(np.round(points, 4).T)
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = np.arange(len(order))
+    triangles = number[triangles]
+    first = np.argmin(triangles, axis=1)
+    turned = triangles[np.arange(len(triangles))[:, None], (first[:, None] + np.arange(3)) % 3]
+    return points[order], turned[np.lexsort(turned.T[::-1])]
 
 
 def grid_triangles(columns, rows, wrap_columns=False, wrap_rows=False):
@@ -78,19 +89,38 @@ def disk(cells=24):
     return polydata(np.column_stack([p, np.zeros(len(p))]), triangles)
 
 
-def icosahedron(subdivisions=4):
+def icosahedron(subdivisions=16):
     """An icosahedron whose flat faces are subdivided."""
-    solid = vtkPlatonicSolidSource()
-    solid.SetSolidTypeToIcosahedron()
-    fine = vtkLinearSubdivisionFilter()
-    fine.SetNumberOfSubdivisions(subdivisions)
-    fine.SetInputConnection(solid.GetOutputPort())
-    fine.Update()
-    mesh = fine.GetOutput()
-    # The solid's own scalars are of no concern here.
-    return closed(
-        vtk_to_numpy(mesh.GetPoints().GetData()).astype(float),
-        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+    golden = 0.5 * (1.0 + math.sqrt(5.0))
+    corners = np.array([
+        np.roll((0.0, y, z * golden), turn)
+        for turn in range(3) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+    faces = [
+        face for face in itertools.combinations(range(12), 3)
+        if all(np.linalg.norm(corners[a] - corners[b]) < 2.1
+               for a, b in itertools.combinations(face, 2))]
+    # Weights in whole numbers, so that the points of an edge are the same from both its faces.
+    number = {}
+    triangles = []
+
+    def point(face, *weights):
+        key = frozenset((v, w) for v, w in zip(face, weights) if w > 0)
+        return number.setdefault(key, len(number))
+
+    n = subdivisions
+    for face in faces:
+        if np.linalg.det(corners[list(face)]) < 0.0:
+            face = face[::-1]
+        for i in range(n):
+            for j in range(n - i):
+                k = n - i - j
+                a, b = point(face, k, i, j), point(face, k - 1, i + 1, j)
+                c = point(face, k - 1, i, j + 1)
+                triangles.append((a, b, c))
+                if k > 1:
+                    triangles.append((b, point(face, k - 2, i + 1, j + 1), c))
+    points = [sum(w * corners[v] for v, w in key) / (n * golden) for key in number]
+    return closed(*ordered(np.array(points), np.array(triangles)))
 
 
 def plate(around=192, across=60, radius=0.6, bevel=0.15):
@@ -135,7 +165,8 @@ def noisy_part(resolution=60, noise=0.006, seed=7):
     largest.SetExtractionModeToLargestRegion()
     largest.Update()
     mesh = largest.GetOutput()
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    points, triangles = ordered(
+        vtk_to_numpy(mesh.GetPoints().GetData()).astype(float),
+        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3))
     points += noise * np.random.RandomState(seed).standard_normal(points.shape)
-    return closed(
-        points, vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+    return closed(points, triangles)
