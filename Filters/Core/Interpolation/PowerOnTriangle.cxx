@@ -23,12 +23,13 @@ FlatTriangle::FlatTriangle(const IntrinsicGeometry& geometry, Index triangle)
   this->Corners[1] = base;
   this->Corners[2] =
     Complex(0.5 * (squared[0] + squared[2] - squared[1]) / base, 2.0 * this->Area_ / base);
+  const double perArea = 0.5 / this->Area_;
   for (int c = 0; c < 3; ++c)
   {
     const Complex edge = this->Corners[(c + 1) % 3] - this->Corners[c];
-    this->Edges[c] = edge / std::sqrt(std::norm(edge));
+    this->Edges[c] = edge * (1.0 / std::sqrt(std::norm(edge)));
     const Complex opposite = this->Corners[(c + 2) % 3] - this->Corners[(c + 1) % 3];
-    this->Slopes[c] = Complex(-opposite.imag(), opposite.real()) / (2.0 * this->Area_);
+    this->Slopes[c] = Complex(-opposite.imag(), opposite.real()) * perArea;
   }
 }
 
@@ -70,7 +71,7 @@ Complex PowerOnTriangle::At(const Complex& place) const
     if (this->Excess[c] != 0.0)
     {
       const double turn = this->N * this->Excess[c] * this->RayAngle(c, place);
-      power *= Complex(std::cos(turn), std::sin(turn));
+      power *= UnitNumber(turn);
     }
     sum += power;
   }
@@ -90,7 +91,7 @@ PowerOnTriangle::Jet PowerOnTriangle::JetAt(const Complex& place) const
     {
       const double factor = this->N * this->Excess[c];
       const double turn = factor * this->RayAngle(c, place);
-      power *= Complex(std::cos(turn), std::sin(turn));
+      power *= UnitNumber(turn);
       turning = factor * weight / (place - this->Shape.Corner(c));
     }
     jet.Value += weight * power;

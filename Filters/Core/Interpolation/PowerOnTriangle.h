@@ -7,6 +7,7 @@
 #include "Geometry/IntrinsicGeometry.h"
 
 #include <array>
+#include <cmath>
 
 namespace DirectionFields::Internal
 {
@@ -111,6 +112,46 @@ private:
   /// 1 - s_c, and theta_c.
   std::array<double, 3> Excess, ConeAngle;
 };
+
+/// exp(i angle). Small angles, which are almost all there are on fine meshes, take a third of the time.
+inline Complex UnitNumber(double angle)
+{
+  constexpr double small = 0.25;
+  if (!(std::abs(angle) < small))
+  {
+    return { std::cos(angle), std::sin(angle) };
+  }
+  // Taylor series; what is left out is less than rounding.
+  const double x = angle * angle;
+  const double cosine = 1.0 +
+    x *
+      (-1.0 / 2 +
+        x *
+          (1.0 / 24 + x * (-1.0 / 720 + x * (1.0 / 40320 + x * (-1.0 / 3628800 + x / 479001600)))));
+  const double sine = 1.0 +
+    x *
+      (-1.0 / 6 + x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880 + x * (-1.0 / 39916800)))));
+  return { cosine, angle * sine };
+}
+
+/// The argument of a complex number, -pi to pi. Small ones take a third of the time.
+inline double AngleOf(const Complex& z)
+{
+  constexpr double small = 0.1;
+  if (!(z.real() > 0.0 && std::abs(z.imag()) < small * z.real()))
+  {
+    return std::atan2(z.imag(), z.real());
+  }
+  const double tangent = z.imag() / z.real();
+  const double x = tangent * tangent;
+  return tangent *
+    (1.0 +
+      x *
+        (-1.0 / 3 +
+          x *
+            (1.0 / 5 +
+              x * (-1.0 / 7 + x * (1.0 / 9 + x * (-1.0 / 11 + x * (1.0 / 13 - x / 15)))))));
+}
 
 /// An integer power of a complex number.
 inline Complex IntegerPower(Complex base, int exponent)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <deque>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -22,12 +23,14 @@ namespace
 /// number for any number of threads.
 constexpr std::size_t MostAtOnce = 48;
 constexpr std::size_t PartAtOnce = 6;
-/// Places that are looked at at once for gaps.
-constexpr Index PlacesAtOnce = 1 << 13;
+/// Places that are looked at at once for gaps, by one thread.
 constexpr Index FewPlaces = 256;
 /// Seeds are at least this part of the spacing away from other lines: the distance through space, from a
 /// point that is the spacing away along the surface, is a little less than that.
 constexpr double SeedPart = 0.95;
+/// Where a line is this part of the spacing away from the point straight beside another line, the way over
+/// the surface, which takes much longer, would lead to no seed either.
+constexpr double SurelyTakenPart = 0.6;
 /// No other seed is tried nearer to one whose line was too short.
 constexpr double DeadPart = 0.25;
 
@@ -54,42 +57,37 @@ public:
     , Grid(this->Spaced.MakeGrid())
     , Dead(this->Spaced.MakeGrid())
   {
+    for (int k = 0; k < NumberOfFamilies(field.GetDegree()); ++k)
+    {
+      this->Turns.push_back(std::polar(1.0, 2.0 * Pi * k / field.GetDegree()));
+    }
   }
 
   std::vector<TracedLine> Run(const Progress& progress)
   {
-    const std::vector<SeedPlace> places =
+    std::vector<SeedPlace> places =
       SeedPlaces(this->Field, this->Component, this->Options.Spacing, this->Excluded);
-    const int families = NumberOfFamilies(this->Field.GetDegree());
-    const auto count = static_cast<Index>(places.size());
-    std::vector<char> isOpen;
-    for (Index first = 0; first < count && !this->IsFull(); first += PlacesAtOnce)
+    const auto isLater = [](const SeedPlace& a, const SeedPlace& b)
     {
-      const Index end = std::min(count, first + PlacesAtOnce);
-      isOpen.assign((end - first) * families, 0);
-      ParallelFor(end - first, FewPlaces,
-        [&](Index from, Index to)
-        {
-          for (Index i = from; i < to; ++i)
-          {
-            for (int k = 0; k < families; ++k)
-            {
-              isOpen[i * families + k] = this->IsOpen(StartAt(this->Field, places[first + i], k));
-            }
-          }
-        });
-      for (Index i = 0; i < static_cast<Index>(isOpen.size()) && !this->IsFull(); ++i)
+      return std::make_tuple(a.Rank, b.Triangle, b.Vertex) <
+        std::make_tuple(b.Rank, a.Triangle, a.Vertex);
+    };
+    std::make_heap(places.begin(), places.end(), isLater);
+    const auto count = static_cast<double>(places.size());
+    std::size_t linesThen = 0;
+    while (!places.empty() && !this->IsFull())
+    {
+      std::pop_heap(places.begin(), places.end(), isLater);
+      this->FollowFrom(places.back(), progress);
+      places.pop_back();
+      // The first line fills the surface with those beside it as a rule, and then there are few places left.
+      if (this->Lines.size() > 2 * linesThen)
       {
-        const LineStart start = isOpen[i]
-          ? StartAt(this->Field, places[first + i / families], i % families)
-          : LineStart();
-        if (isOpen[i] && this->IsOpen(start))
-        {
-          this->Take(this->Spaced.Trace(start, this->Grid));
-          this->FollowFronts(progress);
-        }
+        linesThen = this->Lines.size();
+        this->RemoveCovered(places);
+        std::make_heap(places.begin(), places.end(), isLater);
       }
-      progress.Report(static_cast<double>(end) / count);
+      progress.Report(1.0 - static_cast<double>(places.size()) / count);
     }
     return std::move(this->Lines);
   }
@@ -99,10 +97,88 @@ private:
 
   bool IsOpen(const LineStart& start) const
   {
+    return this->IsOpen(this->Spaced.SampleAt(start, 0.0));
+  }
+  bool IsOpen(const LineSample& sample) const
+  {
     const double spacing = this->Options.Spacing;
-    const LineSample sample = this->Spaced.SampleAt(start, 0.0);
     return !this->Grid.IsNear(sample, SeedPart * spacing) &&
       !this->Dead.IsNear(sample, DeadPart * spacing);
+  }
+
+  /// Traces the lines at a place that are not there yet, one of each family, and all those beside them.
+  void FollowFrom(const SeedPlace& place, const Progress& progress)
+  {
+    const int families = NumberOfFamilies(this->Field.GetDegree());
+    for (int k = 0; k < families && !this->IsFull(); ++k)
+    {
+      const LineStart start = StartAt(this->Field, place, k);
+      if (this->IsOpen(start))
+      {
+        this->Take(this->Spaced.Trace(start, this->Grid));
+        this->FollowFronts(progress);
+      }
+    }
+  }
+
+  /// Leaves out places where there are lines of all families. There never are fewer lines, hence it does not
+  /// matter when that happens.
+  void RemoveCovered(std::vector<SeedPlace>& places) const
+  {
+    const auto count = static_cast<Index>(places.size());
+    std::vector<char> isCovered(count);
+    ParallelFor(count, FewPlaces,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          isCovered[i] = this->IsCovered(places[i]) ? 1 : 0;
+        }
+      });
+    std::size_t left = 0;
+    for (Index i = 0; i < count; ++i)
+    {
+      if (isCovered[i] == 0)
+      {
+        places[left++] = places[i];
+      }
+    }
+    places.resize(left);
+  }
+
+  bool IsCovered(const SeedPlace& place) const
+  {
+    const int degree = this->Field.GetDegree();
+    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    LineSample sample;
+    Vector3 ahead;
+    Vector3 left;
+    if (place.Vertex != None)
+    {
+      // Without the triangle, which takes much longer.
+      const Complex direction =
+        std::polar(1.0, std::arg(this->Field.GetSection()[place.Vertex]) / degree);
+      const Vector3 x = geometry.Frames.X[place.Vertex];
+      const Vector3 y = geometry.Frames.Y(place.Vertex);
+      sample.Position = geometry.Positions[place.Vertex];
+      sample.Normal = geometry.Frames.Normal[place.Vertex];
+      ahead = direction.real() * x + direction.imag() * y;
+    }
+    else
+    {
+      sample = this->Spaced.SampleAt(StartAt(this->Field, place, 0), 0.0);
+      ahead = sample.Tangent;
+    }
+    left = sample.Normal.cross(ahead);
+    for (int k = 0; k < NumberOfFamilies(degree); ++k)
+    {
+      sample.Tangent = this->Turns[k].real() * ahead + this->Turns[k].imag() * left;
+      if (this->IsOpen(sample))
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   bool MayStart(const LineStart& start) const
@@ -120,6 +196,13 @@ private:
       LineStart start = marks[front.Cursor++];
       const Complex side(0.0, front.Side);
       start.Direction *= side;
+      LineSample beside = this->Spaced.SampleAt(start, 0.0);
+      beside.Position += this->Options.Spacing * beside.Tangent;
+      beside.Tangent = beside.Normal.cross(beside.Tangent);
+      if (this->Grid.IsNear(beside, SurelyTakenPart * this->Options.Spacing))
+      {
+        continue;
+      }
       start = WalkStraight(this->Field, start, this->Options.Spacing / this->Unit);
       start.Direction *= std::conj(side);
       if (!this->MayStart(start))
@@ -204,6 +287,8 @@ private:
   LineGrid Grid;
   /// Seeds of lines that were too short.
   LineGrid Dead;
+  /// From the first direction to that of each family.
+  std::vector<Complex> Turns;
   std::vector<TracedLine> Lines;
   std::vector<std::vector<LineStart>> Marks;
   std::deque<Front> Fronts;

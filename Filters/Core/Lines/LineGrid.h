@@ -26,7 +26,7 @@ struct LineSample
 /// large as the radius that is asked for at most; it grows by itself.
 ///
 /// Only lines of one family see each other: those whose tangents, whichever way they run, are less than
-/// half the angle apart that there is between families. So do only places on the same side of the surface
+/// half the angle apart that there is between families (90 degrees / families). So do only places on the same side of the surface
 /// (normals up to 105 degrees apart), except where the surface has one side only.
 class LineGrid
 {
@@ -49,7 +49,8 @@ public:
     return this->Search(
       place, radius, [&](const LineSample& sample) { return this->SeesEachOther(sample, place); });
   }
-  /// The same for lines that are nearly of the family: up to half as much again apart.
+  /// The same for tangents up to half as much again apart: samples of lines that see each other somewhere
+  /// between their samples.
   bool IsNearWidely(const LineSample& place, double radius) const
   {
     return this->Search(place, radius,
@@ -79,11 +80,18 @@ private:
     const Vector3 scaled = (place.Position - this->Origin) / this->CellSize;
     const double reach = radius / this->CellSize;
     Cell low;
+    Cell middle;
     Cell high;
     for (int c = 0; c < 3; ++c)
     {
       low[c] = Floor(scaled[c] - reach);
+      middle[c] = Floor(scaled[c]);
       high[c] = Floor(scaled[c] + reach);
+    }
+    // Where there is one near at all, most often it is in the same cell.
+    if (this->SearchCell(middle, place, radius, visit))
+    {
+      return true;
     }
     for (std::int64_t x = low[0]; x <= high[0]; ++x)
     {
@@ -91,15 +99,26 @@ private:
       {
         for (std::int64_t z = low[2]; z <= high[2]; ++z)
         {
-          for (Index i = this->Heads[this->Slot({ x, y, z })]; i != None; i = this->Next[i])
+          const Cell cell = { x, y, z };
+          if (cell != middle && this->SearchCell(cell, place, radius, visit))
           {
-            const LineSample& sample = this->Samples[i];
-            if ((sample.Position - place.Position).squaredNorm() < radius * radius && visit(sample))
-            {
-              return true;
-            }
+            return true;
           }
         }
+      }
+    }
+    return false;
+  }
+  template <typename Visit>
+  bool SearchCell(
+    const Cell& cell, const LineSample& place, double radius, const Visit& visit) const
+  {
+    for (Index i = this->Heads[this->Slot(cell)]; i != None; i = this->Next[i])
+    {
+      const LineSample& sample = this->Samples[i];
+      if ((sample.Position - place.Position).squaredNorm() < radius * radius && visit(sample))
+      {
+        return true;
       }
     }
     return false;

@@ -4,9 +4,11 @@
 #include "Lines/LinePoints.h"
 
 #include "Support/Threads.h"
+#include "Support/VectorMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace DirectionFields::Internal
 {
@@ -71,13 +73,18 @@ public:
     auto at = static_cast<std::size_t>(this->Result.Offsets[number]);
     const double unit = this->Field.GetGeometry().Lengths.Unit[line.Component];
     const double first = line.Pieces.front().Arc;
+    std::optional<Place> in;
     for (const LinePiece& piece : line.Pieces)
     {
-      this->WritePoint(line, piece.Triangle, piece.Begin, piece.BeginDirection, at);
+      if (!in || in->Triangle != piece.Triangle)
+      {
+        in.emplace(this->Field, piece.Triangle);
+      }
+      this->WritePoint(line, *in, piece.Begin, piece.BeginDirection, at);
       this->Result.Arc[at++] = unit * (piece.Arc - first);
     }
     const LinePiece& last = line.Pieces.back();
-    this->WritePoint(line, last.Triangle, last.End, last.EndDirection, at);
+    this->WritePoint(line, *in, last.End, last.EndDirection, at);
     this->Result.Arc[at] = unit * line.Length();
     if (line.IsClosed)
     {
@@ -86,13 +93,38 @@ public:
   }
 
 private:
-  void WritePoint(const TracedLine& line, Index triangle, const Complex& place,
-    const Complex& direction, std::size_t at) const
+  /// The triangle that a line is in: several of its points are as a rule.
+  struct Place
+  {
+    Place(const GivenField& field, Index triangle)
+      : Triangle(triangle)
+      , Power(field.GetGeometry(), field.GetDegree(), field.GetSection().data(), triangle)
+      , Space(field.InSpace(triangle))
+    {
+    }
+
+    /// What is given at a corner, once it has been asked for.
+    struct Given
+    {
+      bool IsRead = false;
+      bool IsDirection = false;
+      double Angle = 0.0;
+      int Sense = 1;
+    };
+
+    Index Triangle;
+    PowerOnTriangle Power;
+    TriangleInSpace Space;
+    std::array<Given, 3> AtCorner;
+  };
+
+  void WritePoint(const TracedLine& line, Place& in, const Complex& place, const Complex& direction,
+    std::size_t at) const
   {
     const SurfaceGeometry& geometry = this->Field.GetGeometry();
-    const PowerOnTriangle power(
-      geometry, this->Field.GetDegree(), this->Field.GetSection().data(), triangle);
-    const TriangleInSpace space = this->Field.InSpace(triangle);
+    const Index triangle = in.Triangle;
+    const PowerOnTriangle& power = in.Power;
+    const TriangleInSpace& space = in.Space;
     const std::array<double, 3> weights = power.Flat().Weights(place);
     Vector3 normal = Vector3::Zero();
     for (int c = 0; c < 3; ++c)
@@ -104,37 +136,51 @@ private:
     this->Result.Points[at] = space.Position(weights) + this->Height * normal;
     this->Result.Normals[at] = normal;
     this->Result.Directions[at] = space.Direction(direction);
-    this->Result.Magnitude[at] = std::abs(power.At(place));
+    this->Result.Magnitude[at] = Modulus(power.At(place));
     const auto corner =
       static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
     const Index point = this->Field.PointAt(triangle, corner);
     this->Result.Point[at] = point;
-    this->Result.Branch[at] = this->BranchAt(power, geometry.Mesh.Tail(3 * triangle + corner),
-      corner, point, place, static_cast<double>(line.Sense) * direction);
+    this->Result.Branch[at] =
+      this->BranchAt(in, corner, point, place, static_cast<double>(line.Sense) * direction);
   }
 
   /// Which of the directions at a point is nearest to one in a triangle.
-  int BranchAt(const PowerOnTriangle& power, Index vertex, int corner, Index point,
-    const Complex& place, const Complex& direction) const
+  int BranchAt(
+    Place& in, int corner, Index point, const Complex& place, const Complex& direction) const
   {
-    const TangentFrames& frames = this->Field.GetGeometry().Frames;
     const int degree = this->Field.GetDegree();
-    const Vector3 given = this->Directions.Direction(point, 0);
-    const Complex first = frames.Tangential(vertex, given);
-    if (!(std::norm(first) > 0.0) || !std::isfinite(std::norm(first)))
+    Place::Given& given = in.AtCorner[corner];
+    if (!given.IsRead)
+    {
+      given = this->GivenAt(in.Triangle, corner, point);
+    }
+    if (!given.IsDirection)
     {
       return 0;
     }
-    const double angle = power.AngleInFlat(corner, std::arg(first), place);
-    int turns = static_cast<int>(
-      std::lround(std::arg(direction * std::polar(1.0, -angle)) / (2.0 * Pi / degree)));
-    if (degree > 2 &&
-      given.cross(this->Directions.Direction(point, 1)).dot(frames.Normal[vertex]) < 0.0)
-    {
-      // They count the other way around.
-      turns = -turns;
-    }
+    const double angle = AngleOf(direction) - in.Power.AngleInFlat(corner, given.Angle, place);
+    const int turns = given.Sense * static_cast<int>(std::lround(angle / (2.0 * Pi / degree)));
     return (turns % degree + degree) % degree;
+  }
+
+  /// The first direction at the corner of a triangle.
+  Place::Given GivenAt(Index triangle, int corner, Index point) const
+  {
+    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    const Index vertex = geometry.Mesh.Tail(3 * triangle + corner);
+    const Vector3 first = this->Directions.Direction(point, 0);
+    const Complex tangential = geometry.Frames.Tangential(vertex, first);
+    Place::Given given;
+    given.IsRead = true;
+    given.IsDirection = std::norm(tangential) > 0.0 && std::isfinite(std::norm(tangential));
+    given.Angle = given.IsDirection ? std::arg(tangential) : 0.0;
+    // They may count the other way around.
+    given.Sense = this->Field.GetDegree() > 2 &&
+        first.cross(this->Directions.Direction(point, 1)).dot(geometry.Frames.Normal[vertex]) < 0.0
+      ? -1
+      : 1;
+    return given;
   }
 
   const GivenField& Field;

@@ -3,7 +3,7 @@
 
 #include "Lines/LineSeeds.h"
 
-#include "Lines/LineGrid.h"
+#include "Support/Threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,6 @@ namespace
 {
 /// Distance of places in large triangles, as a part of the spacing.
 constexpr double PlacePart = 0.25;
-/// Where vertices are closer than this part of it, some are left out.
-constexpr double ThinnedPart = 0.12;
 /// Places along an edge at most.
 constexpr double MostAlongEdge = 4096.0;
 /// Vertices are left by this part of the way to the middle of a triangle, where directions are defined.
@@ -55,10 +53,20 @@ struct Star
 /// Adds places that divide a triangle into parts of the given size, in the unit of the component.
 void AddInner(const GivenField& field, Index triangle, double size, std::vector<SeedPlace>& places)
 {
-  const PowerOnTriangle power(
-    field.GetGeometry(), field.GetDegree(), field.GetSection().data(), triangle);
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  double longest = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    longest =
+      std::max(longest, geometry.Lengths.SquaredLength[geometry.Mesh.Edge(3 * triangle + c)]);
+  }
+  if (longest <= size * size)
+  {
+    return;
+  }
+  const PowerOnTriangle power(geometry, field.GetDegree(), field.GetSection().data(), triangle);
   const FlatTriangle& flat = power.Flat();
-  const double longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
+  longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
   const int edge = longest == flat.Length(0) ? 0 : longest == flat.Length(1) ? 1 : 2;
   const Complex& along = flat.Along(edge);
   const auto parts = static_cast<int>(std::min(std::ceil(longest / size), MostAlongEdge));
@@ -69,42 +77,35 @@ void AddInner(const GivenField& field, Index triangle, double size, std::vector<
       const double a = (i + 1.0 / 3.0) / parts;
       const double b = (j + 1.0 / 3.0) / parts;
       const Complex place = flat.Place({ a, b, 1.0 - a - b });
-      places.push_back({ triangle, place, along, std::abs(power.At(place)) });
+      places.push_back({ triangle, None, place, along, std::abs(power.At(place)) });
     }
   }
 }
 
-/// Leaves out places that are near to earlier ones, where there are many.
-void Thin(const GivenField& field, Index component, double distance, std::vector<SeedPlace>& places)
+/// The place beside a vertex; its triangle is None where none may be.
+/// @param mean area of the triangles around a vertex
+SeedPlace BesideVertex(
+  const GivenField& field, Index vertex, double mean, const std::vector<char>& excluded)
 {
   const SurfaceGeometry& geometry = field.GetGeometry();
-  const double unit = geometry.Lengths.Unit[component];
-  const double needed =
-    geometry.Lengths.ComponentArea[component] * unit * unit / (distance * distance);
-  if (static_cast<double>(places.size()) < 2.0 * needed)
+  const double magnitude = std::abs(field.GetSection()[vertex]);
+  SeedPlace place;
+  if (!geometry.Mesh.IsFrontVertex(vertex) || magnitude == 0.0)
   {
-    return;
+    return place;
   }
-  const TriangleMesh::Component& range = geometry.Mesh.GetComponents()[component];
-  LineGrid kept(geometry.Positions[range.FirstVertex], distance, 1, range.IsCover);
-  const auto isNearOther = [&](const SeedPlace& place)
+  const Star star(geometry, vertex);
+  const Index h = star.Largest;
+  if (!IsSeeded(field, h / 3, excluded))
   {
-    // The vertex, as far as that goes: where there are many, triangles are small.
-    const FlatTriangle flat(geometry, place.Triangle);
-    const std::array<double, 3> weights = flat.Weights(place.Place);
-    const auto corner = std::max_element(weights.begin(), weights.end()) - weights.begin();
-    const Index v = geometry.Mesh.Tail(3 * place.Triangle + static_cast<Index>(corner));
-    LineSample sample;
-    sample.Position = geometry.Positions[v];
-    sample.Normal = sample.Tangent = geometry.Frames.Normal[v];
-    if (kept.IsNear(sample, distance))
-    {
-      return true;
-    }
-    kept.Insert(sample);
-    return false;
-  };
-  places.erase(std::remove_if(places.begin(), places.end(), isNearOther), places.end());
+    return place;
+  }
+  std::array<double, 3> weights = { OffVertex / 3.0, OffVertex / 3.0, OffVertex / 3.0 };
+  weights[h % 3] += 1.0 - OffVertex;
+  const FlatTriangle flat(geometry, h / 3);
+  const double area = std::min(star.Area / mean, 10.0);
+  return { h / 3, vertex, flat.Place(weights), flat.Along(h % 3),
+    magnitude * (1.0 + AreaPart * area) };
 }
 }
 
@@ -112,37 +113,38 @@ std::vector<SeedPlace> SeedPlaces(
   const GivenField& field, Index component, double spacing, const std::vector<char>& excluded)
 {
   const SurfaceGeometry& geometry = field.GetGeometry();
-  const TriangleMesh& mesh = geometry.Mesh;
-  const TriangleMesh::Component& range = mesh.GetComponents()[component];
+  const TriangleMesh::Component& range = geometry.Mesh.GetComponents()[component];
   const double size = PlacePart * spacing / geometry.Lengths.Unit[component];
   const double mean = 6.0 * geometry.Lengths.ComponentArea[component] / range.Triangles();
-  std::vector<SeedPlace> places;
-  for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
-  {
-    const Star star(geometry, v);
-    const Index h = star.Largest;
-    const double magnitude = std::abs(field.GetSection()[v]);
-    if (!mesh.IsFrontVertex(v) || !IsSeeded(field, h / 3, excluded) || magnitude == 0.0)
+  std::vector<SeedPlace> places(range.Vertices());
+  ParallelFor(range.Vertices(), LightPiece,
+    [&](Index begin, Index end)
     {
-      continue;
-    }
-    std::array<double, 3> weights = { OffVertex / 3.0, OffVertex / 3.0, OffVertex / 3.0 };
-    weights[h % 3] += 1.0 - OffVertex;
-    const FlatTriangle flat(geometry, h / 3);
-    const double area = std::min(star.Area / mean, 10.0);
-    places.push_back(
-      { h / 3, flat.Place(weights), flat.Along(h % 3), magnitude * (1.0 + AreaPart * area) });
-  }
-  for (Index t = range.FirstTriangle; t < range.EndTriangle; ++t)
-  {
-    if (IsSeeded(field, t, excluded))
+      for (Index i = begin; i < end; ++i)
+      {
+        places[i] = BesideVertex(field, range.FirstVertex + i, mean, excluded);
+      }
+    });
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [](const SeedPlace& place) { return place.Triangle == None; }),
+    places.end());
+  const Index pieces = NumberOfPieces(range.Triangles(), LightPiece);
+  std::vector<std::vector<SeedPlace>> inner(pieces);
+  ParallelFor(range.Triangles(), LightPiece,
+    [&](Index begin, Index end)
     {
-      AddInner(field, t, 2.0 * size, places);
-    }
+      for (Index t = range.FirstTriangle + begin; t < range.FirstTriangle + end; ++t)
+      {
+        if (IsSeeded(field, t, excluded))
+        {
+          AddInner(field, t, 2.0 * size, inner[begin / LightPiece]);
+        }
+      }
+    });
+  for (const std::vector<SeedPlace>& more : inner)
+  {
+    places.insert(places.end(), more.begin(), more.end());
   }
-  std::stable_sort(places.begin(), places.end(),
-    [](const SeedPlace& a, const SeedPlace& b) { return a.Rank > b.Rank; });
-  Thin(field, component, ThinnedPart * spacing, places);
   return places;
 }
 

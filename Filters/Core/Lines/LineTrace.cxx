@@ -121,8 +121,7 @@ Complex TracedField::DirectionNear(const Complex& power, int degree, const Compl
   // The angle from it to the nearest one, by the n-th powers of both.
   const Complex turn =
     power * std::conj(IntegerPower(near, degree)) * (sense < 0 && degree % 2 == 1 ? -1.0 : 1.0);
-  const double angle = std::atan2(turn.imag(), turn.real()) / degree;
-  return near * Complex(std::cos(angle), std::sin(angle));
+  return near * UnitNumber(AngleOf(turn) / degree);
 }
 
 LineTrace::LineTrace(const TracedField& field, const LineStart& start)
@@ -327,9 +326,9 @@ LineStart WalkStraight(
 {
   LineStart at = start;
   double left = length;
+  FlatTriangle flat(field.GetGeometry(), at.Triangle);
   for (int crossing = 0; crossing < MostCrossings; ++crossing)
   {
-    const FlatTriangle flat(field.GetGeometry(), at.Triangle);
     int exit = None;
     double nearest = left;
     for (int c = 0; c < 3; ++c)
@@ -365,9 +364,9 @@ LineStart WalkStraight(
     {
       return at;
     }
-    const FlatTriangle next(field.GetGeometry(), at.Triangle);
-    at.Place = beyond.Place(next);
-    at.Direction = beyond.Direction(next);
+    flat = FlatTriangle(field.GetGeometry(), at.Triangle);
+    at.Place = beyond.Place(flat);
+    at.Direction = beyond.Direction(flat);
   }
   at.Triangle = None;
   return at;

@@ -15,6 +15,9 @@ namespace
 /// Parts of the spacing: between samples of a line; how far a line runs before it minds itself; how near
 /// it must come back to its start to be closed, and from where on it may come to that.
 constexpr double SamplePart = 0.2;
+/// A line does not turn more than this part of the angle within which lines see each other from one sample to
+/// the next: what two lines see of each other anywhere, their samples see widely (LineGrid).
+constexpr double MostTurn = 0.2;
 constexpr std::ptrdiff_t MarksPerSeed = 3;
 constexpr double OwnPart = 3.0;
 constexpr double ClosedPart = 0.1;
@@ -110,6 +113,8 @@ SpacedTracing::SpacedTracing(
   , Unit(field.GetGeometry().Lengths.Unit[component])
 {
   this->Traced.LongestStep = SamplePart * options.Spacing / this->Unit;
+  const int families = NumberOfFamilies(field.GetDegree());
+  this->LeastTurn = families == 1 ? -2.0 : std::cos(MostTurn * 0.5 * Pi / families);
 }
 
 LineGrid SpacedTracing::MakeGrid() const
@@ -161,7 +166,7 @@ bool SpacedTracing::IsTooClose(const LineSample& sample, const LineGrid& grid, c
 {
   const double spacing = this->Options.Spacing;
   const double radius = this->Options.Ratio * spacing;
-  if (grid.IsNear(sample, radius))
+  if (grid.IsNearWidely(sample, radius))
   {
     return true;
   }
@@ -206,6 +211,8 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
   double length = 0.0;
   double nextMark = way > 0 ? 0.0 : step;
   bool isNearStart = false;
+  // Since the last sample.
+  Complex turn = 1.0;
   const auto mark = [&](const LinePiece& piece, double part)
   {
     const Complex direction =
@@ -222,6 +229,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
       (sample.Position - first.Position).norm() < NearStartPart * spacing;
     own.Insert(sample);
     half.Marks.push_back({ sample, half.Pieces.size() - 1, part, place });
+    turn = 1.0;
     return true;
   };
   while (std::optional<LinePiece> piece = trace.Next())
@@ -243,10 +251,16 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
       const double at = pieceLength > 0.0 ? (nextMark - length) / pieceLength : 0.0;
       if (!mark(*piece, std::clamp(at, 0.0, 1.0)))
       {
-        this->CutOff(half, half.Marks.size(), grid);
+        half.Keep(half.Marks.size());
         return;
       }
       nextMark += step;
+    }
+    turn *= piece->EndDirection * std::conj(piece->BeginDirection);
+    if (turn.real() < this->LeastTurn && !mark(*piece, 1.0))
+    {
+      half.Keep(half.Marks.size());
+      return;
     }
     length += pieceLength;
     if (length >= mostLength)
@@ -260,18 +274,8 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
   half.Zero = trace.EndZero();
   if (!half.Pieces.empty() && !mark(half.Pieces.back(), 1.0))
   {
-    this->CutOff(half, half.Marks.size(), grid);
+    half.Keep(half.Marks.size());
   }
-}
-
-void SpacedTracing::CutOff(SpacedHalf& half, std::size_t marks, const LineGrid& grid) const
-{
-  const double radius = this->Options.Ratio * this->Options.Spacing;
-  while (marks > 0 && grid.IsNearWidely(half.Marks[marks - 1].Sample, radius))
-  {
-    --marks;
-  }
-  half.Keep(marks);
 }
 
 SpacedLine SpacedTracing::Trace(const LineStart& seed, const LineGrid& grid) const
@@ -295,7 +299,7 @@ void SpacedTracing::Cut(SpacedLine& line, const LineGrid& grid) const
   for (SpacedHalf* half : { &line.Forward, &line.Backward })
   {
     const auto bad = std::find_if(half->Marks.begin(), half->Marks.end(),
-      [&](const SpacedHalf::Mark& mark) { return grid.IsNear(mark.Sample, radius); });
+      [&](const SpacedHalf::Mark& mark) { return grid.IsNearWidely(mark.Sample, radius); });
     if (bad != half->Marks.end())
     {
       if (half->IsClosed)
@@ -303,7 +307,7 @@ void SpacedTracing::Cut(SpacedLine& line, const LineGrid& grid) const
         // It begins at its seed now, where another line is near.
         line.Backward.End = LineEnd::TooClose;
       }
-      this->CutOff(*half, static_cast<std::size_t>(bad - half->Marks.begin()), grid);
+      half->Keep(static_cast<std::size_t>(bad - half->Marks.begin()));
     }
   }
 }

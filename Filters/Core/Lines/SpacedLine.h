@@ -27,7 +27,7 @@ struct EvenOptions
 /// Half of a line that keeps its distance: from the seed one way.
 struct SpacedHalf
 {
-  /// A sample of the line, a fraction of the spacing after the last one.
+  /// A sample of the line, a fraction of the spacing after the last one, or less where it turns.
   struct Mark
   {
     LineSample Sample;
@@ -85,9 +85,6 @@ private:
   /// Whether a sample is too close to lines in the grid, or to the line itself further back.
   bool IsTooClose(const LineSample& sample, const LineGrid& grid, const LineGrid& own,
     const LineSample& first) const;
-  /// Cuts a half off after so many marks, and where these are too close to a line that another family's
-  /// line has turned into.
-  void CutOff(SpacedHalf& half, std::size_t marks, const LineGrid& grid) const;
   /// Whether a piece comes back to the first sample; sets at what part of it.
   bool ComesBack(const LinePiece& piece, const LineSample& first, double& part) const;
   Vector3 PositionOf(Index triangle, const Complex& place) const;
@@ -97,6 +94,8 @@ private:
   const EvenOptions& Options;
   Index Component;
   double Unit;
+  /// The cosine of the angle that a line turns between samples at most.
+  double LeastTurn;
 };
 }
 
