@@ -121,11 +121,10 @@ void Collect(const CellMesh& cells, const ChartedMesh& charted, ComponentCells& 
   }
   for (Index h = 0; h < 3 * cells.GetNumberOfTriangles(); ++h)
   {
-    if (cells.IsTriangle(h / 3) && cells.IsFeature(h))
+    if (cells.IsTriangle(h / 3) && cells.IsFeature(h) && cells.Twin(h) < h)
     {
-      const Index a = number[cells.Tail(h)];
-      const Index b = number[cells.Head(h)];
-      out.EdgeLines[{ std::min(a, b), std::max(a, b) }] = cells.Feature(h);
+      out.LineEdges.push_back(
+        { { number[cells.Tail(h)], number[cells.Head(h)] }, cells.Feature(h) });
     }
   }
   out.Cells = PairTriangles(cells);

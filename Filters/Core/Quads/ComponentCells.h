@@ -9,7 +9,6 @@
 #include "Progress.h"
 #include "Quads/Faces.h"
 
-#include <map>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -33,8 +32,13 @@ struct ComponentCells
 
   std::vector<Vertex> Vertices;
   Faces Cells;
-  /// The feature that edges are part of, by their ends in ascending order.
-  std::map<std::array<Index, 2>, Index> EdgeLines;
+  /// An edge that is part of a feature, and the number of that.
+  struct LineEdge
+  {
+    std::array<Index, 2> Ends;
+    Index Line;
+  };
+  std::vector<LineEdge> LineEdges;
   /// Why there is no map, or null: the faces are the component's triangles then.
   const char* Failure = nullptr;
   /// Vertices that could not be removed although they are no lattice points; triangles that the map turns
