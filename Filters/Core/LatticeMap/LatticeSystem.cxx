@@ -3,7 +3,12 @@
 
 #include "LatticeMap/LatticeSystem.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -11,107 +16,261 @@
 
 namespace DirectionFields::Internal
 {
+/// A factorization P K P^T = L L^T.
+class LatticeSystem::Backend
+{
+public:
+  virtual ~Backend() = default;
+  /// @param order the rows in the order in which they are to be eliminated, as far as it matters for the fill
+  virtual bool Compute(const Matrix& lower, const std::vector<std::int32_t>& order) = 0;
+  virtual Eigen::VectorXd Solve(const Eigen::VectorXd& rightHandSide) const = 0;
+  /// The rows from a number on in the order of their columns in L, and that block of it.
+  virtual void GetTrailing(
+    Index first, std::vector<Index>& rows, Eigen::MatrixXd& factor) const = 0;
+};
+
+class LatticeSystem::EigenBackend : public LatticeSystem::Backend
+{
+public:
+  bool Compute(const Matrix& lower, const std::vector<std::int32_t>& order) override
+  {
+    this->Order = order;
+    this->Place.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      this->Place[order[i]] = static_cast<Index>(i);
+    }
+    std::vector<Entry> placed;
+    placed.reserve(lower.nonZeros());
+    for (Eigen::Index column = 0; column < lower.cols(); ++column)
+    {
+      for (Matrix::InnerIterator entry(lower, column); entry; ++entry)
+      {
+        const Index i = this->Place[entry.row()];
+        const Index j = this->Place[column];
+        placed.emplace_back(std::max(i, j), std::min(i, j), entry.value());
+      }
+    }
+    Matrix matrix(lower.rows(), lower.cols());
+    matrix.setFromTriplets(placed.begin(), placed.end());
+    this->Solver.compute(matrix);
+    return this->Solver.info() == Eigen::Success;
+  }
+  Eigen::VectorXd Solve(const Eigen::VectorXd& rightHandSide) const override
+  {
+    Eigen::VectorXd x(rightHandSide.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+    {
+      x[i] = rightHandSide[this->Order[i]];
+    }
+    x = this->Solver.solve(x).eval();
+    Eigen::VectorXd solution(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+    {
+      solution[this->Order[i]] = x[i];
+    }
+    return solution;
+  }
+  void GetTrailing(Index first, std::vector<Index>& rows, Eigen::MatrixXd& factor) const override
+  {
+    const auto size = static_cast<Index>(this->Order.size());
+    rows.assign(this->Order.begin() + first, this->Order.end());
+    factor = Eigen::MatrixXd::Zero(size - first, size - first);
+    const Matrix& lower = this->Solver.matrixL().nestedExpression();
+    for (Index column = first; column < size; ++column)
+    {
+      for (Matrix::InnerIterator entry(lower, column); entry; ++entry)
+      {
+        factor(entry.row() - first, column - first) = entry.value();
+      }
+    }
+  }
+
+private:
+  std::vector<std::int32_t> Order;
+  std::vector<Index> Place;
+  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>> Solver;
+};
+
+#ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
+class LatticeSystem::CholmodBackend : public LatticeSystem::Backend
+{
+public:
+  CholmodBackend()
+  {
+    cholmod_start(&this->Common);
+    // A failure is reported by Compute; nothing is printed.
+    this->Common.print = 0;
+    this->Common.supernodal = CHOLMOD_SUPERNODAL;
+    this->Common.final_ll = 1;
+  }
+  ~CholmodBackend() override
+  {
+    cholmod_free_factor(&this->Factor, &this->Common);
+    cholmod_finish(&this->Common);
+  }
+  CholmodBackend(const CholmodBackend&) = delete;
+  CholmodBackend& operator=(const CholmodBackend&) = delete;
+
+  bool Compute(const Matrix& lower, const std::vector<std::int32_t>& order) override
+  {
+    cholmod_sparse view = ViewOf(lower);
+    std::vector<std::int32_t> permutation = order;
+    // The order of a tree's nodes from the leaves up, which CHOLMOD makes of this one, leaves integers behind
+    // all the reals that they depend on.
+    this->Common.nmethods = 1;
+    this->Common.method[0].ordering = CHOLMOD_GIVEN;
+    this->Common.postorder = 1;
+    this->Factor = cholmod_analyze_p(&view, permutation.data(), nullptr, 0, &this->Common);
+    return this->Factor != nullptr && cholmod_factorize(&view, this->Factor, &this->Common) != 0 &&
+      this->Common.status == CHOLMOD_OK && this->Factor->is_super != 0;
+  }
+  Eigen::VectorXd Solve(const Eigen::VectorXd& rightHandSide) const override
+  {
+    cholmod_dense view{};
+    view.nrow = view.d = view.nzmax = static_cast<std::size_t>(rightHandSide.size());
+    view.ncol = 1;
+    view.x = const_cast<double*>(rightHandSide.data()); // NOLINT: it is only read
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense* x = cholmod_solve(CHOLMOD_A, this->Factor, &view, &this->Common);
+    if (x == nullptr)
+    {
+      throw std::bad_alloc();
+    }
+    const Eigen::VectorXd solution =
+      Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(x->x), rightHandSide.size());
+    cholmod_free_dense(&x, &this->Common);
+    return solution;
+  }
+  void GetTrailing(Index first, std::vector<Index>& rows, Eigen::MatrixXd& factor) const override
+  {
+    const cholmod_factor& l = *this->Factor;
+    const auto* permutation = static_cast<const std::int32_t*>(l.Perm);
+    const auto* super = static_cast<const std::int32_t*>(l.super);
+    const auto* firstRow = static_cast<const std::int32_t*>(l.pi);
+    const auto* firstValue = static_cast<const std::int32_t*>(l.px);
+    const auto* row = static_cast<const std::int32_t*>(l.s);
+    const auto* value = static_cast<const double*>(l.x);
+    std::vector<Index> place(l.n, None);
+    rows.clear();
+    for (std::size_t k = 0; k < l.n; ++k)
+    {
+      if (permutation[k] >= first)
+      {
+        place[k] = static_cast<Index>(rows.size());
+        rows.push_back(permutation[k]);
+      }
+    }
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    factor = Eigen::MatrixXd::Zero(count, count);
+    for (std::size_t s = 0; s < l.nsuper; ++s)
+    {
+      const std::int32_t height = firstRow[s + 1] - firstRow[s];
+      for (std::int32_t column = super[s]; column < super[s + 1]; ++column)
+      {
+        for (std::int32_t k = column - super[s]; place[column] != None && k < height; ++k)
+        {
+          const Index to = place[row[firstRow[s] + k]];
+          if (to != None)
+          {
+            factor(to, place[column]) = value[firstValue[s] + (column - super[s]) * height + k];
+          }
+        }
+      }
+    }
+  }
+
+private:
+  static cholmod_sparse ViewOf(const Matrix& lower)
+  {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = static_cast<std::size_t>(lower.rows());
+    view.nzmax = static_cast<std::size_t>(lower.nonZeros());
+    // CHOLMOD's interface has no constant pointers; it reads only.
+    view.p = const_cast<std::int32_t*>(lower.outerIndexPtr()); // NOLINT
+    view.i = const_cast<std::int32_t*>(lower.innerIndexPtr()); // NOLINT
+    view.x = const_cast<double*>(lower.valuePtr());            // NOLINT
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+  }
+
+  mutable cholmod_common Common{};
+  cholmod_factor* Factor = nullptr;
+};
+#endif
+
 LatticeSystem::LatticeSystem(std::vector<Entry>& entries, Index size, Index reals)
   : Size(size)
   , Reals(reals)
-  , Place(size)
 {
   Matrix matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   std::vector<Entry>().swap(entries);
-  std::iota(this->Place.begin(), this->Place.end(), 0);
+  std::vector<std::int32_t> order(size);
+  std::iota(order.begin(), order.end(), 0);
   if (reals > 0)
   {
     const Matrix block = matrix.topLeftCorner(reals, reals);
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> order;
-    Eigen::AMDOrdering<std::int32_t>()(block.selfadjointView<Eigen::Lower>(), order);
-    for (Index i = 0; i < reals; ++i)
-    {
-      this->Place[order.indices()[i]] = i;
-    }
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> least;
+    Eigen::AMDOrdering<std::int32_t>()(block.selfadjointView<Eigen::Lower>(), least);
+    std::copy_n(least.indices().data(), reals, order.begin());
   }
-  std::vector<Entry> placed;
-  placed.reserve(matrix.nonZeros());
-  for (Index column = 0; column < size; ++column)
+#ifdef DIRECTIONFIELDS_HAVE_CHOLMOD
+  this->Factor = std::make_unique<CholmodBackend>();
+#else
+  this->Factor = std::make_unique<EigenBackend>();
+#endif
+  this->Definite = size == 0 || this->Factor->Compute(matrix, order);
+  if (this->Definite && size > reals)
   {
-    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+    std::vector<Index> rows;
+    this->Factor->GetTrailing(reals, rows, this->Trailing);
+    if (!std::is_sorted(rows.begin(), rows.end()))
     {
-      const Index i = this->Place[entry.row()];
-      const Index j = this->Place[column];
-      placed.emplace_back(std::max(i, j), std::min(i, j), entry.value());
+      const Eigen::MatrixXd schur =
+        this->Trailing.triangularView<Eigen::Lower>() * this->Trailing.transpose();
+      Eigen::MatrixXd sorted(schur.rows(), schur.cols());
+      for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        for (std::size_t j = 0; j < rows.size(); ++j)
+        {
+          sorted(rows[i] - reals, rows[j] - reals) =
+            schur(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        }
+      }
+      const Eigen::LLT<Eigen::MatrixXd> factor(sorted);
+      this->Definite = factor.info() == Eigen::Success;
+      this->Trailing = factor.matrixL();
     }
   }
-  matrix.setFromTriplets(placed.begin(), placed.end());
-  this->Factor.compute(matrix);
-  this->Definite = this->Factor.info() == Eigen::Success;
 }
+
+LatticeSystem::~LatticeSystem() = default;
 
 Eigen::VectorXd LatticeSystem::Solve(const Eigen::VectorXd& rightHandSide) const
 {
-  Eigen::VectorXd placed(this->Size);
-  for (Index i = 0; i < this->Size; ++i)
-  {
-    placed[this->Place[i]] = rightHandSide[i];
-  }
-  const Eigen::VectorXd x = this->Factor.solve(placed);
-  Eigen::VectorXd solution(this->Size);
-  for (Index i = 0; i < this->Size; ++i)
-  {
-    solution[i] = x[this->Place[i]];
-  }
-  return solution;
+  return this->Size == 0 ? rightHandSide : this->Factor->Solve(rightHandSide);
 }
 
 Eigen::VectorXd LatticeSystem::SolveWith(
   const Eigen::VectorXd& rightHandSide, const Eigen::VectorXd& integers) const
 {
-  Eigen::VectorXd y(this->Size);
-  for (Index i = 0; i < this->Size; ++i)
-  {
-    y[this->Place[i]] = rightHandSide[i];
-  }
-  // L^T x = y from the last row on, the rows of the integers being what they are.
-  const Matrix& lower = this->Factor.matrixL().nestedExpression();
-  lower.triangularView<Eigen::Lower>().solveInPlace(y);
-  y.tail(this->Size - this->Reals) = integers;
-  for (Index column = this->Reals - 1; column >= 0; --column)
-  {
-    double sum = y[column];
-    double diagonal = 1.0;
-    for (Matrix::InnerIterator entry(lower, column); entry; ++entry)
-    {
-      if (entry.row() == column)
-      {
-        diagonal = entry.value();
-      }
-      else if (entry.row() > column)
-      {
-        sum -= entry.value() * y[entry.row()];
-      }
-    }
-    y[column] = sum / diagonal;
-  }
-  Eigen::VectorXd solution(this->Size);
-  for (Index i = 0; i < this->Size; ++i)
-  {
-    solution[i] = y[this->Place[i]];
-  }
-  return solution;
-}
-
-Eigen::MatrixXd LatticeSystem::TrailingFactor() const
-{
+  // K x = b + (0, r) has the integers that it is to have if r is the Schur complement of how far they are from those
+  // of K x = b.
+  Eigen::VectorXd side = rightHandSide;
   const Index count = this->Size - this->Reals;
-  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(count, count);
-  const Matrix& lower = this->Factor.matrixL().nestedExpression();
-  for (Index column = this->Reals; column < this->Size; ++column)
-  {
-    for (Matrix::InnerIterator entry(lower, column); entry; ++entry)
-    {
-      factor(entry.row() - this->Reals, column - this->Reals) = entry.value();
-    }
-  }
-  return factor;
+  const Eigen::VectorXd step = integers - this->Solve(rightHandSide).tail(count);
+  const auto factor = this->Trailing.triangularView<Eigen::Lower>();
+  side.tail(count) += factor * (factor.transpose() * step).eval();
+  Eigen::VectorXd solution = this->Solve(side);
+  solution.tail(count) = integers;
+  return solution;
 }
 
 Eigen::VectorXd SolveInRounds(const std::vector<LatticeSystem::Entry>& entries,

@@ -6,24 +6,29 @@
 
 #include "Types.h"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
+#include <memory>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
-/// A sparse symmetric system some of whose unknowns, the last ones, are to be integers. Its factor K = L L^T
-/// keeps them last: the trailing block of L is the factor of what is left of the matrix once the others are
-/// eliminated.
+/// A sparse symmetric system K x = b some of whose unknowns, the last ones, are to be integers. Its factor
+/// K = L L^T keeps them last: the trailing block of L is the factor of the Schur complement, which is left of the
+/// matrix once the others are eliminated. It is factored by CHOLMOD where that was built in, else by Eigen.
 class LatticeSystem
 {
 public:
   using Entry = Eigen::Triplet<double, std::int32_t>;
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
 
   /// @param entries of the lower triangle, which add up; are taken
   /// @param size    rows
   /// @param reals   rows before those of the integers
   LatticeSystem(std::vector<Entry>& entries, Index size, Index reals);
+  ~LatticeSystem();
+  LatticeSystem(const LatticeSystem&) = delete;
+  LatticeSystem& operator=(const LatticeSystem&) = delete;
 
   /// False where the matrix is not positive definite up to rounding.
   bool IsDefinite() const { return this->Definite; }
@@ -31,16 +36,18 @@ public:
   /// The solution among the vectors with the given integers.
   Eigen::VectorXd SolveWith(
     const Eigen::VectorXd& rightHandSide, const Eigen::VectorXd& integers) const;
-  Eigen::MatrixXd TrailingFactor() const;
+  /// The lower factor of the Schur complement of the integers.
+  const Eigen::MatrixXd& TrailingFactor() const { return this->Trailing; }
 
 private:
-  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
+  class Backend;
+  class EigenBackend;
+  class CholmodBackend;
 
   Index Size;
   Index Reals;
-  /// The new place of each row.
-  std::vector<Index> Place;
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>> Factor;
+  std::unique_ptr<Backend> Factor;
+  Eigen::MatrixXd Trailing;
   bool Definite = false;
 };
 /// The solution, some of whose unknowns are integers, where these are too many to be rounded with regard to each
