@@ -100,17 +100,19 @@ void Check(const RemeshOptions& options, std::size_t points)
 struct Remesh::Kept
 {
   Kept(const Surface& surface, const RemeshOptions& options, double edgeLength,
-    const std::vector<Vector3>& given, const Progress& progress)
+    std::vector<double> longest, const std::vector<Vector3>& given, const Progress& progress)
     : Element(options.Element)
-    , Features(FeaturesOf(options, edgeLength))
+    , Longest(std::move(longest))
     , Given(given)
-    , Prepared(surface, DegreeOf(options.Element), this->Features)
+    , Prepared(surface, DegreeOf(options.Element), FeaturesOf(options, edgeLength), this->Longest,
+        progress.Part(0.0, 0.3))
     , Field(this->Prepared.GetSurface())
     , Original(this->Prepared.GetTriangles())
   {
-    progress.Report(0.2);
+    progress.Report(0.4);
     const int degree = DegreeOf(options.Element);
-    this->IsFeature = FindFeatures(this->Field.GetGeometry(), this->Features);
+    this->IsFeature =
+      this->Prepared.FeaturesOf(this->Field.GetGeometry(), FeaturesOf(options, edgeLength));
     if (given.empty())
     {
       Options field;
@@ -122,9 +124,9 @@ struct Remesh::Kept
       const Guidance guidance = this->AlongFeatures();
       field.ConstrainGuidance = options.KeepFeatures;
       const Guide guide(this->Field, field, guidance, notes);
-      EnergyStage& energy = this->Field.GetEnergy(field, progress.Part(0.2, 0.6));
+      EnergyStage& energy = this->Field.GetEnergy(field, progress.Part(0.4, 0.7));
       this->Section =
-        SolveComponents(this->Field, energy, guide, {}, field, false, progress.Part(0.6, 0.95))
+        SolveComponents(this->Field, energy, guide, {}, field, false, progress.Part(0.7, 0.95))
           .Section;
     }
     else
@@ -140,11 +142,12 @@ struct Remesh::Kept
     progress.Report(1.0);
   }
 
-  bool IsFor(
-    const RemeshOptions& options, double edgeLength, const std::vector<Vector3>& given) const
+  bool IsFor(const RemeshOptions& options, double edgeLength, const std::vector<double>& longest,
+    const std::vector<Vector3>& given) const
   {
-    return this->Element == options.Element && this->Given == given &&
-      this->IsFeature == FindFeatures(this->Field.GetGeometry(), FeaturesOf(options, edgeLength));
+    return this->Element == options.Element && this->Given == given && this->Longest == longest &&
+      this->IsFeature ==
+      this->Prepared.FeaturesOf(this->Field.GetGeometry(), FeaturesOf(options, edgeLength));
   }
 
   /// Vectors along the features, at the points of the prepared surface.
@@ -165,7 +168,8 @@ struct Remesh::Kept
   }
 
   DirectionFields::Element Element;
-  FeatureSettings Features;
+  /// How long the edges may become that the map is made on, at each point of the input; empty for its own ones.
+  std::vector<double> Longest;
   std::vector<Vector3> Given;
   PreparedSurface Prepared;
   Stages Field;
@@ -186,14 +190,9 @@ Remesh& Remesh::operator=(Remesh&&) noexcept = default;
 
 namespace
 {
-/// The wanted length of edges that gives the wanted number of faces.
-double EdgeLengthFor(const Surface& surface, const RemeshOptions& options)
+/// The area in units of the square of the size there. Coordinates that are not finite are refused later.
+double RelativeArea(const Surface& surface, const RemeshOptions& options)
 {
-  if (options.UseEdgeLength)
-  {
-    return options.EdgeLength;
-  }
-  // The area in units of the square of the size there. Coordinates that are not finite are refused later.
   double area = 0.0;
   for (const Triangle& t : surface.Triangles)
   {
@@ -211,22 +210,65 @@ double EdgeLengthFor(const Surface& surface, const RemeshOptions& options)
     area += 0.5 * u.stableNorm() *
       (v - v.dot(u.stableNormalized()) * u.stableNormalized()).stableNorm() * perLength * perLength;
   }
+  return area;
+}
+
+/// The wanted length of edges that gives the wanted number of faces.
+double EdgeLengthFor(double area, const RemeshOptions& options)
+{
+  if (options.UseEdgeLength)
+  {
+    return options.EdgeLength;
+  }
   const double face = area / options.NumberOfFaces;
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
 }
 
-/// The segments of each feature, as triangles without area.
-std::vector<ClosestPoints> LinesOf(const SurfaceGeometry& geometry, const FeatureLines& features)
+/// How long edges may become at each point where a mesh with fewer triangles will do for the map; empty where the
+/// triangles are few already. Sizes within a factor of two share such a mesh, and what is computed on it.
+std::vector<double> LongestEdges(
+  const Surface& surface, const RemeshOptions& options, double area, double edgeLength)
 {
+  constexpr double usualFaces = 5000.0;
+  constexpr double mostPerFace = 6.0;
+  constexpr double longest = 0.9;
+  const double squares = area / (edgeLength * edgeLength);
+  if (!std::isfinite(squares) || !(squares > 0.0))
+  {
+    return {};
+  }
+  const double usual =
+    usualFaces * std::pow(4.0, std::round(0.5 * std::log2(squares / usualFaces)));
+  if (!(static_cast<double>(surface.Points.size()) > mostPerFace * std::max(usual, usualFaces)))
+  {
+    return {};
+  }
+  std::vector<double> lengths(surface.Points.size());
+  for (std::size_t p = 0; p < lengths.size(); ++p)
+  {
+    lengths[p] = longest * std::sqrt(area / usual) * SizeAt(options, p);
+  }
+  return lengths;
+}
+
+/// The segments of each feature, as triangles without area.
+std::vector<ClosestPoints> LinesOf(
+  const PreparedSurface& prepared, const SurfaceGeometry& geometry, const FeatureLines& features)
+{
+  const std::vector<Vector3>& points = prepared.GetSurface()->Points;
   std::vector<ClosestPoints> lines;
   for (const FeatureLines::Chain& chain : features.Chains)
   {
     std::vector<ClosestPoints::Corners> segments;
     for (const FeatureLines::Step& step : chain.Steps)
     {
-      const Vector3& p = geometry.Positions[FeatureLines::Start(geometry.Mesh, step)];
-      const Vector3& q = geometry.Positions[FeatureLines::End(geometry.Mesh, step)];
-      segments.push_back({ p, q, q });
+      const std::vector<Index> path =
+        prepared.PathAlong(geometry.Mesh.Point(FeatureLines::Start(geometry.Mesh, step)),
+          geometry.Mesh.Point(FeatureLines::End(geometry.Mesh, step)));
+      for (std::size_t k = 0; k + 1 < path.size(); ++k)
+      {
+        segments.push_back({ points[path[k]], points[path[k + 1]], points[path[k + 1]] });
+      }
     }
     lines.emplace_back(std::move(segments));
   }
@@ -364,13 +406,15 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
   RemeshResult result;
   try
   {
-    result.EdgeLength = EdgeLengthFor(*this->Input, options);
+    const double area = RelativeArea(*this->Input, options);
+    result.EdgeLength = EdgeLengthFor(area, options);
     const double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
-    if (!this->State || !this->State->IsFor(options, coarse, directions))
+    const std::vector<double> longest = LongestEdges(*this->Input, options, area, coarse);
+    if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
     {
       this->State.reset();
-      this->State =
-        std::make_unique<Kept>(*this->Input, options, coarse, directions, progress.Part(0.0, 0.4));
+      this->State = std::make_unique<Kept>(
+        *this->Input, options, coarse, longest, directions, progress.Part(0.0, 0.4));
     }
     const Kept& kept = *this->State;
     const SurfaceGeometry& geometry = kept.Field.GetGeometry();
@@ -423,7 +467,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
         (component.IsCover ? 2 : 1);
     }
     Faces faces{ result.Faces, result.Regular };
-    const std::vector<ClosestPoints> lines = LinesOf(geometry, features);
+    const std::vector<ClosestPoints> lines = LinesOf(kept.Prepared, geometry, features);
     const SmoothingDomain domain{ kept.Original, lines, std::move(line),
       WantedLengths(options, *this->Input, kept.Prepared, kept.Original, result) };
     SmoothFaces(

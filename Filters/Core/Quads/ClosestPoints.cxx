@@ -144,6 +144,12 @@ ClosestPoints::Answer ClosestPoints::Find(
     for (std::size_t t = entry.Box * Leaf; t < end; ++t)
     {
       const Corners& corners = this->Triangles[t];
+      const Box box{ corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
+        corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
+      if (box.SquaredDistance(place) > best.SquaredDistance)
+      {
+        continue;
+      }
       if (!anyNormal && (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(normal) < 0.0)
       {
         continue;

@@ -123,12 +123,18 @@ std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSet
     {
       isFeature[e] = chains.IsFeature(e) ? 1 : 0;
     }
-    ShortChains shortChains(geometry, isFeature);
-    for (int k = 0; k < MostRounds && shortChains.Drop(settings.ShortestChain); ++k)
-    {
-    }
+    DropShortFeatures(geometry, settings, isFeature);
   }
   return isFeature;
+}
+
+void DropShortFeatures(
+  const SurfaceGeometry& geometry, const FeatureSettings& settings, std::vector<char>& isFeature)
+{
+  ShortChains shortChains(geometry, isFeature);
+  for (int k = 0; k < MostRounds && shortChains.Drop(settings.ShortestChain); ++k)
+  {
+  }
 }
 
 std::vector<Vector3> FeatureDirections(

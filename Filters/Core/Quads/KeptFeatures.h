@@ -26,6 +26,10 @@ struct FeatureSettings
 /// Not 0 for each sharp edge that is to be kept. Takes time linear in the edges.
 std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings);
 
+/// Takes those chains out that settings.ShortestChain says.
+void DropShortFeatures(
+  const SurfaceGeometry& geometry, const FeatureSettings& settings, std::vector<char>& isFeature);
+
 /// The direction of the sharpest feature at each vertex, of length 1; zero where there is none, and on the boundary.
 std::vector<Vector3> FeatureDirections(
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature);

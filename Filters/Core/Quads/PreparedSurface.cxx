@@ -10,9 +10,12 @@
 
 namespace DirectionFields::Internal
 {
-PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings)
+PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
+  const std::vector<double>& edgeLength, const Progress& progress)
+  : IsDecimated(!edgeLength.empty())
 {
-  const MergedMesh merged = MergedMesh::AcrossSeams(input);
+  MergedMesh merged = MergedMesh::AcrossSeams(input);
+  progress.Report(0.2);
   const TriangleMesh& mesh = merged.Mesh;
   this->Repaired = mesh.GetRepairs();
   const auto firstOf = [&](Index point)
@@ -44,11 +47,77 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
     surface->Triangles.push_back(used.Points);
     this->Used.push_back(used);
   }
+  this->Prepared = surface;
+  if (this->IsDecimated)
+  {
+    surface->Triangles =
+      this->Decimated(input, std::move(merged), settings, edgeLength, progress.Part(0.2, 0.9));
+  }
   constexpr int mostRounds = 4;
   for (int k = 0; k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings); ++k)
   {
   }
-  this->Prepared = std::move(surface);
+}
+
+std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMesh&& merged,
+  const FeatureSettings& settings, const std::vector<double>& edgeLength, const Progress& progress)
+{
+  const SurfaceGeometry geometry(std::move(merged.Mesh), input);
+  const TriangleMesh& mesh = geometry.Mesh;
+  progress.Report(0.3);
+  const std::vector<char> isFeature = FindFeatures(geometry, settings);
+  progress.Report(0.4);
+  Decimation::Limits limits;
+  limits.EdgeLength.resize(mesh.GetNumberOfVertices());
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    limits.EdgeLength[v] = edgeLength[mesh.Point(v)];
+  }
+  Decimation decimation(mesh, geometry.Positions, isFeature, limits);
+  decimation.Run(progress.Part(0.4, 1.0));
+  this->Paths = FeaturePaths(mesh, isFeature, decimation);
+  std::vector<Triangle> triangles;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (decimation.IsTriangle(t) && mesh.IsFront(t))
+    {
+      triangles.push_back({ mesh.Point(decimation.Corner(3 * t)),
+        mesh.Point(decimation.Corner(3 * t + 1)), mesh.Point(decimation.Corner(3 * t + 2)) });
+    }
+  }
+  return triangles;
+}
+
+std::vector<char> PreparedSurface::FeaturesOf(
+  const SurfaceGeometry& geometry, const FeatureSettings& settings) const
+{
+  if (!this->IsDecimated)
+  {
+    return FindFeatures(geometry, settings);
+  }
+  const TriangleMesh& mesh = geometry.Mesh;
+  std::vector<char> isFeature(mesh.GetNumberOfEdges(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    isFeature[e] = mesh.Twin(h) != None &&
+        this->Paths.Find(mesh.Point(mesh.Tail(h)), mesh.Point(mesh.Head(h))) != nullptr
+      ? 1
+      : 0;
+  }
+  DropShortFeatures(geometry, settings, isFeature);
+  return isFeature;
+}
+
+std::vector<Index> PreparedSurface::PathAlong(Index p, Index q) const
+{
+  const FeaturePaths::Path* path = this->Paths.Find(p, q);
+  if (path == nullptr)
+  {
+    return { p, q };
+  }
+  return path->Points.front() == p ? path->Points
+                                   : std::vector<Index>(path->Points.rbegin(), path->Points.rend());
 }
 
 std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
@@ -69,7 +138,7 @@ bool PreparedSurface::SplitBetweenFrameless(
   const SurfaceGeometry geometry(surface);
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<char> isFrameless =
-    FramelessVertices(geometry, degree, FindFeatures(geometry, settings));
+    FramelessVertices(geometry, degree, this->FeaturesOf(geometry, settings));
   std::map<std::array<Index, 2>, Index> middle;
   const auto middleOf = [&](Index h)
   {
@@ -79,7 +148,10 @@ bool PreparedSurface::SplitBetweenFrameless(
     const auto [place, isNew] = middle.emplace(ends, static_cast<Index>(surface.Points.size()));
     if (isNew)
     {
-      surface.Points.push_back(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]);
+      const Index onPath = this->Paths.MiddleOf(p, q);
+      surface.Points.push_back(onPath != None
+          ? surface.Points[onPath]
+          : Vector3(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]));
       this->Middles.push_back(ends);
     }
     return place->second;
@@ -150,6 +222,12 @@ bool PreparedSurface::SplitBetweenFrameless(
     }
   }
   surface.Triangles = std::move(triangles);
+  std::vector<FeaturePaths::Split> splits;
+  for (const auto& [ends, point] : middle)
+  {
+    splits.push_back({ ends, point });
+  }
+  this->Paths.Halve(splits);
   return true;
 }
 }

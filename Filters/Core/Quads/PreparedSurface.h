@@ -5,7 +5,10 @@
 #define DirectionFields_PreparedSurface_h
 
 #include "Geometry/SurfaceGeometry.h"
+#include "Mesh/MergePoints.h"
+#include "Progress.h"
 #include "Quads/ClosestPoints.h"
+#include "Quads/FeaturePaths.h"
 #include "Quads/KeptFeatures.h"
 #include "Surface.h"
 
@@ -14,17 +17,26 @@
 
 namespace DirectionFields::Internal
 {
-/// A surface as it can be mapped: connected across seams, wound consistently, and with a point in the middle
-/// of each edge both ends of which have no frame (FramelessVertices).
+/// A surface as it can be mapped: connected across seams, wound consistently, with a point in the middle
+/// of each edge both ends of which have no frame (FramelessVertices), and with fewer triangles where they are
+/// much smaller than the faces to come.
 class PreparedSurface
 {
 public:
-  /// Throws MeshError.
-  PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings);
+  /// Throws MeshError and Stopped.
+  /// @param edgeLength how long edges may become at each point of the input, in its unit; empty to keep all
+  PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
+    const std::vector<double>& edgeLength = {}, const Progress& progress = {});
 
   /// Its points are the input's, then the middles.
   const std::shared_ptr<const Surface>& GetSurface() const { return this->Prepared; }
   const Repairs& GetRepairs() const { return this->Repaired; }
+
+  /// Not 0 for each edge of a mesh of the prepared surface that is a feature.
+  std::vector<char> FeaturesOf(
+    const SurfaceGeometry& geometry, const FeatureSettings& settings) const;
+  /// The points of the prepared surface that an edge of a feature or the boundary runs through, from end to end.
+  std::vector<Index> PathAlong(Index p, Index q) const;
 
   /// Values at the input's points continued to the middles.
   template <typename T>
@@ -59,9 +71,15 @@ private:
     Index Input;
     std::array<int, 3> InputCorner;
   };
+  /// Returns the triangles that are left.
+  std::vector<Triangle> Decimated(const Surface& input, MergedMesh&& merged,
+    const FeatureSettings& settings, const std::vector<double>& edgeLength,
+    const Progress& progress);
   /// Returns whether any edge was split.
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
+  bool IsDecimated = false;
+  FeaturePaths Paths;
   std::vector<UsedTriangle> Used;
   std::vector<std::array<Index, 2>> Middles;
   std::shared_ptr<const Surface> Prepared;

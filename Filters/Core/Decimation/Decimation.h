@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Decimation_h
+#define DirectionFields_Decimation_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Progress.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Fewer triangles for the same surface: edges are collapsed (H. Hoppe et al.: Mesh Optimization, 1993) to one of
+/// their ends, so that all vertices that are left stay where they are. The topology stays the same; features
+/// and the boundary remain paths of edges, vertices where features end, meet or turn remain. So does every
+/// vertex that shares its point with another one, and no two such become neighbours: a mesh of the triangles
+/// that are left is connected as this one is. Covers are left alone. Takes time linear in the triangles.
+class Decimation
+{
+public:
+  struct Limits
+  {
+    /// The longest edge that may come about at each vertex, in the input's unit.
+    std::vector<double> EdgeLength;
+    /// How far the surface may move at most, in these lengths.
+    double Deviation = 0.1;
+  };
+
+  /// @param positions of the vertices
+  /// @param isFeature not 0 for edges to be kept; the boundary counts anyway
+  Decimation(const TriangleMesh& mesh, const std::vector<Vector3>& positions,
+    const std::vector<char>& isFeature, const Limits& limits);
+
+  /// Throws Stopped.
+  void Run(const Progress& progress = {});
+
+  /// Whether a triangle of the mesh is still there, and its corners then.
+  bool IsTriangle(Index t) const { return this->Corners[3 * t] != None; }
+  Index Corner(Index h) const { return this->Corners[h]; }
+  bool IsVertex(Index v) const { return this->Outgoing[v] != None; }
+
+private:
+  struct Star;
+  enum class Kind : char
+  {
+    Free,
+    /// Has two edges that are features.
+    OnFeature,
+    Fixed
+  };
+
+  static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index Previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  void FindKinds(const TriangleMesh& mesh);
+  /// Collapses edges between vertices of a range, to lengths up to a part of the limit; returns how many.
+  Index Sweep(Index begin, Index end, double part);
+  bool FindStar(Index v, Index begin, Index end, Star& star) const;
+  /// How good the worst triangle is after the collapse of edge i of a star; negative where that may not be.
+  double Quality(Index v, const Star& star, std::size_t i, double part) const;
+  bool IsOnFeature(const Star& star, std::size_t k) const;
+  /// How far a vertex on a feature is from the edge that is to take the place of its two.
+  double FeatureStep(Index v, const Star& star, std::size_t i) const;
+  bool KeepsTopology(Index v, const Star& star, std::size_t i) const;
+  void Collapse(Index v, const Star& star, std::size_t i);
+
+  const std::vector<Vector3>& Positions;
+  const Limits& Limit;
+  LargeArray<Index> Corners;
+  LargeArray<Index> Twins;
+  LargeArray<Index> Outgoing;
+  /// Of each half-edge whether it is part of a feature or the boundary.
+  std::vector<char> IsFeature;
+  std::vector<Kind> Kinds;
+  /// Something around the vertex has changed since a collapse was last tried.
+  std::vector<char> IsNew;
+  /// How far the surface may have moved at each triangle, and the feature at each vertex.
+  std::vector<float> Moved;
+  std::vector<float> FeatureMoved;
+  double MeanLength = 0.0;
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FeaturePaths_h
+#define DirectionFields_FeaturePaths_h
+
+#include "Decimation/Decimation.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <array>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Which points of a surface each feature edge of a decimated mesh stands for.
+class FeaturePaths
+{
+public:
+  FeaturePaths() = default;
+  /// @param isFeature not 0 for edges that are features; those of the boundary count anyway
+  FeaturePaths(
+    const TriangleMesh& mesh, const std::vector<char>& isFeature, const Decimation& decimation);
+
+  struct Path
+  {
+    /// Two points, the lower one first.
+    std::array<Index, 2> Ends{ None, None };
+    /// The points from the first one to the second, both included.
+    std::vector<Index> Points;
+  };
+  /// The path between two points, or null.
+  const Path* Find(Index p, Index q) const;
+  /// An edge that gets a point in its middle.
+  struct Split
+  {
+    std::array<Index, 2> Ends;
+    Index Middle;
+  };
+  /// The inner point of a path that is to be where an edge is split, or None.
+  Index MiddleOf(Index p, Index q) const;
+  /// Makes two paths of each that is split. The middles take the place of the points that they come from.
+  void Halve(const std::vector<Split>& splits);
+
+private:
+  void Sort();
+  std::vector<Path> Paths;
+};
+}
+
+#endif
