@@ -5,6 +5,7 @@
 
 #include "FieldArrays.h"
 #include "FieldToPolyData.h"
+#include "InterpolatedData.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -72,21 +73,6 @@ struct Valences
   std::vector<int> Edges;
   std::vector<char> IsBoundary;
 };
-
-/// What cannot be interpolated: directions, and marks of the input's own points and cells.
-void DropWhatIsNotToInterpolate(vtkDataSetAttributes* data)
-{
-  for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
-  {
-    const char* name = data->GetArrayName(k);
-    if (name &&
-      (ArrayNames::IsOfTheField(name, 16) || name == std::string(ArrayNames::OriginalPointIds) ||
-        name == std::string(vtkDataSetAttributes::GhostArrayName())))
-    {
-      data->RemoveArray(k);
-    }
-  }
-}
 
 void InterpolatePointData(vtkPolyData* input, const TriangulatedPolyData& surface,
   const RemeshResult& mesh, vtkPointData* out)

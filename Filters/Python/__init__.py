@@ -5,8 +5,8 @@
 from .vtkDirectionFieldsFilters import (
     vtkCompareDirectionFields, vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldReader,
     vtkDirectionFieldStreamlines, vtkDirectionFieldWriter, vtkFieldAlignedRemesh,
-    vtkGuidanceCurves)
+    vtkGuidanceCurves, vtkStripePattern)
 
 __all__ = ["vtkCompareDirectionFields", "vtkDirectionField", "vtkDirectionFieldGlyphs",
            "vtkDirectionFieldReader", "vtkDirectionFieldStreamlines", "vtkDirectionFieldWriter",
-           "vtkFieldAlignedRemesh", "vtkGuidanceCurves"]
+           "vtkFieldAlignedRemesh", "vtkGuidanceCurves", "vtkStripePattern"]

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshes/Fields.h"
-#include "Meshes/Surfaces.h"
-#include "Stripes/Stripes.h"
+#include "Patterns.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>
@@ -17,85 +15,10 @@
 #include <vector>
 
 using namespace DirectionFields;
+using namespace Patterns;
 
 namespace
 {
-StripeOptions Spaced(double spacing, StripeDirection direction = StripeDirection::Along)
-{
-  StripeOptions options;
-  options.Spacing = spacing;
-  options.Direction = direction;
-  return options;
-}
-
-StripePattern PatternOf(
-  const Surface& surface, const PointDirections& directions, const StripeOptions& options)
-{
-  const GivenField field(surface, directions);
-  return MakeStripes(field, options);
-}
-
-StripePattern SmoothPattern(const Surface& surface, int degree, const StripeOptions& options)
-{
-  const Result result = Fields::Compute(surface, degree);
-  return PatternOf(surface, Fields::Of(result), options);
-}
-
-/// Around the z axis.
-PointDirections East(const Surface& surface)
-{
-  PointDirections field;
-  field.Degree = 1;
-  field.Direction = [&surface](Index point, int)
-  {
-    const Vector3 east(-surface.Points[point].y(), surface.Points[point].x(), 0.0);
-    return east.norm() > 1e-9 ? Vector3(east.normalized()) : Vector3(1.0, 0.0, 0.0);
-  };
-  field.Magnitude = [](Index) { return 1.0; };
-  return field;
-}
-
-/// The lines of a vector field, in random order and senses.
-PointDirections AsLineField(const PointDirections& vectors)
-{
-  PointDirections lines = vectors;
-  lines.Degree = 2;
-  lines.Direction = [vectors](Index point, int k)
-  { return Vector3(((point * 7919 / 5 + k) % 2 == 0 ? 1.0 : -1.0) * vectors.Direction(point, 0)); };
-  return lines;
-}
-
-double AreaOf(const Surface& surface)
-{
-  double area = 0.0;
-  for (const Triangle& t : surface.Triangles)
-  {
-    const Vector3 a = surface.Points[t[1]] - surface.Points[t[0]];
-    area += 0.5 * a.cross(surface.Points[t[2]] - surface.Points[t[0]]).norm();
-  }
-  return area;
-}
-
-double LengthOf(const StripePattern& pattern)
-{
-  double length = 0.0;
-  for (const double line : pattern.Length)
-  {
-    length += line;
-  }
-  return length;
-}
-
-int IndexSum(const StripePattern& pattern)
-{
-  int sum = 0;
-  for (const StripeSingularity& singularity : pattern.Singularities)
-  {
-    sum += singularity.StripeIndex;
-  }
-  return sum;
-}
-
 /// A ring in the plane z = 0 between two radii.
 Surface Ring(int around, int across, double inner, double outer)
 {
@@ -108,18 +31,6 @@ Surface Ring(int around, int across, double inner, double outer)
   return surface;
 }
 
-Vector3 PolygonArea(const StripePattern& pattern, std::size_t i)
-{
-  Vector3 area = Vector3::Zero();
-  const Vector3& first = pattern.BandPositions[pattern.BandCorners[pattern.BandOffsets[i]]];
-  for (std::int64_t k = pattern.BandOffsets[i] + 1; k + 1 < pattern.BandOffsets[i + 1]; ++k)
-  {
-    area += 0.5 *
-      (pattern.BandPositions[pattern.BandCorners[k]] - first)
-        .cross(pattern.BandPositions[pattern.BandCorners[k + 1]] - first);
-  }
-  return area;
-}
 }
 
 TEST(Stripes, OnClosedSurfacesTheIndicesOfVectorFieldsAddUpToZero)
@@ -318,68 +229,6 @@ TEST(Stripes, LinesAreAsLongAsTheirSpacingAsksFor)
       const double spacing = 0.05;
       const StripePattern pattern = SmoothPattern(surface, degree, Spaced(spacing));
       EXPECT_NEAR(LengthOf(pattern) * spacing / AreaOf(surface), 1.0, 0.03);
-    }
-  }
-}
-
-TEST(Stripes, BandsAreTheSurfaceCutExactly)
-{
-  for (const Surface& surface : { Meshes::Icosphere(3), Meshes::Potato(4), Meshes::Hemisphere(3) })
-  {
-    for (const int degree : { 1, 2 })
-    {
-      // Down to several stripes within an edge.
-      for (const double spacing : { 0.3, 0.1, 0.03 })
-      {
-        const StripePattern pattern = SmoothPattern(surface, degree, Spaced(spacing));
-        std::set<std::pair<std::int64_t, std::int64_t>> sides;
-        double area = 0.0;
-        double dark = 0.0;
-        for (std::size_t i = 0; i + 1 < pattern.BandOffsets.size(); ++i)
-        {
-          const std::int64_t begin = pattern.BandOffsets[i];
-          const std::int64_t end = pattern.BandOffsets[i + 1];
-          for (std::int64_t k = begin; k < end; ++k)
-          {
-            const std::int64_t next = k + 1 < end ? k + 1 : begin;
-            EXPECT_TRUE(sides.insert({ pattern.BandCorners[k], pattern.BandCorners[next] }).second);
-          }
-          const double own = PolygonArea(pattern, i).norm();
-          area += own;
-          dark += pattern.Stripe[i] ? own : 0.0;
-        }
-        EXPECT_NEAR(area, AreaOf(surface), 1e-9 * area)
-          << "polygons neither overlap nor leave gaps";
-        EXPECT_NEAR(dark, 0.5 * area, 0.03 * area);
-        int open = 0;
-        for (const auto& [a, b] : sides)
-        {
-          open += sides.count({ b, a }) == 0 ? 1 : 0;
-        }
-        EXPECT_EQ(open > 0, surface.Triangles.size() == Meshes::Hemisphere(3).Triangles.size());
-      }
-    }
-  }
-}
-
-TEST(Stripes, PhasesOfBandsSayWhichStripeTheyAre)
-{
-  const Surface surface = Meshes::Potato(3);
-  for (const int degree : { 1, 2 })
-  {
-    StripeOptions options = Spaced(0.3);
-    options.BandPhases = true;
-    const StripePattern pattern = SmoothPattern(surface, degree, options);
-    ASSERT_EQ(pattern.BandPhases.size(), pattern.BandCorners.size());
-    for (std::size_t i = 0; i + 1 < pattern.BandOffsets.size(); ++i)
-    {
-      double mean = 0.0;
-      for (std::int64_t k = pattern.BandOffsets[i]; k < pattern.BandOffsets[i + 1]; ++k)
-      {
-        mean += pattern.BandPhases[k] /
-          static_cast<double>(pattern.BandOffsets[i + 1] - pattern.BandOffsets[i]);
-      }
-      EXPECT_EQ(std::cos(2.0 * Pi * mean) > 0.0, pattern.Stripe[i] != 0) << mean;
     }
   }
 }
