@@ -435,10 +435,10 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     {
       perLength[v] = 1.0 / (coarse * size[v]);
     }
-    const FeatureLines features(geometry, *kept.Charts, kept.IsFeature, kept.IsFrameless,
+    std::vector<char> isFrameless = kept.IsFrameless;
+    FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
       std::vector<double>(mesh.GetComponents().size(), coarse));
-    const CellInput input{ geometry, *kept.Charts, features, kept.IsFrameless, kept.Section,
-      perLength };
+    const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength };
     std::vector<Index> line;
     std::vector<char> isBoundary;
     const auto components = static_cast<double>(mesh.GetComponents().size());

@@ -268,7 +268,7 @@ struct ChartedMesh::Builder
       const int corner = image % 3;
       const int baseCorner = t.Vertex[corner] == base ? corner : (corner + 1) % 3;
       const int axis = (this->Features.Axis[e] + t.Corner[baseCorner].Turn) % this->Out.Degree;
-      this->Out.Isolines.push_back({ image / 3, corner, axis });
+      this->Out.Isolines.push_back({ image / 3, corner, axis, e });
       for (const int c : { corner, (corner + 1) % 3 })
       {
         const int own = (axis + this->Out.Degree - t.Corner[c].Turn) % (this->Out.Degree / 2);

@@ -66,6 +66,8 @@ struct ChartedMesh
     Index Triangle;
     int Corner;
     int Axis;
+    /// The edge of the surface that it is.
+    Index Edge;
   };
 
   int Degree;

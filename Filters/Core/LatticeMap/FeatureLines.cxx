@@ -29,18 +29,20 @@ void ForEdgesAt(const TriangleMesh& mesh, Index vertex, const Visit& visit)
   } while (h != None && h != first);
 }
 
-/// The features at each vertex.
+/// How many edges at a vertex are features.
+int FeatureValence(const TriangleMesh& mesh, const std::vector<char>& isFeature, Index vertex)
+{
+  int valence = 0;
+  ForEdgesAt(mesh, vertex, [&](Index h, bool) { valence += isFeature[mesh.Edge(h)] != 0 ? 1 : 0; });
+  return valence;
+}
+
 std::vector<int> FeatureValences(const TriangleMesh& mesh, const std::vector<char>& isFeature)
 {
-  std::vector<int> valence(mesh.GetNumberOfVertices(), 0);
-  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  std::vector<int> valence(mesh.GetNumberOfVertices());
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    if (isFeature[e] != 0)
-    {
-      const Index h = mesh.HalfEdge(e);
-      ++valence[mesh.Tail(h)];
-      ++valence[mesh.Head(h)];
-    }
+    valence[v] = FeatureValence(mesh, isFeature, v);
   }
   return valence;
 }
@@ -174,16 +176,25 @@ std::vector<char> FramelessVertices(
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<char> features = WithBoundary(mesh, isFeature);
-  const std::vector<int> valence = FeatureValences(mesh, features);
   std::vector<char> isFrameless(mesh.GetNumberOfVertices(), 0);
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
   {
-    isFrameless[v] = valence[v] > 1 && !mesh.IsBoundary(v) &&
-        (valence[v] != 2 || !GoesStraight(geometry, degree, features, v))
-      ? 1
-      : 0;
+    UpdateFrameless(geometry, degree, component, features, isFrameless);
   }
   return isFrameless;
+}
+
+void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
+  const TriangleMesh::Component& component, const std::vector<char>& isFeature,
+  std::vector<char>& isFrameless)
+{
+  for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+  {
+    const int valence =
+      geometry.Mesh.IsBoundary(v) ? 0 : FeatureValence(geometry.Mesh, isFeature, v);
+    isFrameless[v] =
+      valence > 2 || (valence == 2 && !GoesStraight(geometry, degree, isFeature, v)) ? 1 : 0;
+  }
 }
 
 FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldCharts& charts,

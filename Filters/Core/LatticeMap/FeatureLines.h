@@ -17,6 +17,12 @@ namespace DirectionFields::Internal
 std::vector<char> FramelessVertices(
   const IntrinsicGeometry& geometry, int degree, const std::vector<char>& isFeature);
 
+/// The same for the vertices of one component, the features having changed.
+/// @param isFeature also not 0 for the edges of the boundary
+void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
+  const TriangleMesh::Component& component, const std::vector<char>& isFeature,
+  std::vector<char>& isFrameless);
+
 /// Which isoline of a map each feature is to be.
 struct FeatureLines
 {

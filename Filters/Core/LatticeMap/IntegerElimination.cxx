@@ -37,6 +37,13 @@ IntegerElimination::IntegerElimination(std::vector<char> isInteger)
 {
 }
 
+Index IntegerElimination::AddFreeInteger()
+{
+  this->Integers.push_back(2);
+  this->Dependent.push_back(None);
+  return this->GetNumberOfVariables() - 1;
+}
+
 const IntegerSum& IntegerElimination::Resolve(Index variable)
 {
   if (this->IsFree(variable))
@@ -93,8 +100,7 @@ void IntegerElimination::Require(IntegerSum sum)
       // The last one of the least rank: any that is no integer goes before those that are.
       const bool isUnit = std::abs(sum[i].second) == 1;
       if (isUnit &&
-        (pivot == sum.size() || !this->IsInteger(sum[i].first) ||
-          this->IsInteger(sum[pivot].first)))
+        (pivot == sum.size() || this->Integers[sum[i].first] <= this->Integers[sum[pivot].first]))
       {
         pivot = i;
       }

@@ -24,6 +24,10 @@ public:
   /// @param isInteger not 0 for variables that are to be integers
   explicit IntegerElimination(std::vector<char> isInteger);
 
+  /// A new variable that is to be an integer, and stays free where an equation leaves another one to be solved
+  /// for: bounds can be put on it.
+  Index AddFreeInteger();
+
   /// Requires that a sum vanishes. Its terms may be in any order, and repeated.
   void Require(IntegerSum sum);
 
@@ -39,6 +43,7 @@ public:
 private:
   void MakeDependent(Index variable, IntegerSum sum);
 
+  /// What each variable is: 0 for a real number, 1 for an integer, 2 for one that stays free if it can.
   std::vector<char> Integers;
   /// Which of the sums a variable is, or None.
   std::vector<Index> Dependent;

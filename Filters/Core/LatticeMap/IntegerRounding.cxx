@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -14,21 +15,22 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-double ToNearest(double x)
+/// How far it is to the nearest integer; what is below its bound comes before anything else.
+double Rank(double x, double least)
 {
-  return std::abs(x - std::nearbyint(x));
+  return std::nearbyint(x) < least ? x - least : std::abs(x - std::nearbyint(x));
 }
 
 /// The variables to be rounded next, of those that are left.
 std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& x,
-  const std::vector<Eigen::Index>& left, Eigen::Index mostSingly)
+  const Eigen::VectorXd& least, const std::vector<Eigen::Index>& left, Eigen::Index mostSingly)
 {
   const Eigen::Index count = static_cast<Eigen::Index>(left.size());
-  // How far it is to the nearest integer, the variable, and its place among those that are left.
+  // The rank, the variable, and its place among those that are left.
   std::vector<std::tuple<double, Eigen::Index, Eigen::Index>> order;
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    order.push_back({ ToNearest(x[left[i]]), left[i], i });
+    order.push_back({ Rank(x[left[i]], least[left[i]]), left[i], i });
   }
   if (count <= mostSingly)
   {
@@ -57,9 +59,13 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
 }
 }
 
-void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, Eigen::Index mostSingly)
+void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, const Eigen::VectorXd& least,
+  Eigen::Index mostSingly)
 {
   const Eigen::Index count = x.size();
+  const Eigen::VectorXd bound = least.size() == count
+    ? least
+    : Eigen::VectorXd::Constant(count, -std::numeric_limits<double>::infinity());
   const Eigen::MatrixXd inverse =
     factor.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
   Eigen::MatrixXd covariance = inverse.transpose() * inverse;
@@ -71,12 +77,12 @@ void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, Eigen::Ind
   while (!left.empty())
   {
     // The covariance of those that are left stands in its first rows and columns, in their order.
-    std::vector<Eigen::Index> slots = NextOnes(covariance, x, left, mostSingly);
+    std::vector<Eigen::Index> slots = NextOnes(covariance, x, bound, left, mostSingly);
     std::sort(slots.begin(), slots.end(), std::greater<>());
     for (const Eigen::Index k : slots)
     {
       const auto size = static_cast<Eigen::Index>(left.size());
-      const double target = std::nearbyint(x[left[k]]);
+      const double target = std::max(std::nearbyint(x[left[k]]), bound[left[k]]);
       const Eigen::VectorXd column = covariance.col(k).head(size);
       const double variance = column[k];
       if (variance > 0.0)

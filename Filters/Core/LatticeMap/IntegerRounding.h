@@ -16,10 +16,12 @@ constexpr Eigen::Index MostRounded = 2000;
 /// integer gets it, the others move to where the energy is least with that, and so on (D. Bommes, H. Zimmer,
 /// L. Kobbelt: Mixed-Integer Quadrangulation, 2009). Of equally near ones the first goes first. Where there
 /// are more than mostSingly variables, those that depend little on each other go at once.
+/// Variables that are below their bounds go first, to the bounds, so that the others have the most room.
 /// @param factor lower triangular: factor factor^T is the matrix of the energy
 /// @param x      where the energy is least; becomes the integers
-void RoundGreedily(
-  const Eigen::MatrixXd& factor, Eigen::VectorXd& x, Eigen::Index mostSingly = MostSingly);
+/// @param least  of each variable, an integer or minus infinity; empty for no bounds
+void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x,
+  const Eigen::VectorXd& least = {}, Eigen::Index mostSingly = MostSingly);
 }
 
 #endif

@@ -3,177 +3,21 @@
 
 #include "LatticeMap/LatticeMap.h"
 
-#include "LatticeMap/IntegerElimination.h"
 #include "LatticeMap/IntegerRounding.h"
 #include "LatticeMap/IsolineFolds.h"
 #include "LatticeMap/LatticeSystem.h"
+#include "LatticeMap/MapUnknowns.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
 namespace DirectionFields::Internal
 {
-namespace
-{
-/// A point of the lattice's plane whose coordinates are sums of variables.
-struct LatticeSum
-{
-  IntegerSum A;
-  IntegerSum B;
-
-  static void Append(IntegerSum& to, const IntegerSum& from, std::int64_t factor)
-  {
-    for (const auto& [variable, coefficient] : from)
-    {
-      to.emplace_back(variable, factor * coefficient);
-    }
-  }
-  void Add(const LatticeSum& other, std::int64_t factor)
-  {
-    Append(this->A, other.A, factor);
-    Append(this->B, other.B, factor);
-  }
-  /// zeta^turn times this.
-  LatticeSum Turned(int turn, int degree) const
-  {
-    LatticeSum turned = *this;
-    for (int k = 0; k < turn; ++k)
-    {
-      LatticeSum next;
-      Append(next.A, turned.B, -1);
-      next.B = turned.A;
-      if (degree == 6)
-      {
-        Append(next.B, turned.B, 1);
-      }
-      turned = std::move(next);
-    }
-    return turned;
-  }
-};
-}
-
-/// The variables: two coordinates of each vertex in its own chart, of each jump, and one for each feature at
-/// a vertex, that across it. Elimination leaves those that are free.
-struct LatticeMap::Unknowns
-{
-  explicit Unknowns(const ChartedMesh& mesh)
-    : Mesh(mesh)
-    , Degree(mesh.Degree)
-    , Vertices(static_cast<Index>(mesh.Positions.size()))
-    , Solved(this->Flags())
-  {
-    this->FixOrigin();
-    for (const ChartedMesh::Cone& cone : mesh.Cones)
-    {
-      LatticeSum image = this->Vertex(cone.Vertex).Turned(cone.Holonomy.Turn, this->Degree);
-      image.Add(this->Jumps(cone.Holonomy), 1);
-      image.Add(this->Vertex(cone.Vertex), -1);
-      this->Solved.Require(image.A);
-      this->Solved.Require(image.B);
-    }
-    for (const auto& [key, variable] : this->AcrossFeature)
-    {
-      IntegerSum definition = this->Vertex(key.first).Turned(key.second, this->Degree).B;
-      definition.emplace_back(variable, -1);
-      this->Solved.Require(definition);
-    }
-    for (const ChartedMesh::IsolineEdge& edge : mesh.Isolines)
-    {
-      LatticeSum along = this->Corner(edge.Triangle, (edge.Corner + 1) % 3);
-      along.Add(this->Corner(edge.Triangle, edge.Corner), -1);
-      this->Solved.Require(along.Turned((this->Degree - edge.Axis) % this->Degree, this->Degree).B);
-    }
-  }
-
-  LatticeSum Vertex(Index v) const { return { { { 2 * v, 1 } }, { { 2 * v + 1, 1 } } }; }
-  LatticeSum Jumps(const SymbolicTransition& t) const
-  {
-    LatticeSum sum;
-    for (const Jump& jump : t.Jumps)
-    {
-      sum.Add(this->Vertex(this->Vertices + jump.Variable).Turned(jump.Turn, this->Degree), 1);
-    }
-    return sum;
-  }
-  /// The coordinates of a corner in the chart of its triangle.
-  LatticeSum Corner(Index t, int c) const
-  {
-    const ChartedMesh::MapTriangle& triangle = this->Mesh.Triangles[t];
-    LatticeSum sum = this->Vertex(triangle.Vertex[c]).Turned(triangle.Corner[c].Turn, this->Degree);
-    sum.Add(this->Jumps(triangle.Corner[c]), 1);
-    return sum;
-  }
-
-  /// Finds the features at each vertex, and returns which variables are to be integers.
-  std::vector<char> Flags()
-  {
-    std::vector<char> isPoint(this->Vertices, 0);
-    for (const ChartedMesh::Cone& cone : this->Mesh.Cones)
-    {
-      isPoint[cone.Vertex] = 1;
-    }
-    // Where a feature ends there is a lattice point, too.
-    for (std::size_t v = 0; v < this->Mesh.IsChainEnd.size(); ++v)
-    {
-      isPoint[v] = isPoint[v] != 0 || this->Mesh.IsChainEnd[v] != 0 ? 1 : 0;
-    }
-    std::vector<char> flags(2 * (this->Vertices + this->Mesh.NumberOfJumps), 1);
-    for (Index v = 0; v < this->Vertices; ++v)
-    {
-      flags[2 * v] = flags[2 * v + 1] = isPoint[v];
-    }
-    auto count = static_cast<Index>(flags.size());
-    for (const ChartedMesh::IsolineEdge& edge : this->Mesh.Isolines)
-    {
-      const ChartedMesh::MapTriangle& triangle = this->Mesh.Triangles[edge.Triangle];
-      for (const int c : { edge.Corner, (edge.Corner + 1) % 3 })
-      {
-        // zeta^-axis in the chart of the vertex, up to the sign.
-        const int turn = (triangle.Corner[c].Turn + this->Degree - edge.Axis) % (this->Degree / 2);
-        if (isPoint[triangle.Vertex[c]] == 0 &&
-          this->AcrossFeature.emplace(std::pair(triangle.Vertex[c], turn), count).second)
-        {
-          ++count;
-        }
-      }
-    }
-    flags.resize(count, 1);
-    return flags;
-  }
-
-  /// Of all maps that differ by a translation takes one that has a lattice point in 0.
-  void FixOrigin()
-  {
-    Index origin = this->Mesh.Cones.empty() ? None : this->Mesh.Cones.front().Vertex;
-    for (std::size_t v = 0; origin == None && v < this->Mesh.IsChainEnd.size(); ++v)
-    {
-      origin = this->Mesh.IsChainEnd[v] != 0 ? static_cast<Index>(v) : None;
-    }
-    if (origin == None && !this->AcrossFeature.empty())
-    {
-      origin = this->AcrossFeature.begin()->first.first;
-    }
-    if (origin != None)
-    {
-      this->Solved.Require({ { 2 * origin, 1 } });
-      this->Solved.Require({ { 2 * origin + 1, 1 } });
-    }
-  }
-
-  const ChartedMesh& Mesh;
-  int Degree;
-  Index Vertices;
-  /// The variable of a vertex and the turn that makes it the second coordinate.
-  std::map<std::pair<Index, int>, Index> AcrossFeature;
-  IntegerElimination Solved;
-};
-
 /// The energy as a quadratic function of the free variables, those that are real before the integers.
 struct LatticeMap::Energy
 {
-  Energy(const Lattice& plane, Unknowns& unknowns, const std::vector<double>& perLength)
+  Energy(const Lattice& plane, MapUnknowns& unknowns, const std::vector<double>& perLength)
     : Plane(plane)
     , All(unknowns)
     , Slot(unknowns.Solved.GetNumberOfVariables(), None)
@@ -272,6 +116,18 @@ struct LatticeMap::Energy
     return side;
   }
 
+  /// The least value of each integer.
+  Eigen::VectorXd Least() const
+  {
+    Eigen::VectorXd least = Eigen::VectorXd::Constant(
+      this->Count - this->Reals, -std::numeric_limits<double>::infinity());
+    for (const Index v : this->All.Bounded)
+    {
+      least[this->Slot[v] - this->Reals] = 1.0;
+    }
+    return least;
+  }
+
   /// The area of the triangles' images, in unit cells' parallelograms.
   double AreaAt(const Eigen::VectorXd& x)
   {
@@ -301,7 +157,7 @@ struct LatticeMap::Energy
 
   static constexpr double LeastWeight = 0.05;
   const Lattice& Plane;
-  Unknowns& All;
+  MapUnknowns& All;
   /// The place of each free variable in the system.
   std::vector<Index> Slot;
   Index Count = 0;
@@ -335,7 +191,8 @@ double WantedArea(
 LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const Progress& progress)
   : Plane(mesh.Degree)
 {
-  Unknowns unknowns(mesh);
+  MapUnknowns unknowns(mesh);
+  unknowns.BoundStretches(settings.PerLength);
   Energy energy(this->Plane, unknowns, settings.PerLength);
   this->NumberOfIntegers = energy.Count - energy.Reals;
   progress.Report(0.2);
@@ -360,7 +217,7 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
       x = system.Solve(side);
       const double scale = scaleOf(x);
       Eigen::VectorXd integers = scale * x.tail(this->NumberOfIntegers);
-      RoundGreedily(system.TrailingFactor(), integers);
+      RoundGreedily(system.TrailingFactor(), integers, energy.Least());
       x = system.SolveWith(scale * side, integers);
     }
   }
@@ -373,7 +230,8 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
   this->Evaluate(mesh, unknowns, x);
 }
 
-void LatticeMap::Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eigen::VectorXd& free)
+void LatticeMap::Evaluate(
+  const ChartedMesh& mesh, MapUnknowns& unknowns, const Eigen::VectorXd& free)
 {
   if (!(free.array().abs() < Lattice::Range).all())
   {
@@ -426,11 +284,6 @@ void LatticeMap::Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eig
   {
     isCone[cone.Vertex] = 1;
   }
-  std::vector<char> isFixed = isCone;
-  for (std::size_t v = 0; v < mesh.IsChainEnd.size(); ++v)
-  {
-    isFixed[v] = isFixed[v] != 0 || mesh.IsChainEnd[v] != 0 ? 1 : 0;
-  }
   std::vector<LatticePoint> places(unknowns.Vertices);
   for (Index v = 0; v < unknowns.Vertices; ++v)
   {
@@ -440,7 +293,13 @@ void LatticeMap::Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eig
   {
     own[h] = transition(mesh.Triangles[h / 3].Corner[h % 3]);
   }
-  UnfoldIsolines(mesh, own, isFixed, places);
+  for (const IsolineStretch& stretch : UnfoldIsolines(mesh, own, unknowns.Stretches, places))
+  {
+    for (const IsolineStretch::Step& step : stretch.Steps)
+    {
+      this->CollapsedFeatures.push_back(mesh.Isolines[step.Isoline].Edge);
+    }
+  }
   for (std::size_t h = 0; h < own.size(); ++h)
   {
     this->Corners[h] = this->Plane.Apply(own[h], places[mesh.Triangles[h / 3].Vertex[h % 3]]);

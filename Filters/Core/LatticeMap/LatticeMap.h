@@ -12,6 +12,8 @@
 
 namespace DirectionFields::Internal
 {
+class MapUnknowns;
+
 /// The integer-grid map of a component: coordinates for every corner of every triangle whose gradients follow
 /// the field, such that charts differ by maps of the lattice onto itself, cones and corners are lattice
 /// points, and features are lines of the lattice (D. Bommes et al.: Integer-Grid Maps for Reliable Quad Meshing, 2013).
@@ -40,18 +42,21 @@ public:
   const std::vector<Transition>& GetAcross() const { return this->Across; }
   /// Integers that were rounded.
   Index GetNumberOfIntegers() const { return this->NumberOfIntegers; }
+  /// The edges of the surface that are features whose two ends came to the same place, or to the wrong order:
+  /// no line of the new mesh can stand for them.
+  const std::vector<Index>& GetCollapsedFeatures() const { return this->CollapsedFeatures; }
   /// Triangles that the map turns over, or flattens.
   Index CountFlipped() const;
 
 private:
-  struct Unknowns;
   struct Energy;
-  void Evaluate(const ChartedMesh& mesh, Unknowns& unknowns, const Eigen::VectorXd& free);
+  void Evaluate(const ChartedMesh& mesh, MapUnknowns& unknowns, const Eigen::VectorXd& free);
 
   Lattice Plane;
   const char* Failure = nullptr;
   std::vector<LatticePoint> Corners;
   std::vector<Transition> Across;
+  std::vector<Index> CollapsedFeatures;
   Index NumberOfIntegers = 0;
 };
 }

@@ -4,6 +4,7 @@
 #include "Quads/ComponentCells.h"
 
 #include "LatticeMap/LatticeMap.h"
+#include "LatticeMap/NarrowCorners.h"
 #include "Quads/CellMesh.h"
 #include "Quads/FoldRepair.h"
 #include "Quads/LatticePoints.h"
@@ -16,6 +17,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
+/// Maps that are made of a component, each with fewer features than the one before.
+constexpr int MostAttempts = 3;
+
 /// The triangles of a component as they are, those of the front where there are two sides.
 ComponentCells Unchanged(
   const CellInput& input, const TriangleMesh::Component& component, const char* failure)
@@ -136,19 +140,10 @@ void Collect(const CellMesh& cells, const ChartedMesh& charted, ComponentCells& 
     }
   }
 }
-}
 
-ComponentCells MakeCells(
-  const CellInput& input, const TriangleMesh::Component& component, const Progress& progress)
+LatticeMap::Settings SettingsFor(
+  const CellInput& input, const TriangleMesh::Component& component, const ChartedMesh& charted)
 {
-  if (component.IsCover)
-  {
-    return Unchanged(input, component, "it has one side only");
-  }
-  const JumpPaths jumps(input.Geometry, component, input.Charts, input.Features, input.IsFrameless);
-  const ChartedMesh charted(input.Geometry, component, input.Charts, input.Features,
-    input.IsFrameless, jumps, input.Section);
-  progress.Report(0.15);
   LatticeMap::Settings settings;
   settings.PerLength.assign(charted.Positions.size(), 0.0);
   std::copy(input.PerLength.begin() + component.FirstVertex,
@@ -161,15 +156,40 @@ ComponentCells MakeCells(
       settings.PerLength[t.Vertex[0]] = settings.PerLength[t.Vertex[1]];
     }
   }
-  const LatticeMap map(charted, settings, progress.Part(0.15, 0.7));
-  if (map.GetFailure() != nullptr)
+  return settings;
+}
+
+/// Takes back features that came to nothing in a map: without them there is a better one. The boundary stays.
+/// Returns whether there were any.
+bool DropFeatures(
+  const CellInput& input, const TriangleMesh::Component& component, const std::vector<Index>& edges)
+{
+  const TriangleMesh& mesh = input.Geometry.Mesh;
+  bool hasDropped = false;
+  for (const Index e : edges)
   {
-    return Unchanged(input, component, map.GetFailure());
+    if (mesh.Twin(mesh.HalfEdge(e)) != None)
+    {
+      input.Features.IsFeature[e] = 0;
+      input.Features.Line[e] = 0;
+      hasDropped = true;
+    }
   }
+  if (hasDropped)
+  {
+    UpdateFrameless(
+      input.Geometry, input.Charts.Degree, component, input.Features.IsFeature, input.IsFrameless);
+  }
+  return hasDropped;
+}
+
+/// The cells of a map.
+void Extract(
+  const ChartedMesh& charted, const LatticeMap& map, const Progress& progress, ComponentCells& out)
+{
   CellMesh cells(charted, map);
   InsertLatticePoints(cells);
-  progress.Report(0.8);
-  ComponentCells out;
+  progress.Report(0.3);
   out.KeptVertices = Reduce(cells, progress);
   out.FlippedTriangles = map.CountFlipped();
   out.Integers = map.GetNumberOfIntegers();
@@ -177,6 +197,38 @@ ComponentCells MakeCells(
     [](const ChartedMesh::Cone& cone) { return cone.Holonomy.Turn != 0; }));
   Collect(cells, charted, out);
   progress.Report(1.0);
+}
+}
+
+ComponentCells MakeCells(
+  const CellInput& input, const TriangleMesh::Component& component, const Progress& progress)
+{
+  if (component.IsCover)
+  {
+    return Unchanged(input, component, "it has one side only");
+  }
+  DropFeatures(input, component,
+    EdgesInNarrowCorners(
+      input.Geometry, component, input.Charts, input.Features, input.IsFrameless, input.PerLength));
+  ComponentCells out;
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    const JumpPaths jumps(
+      input.Geometry, component, input.Charts, input.Features, input.IsFrameless);
+    const ChartedMesh charted(input.Geometry, component, input.Charts, input.Features,
+      input.IsFrameless, jumps, input.Section);
+    const LatticeMap map(charted, SettingsFor(input, component, charted), progress.Part(0.15, 0.7));
+    if (map.GetFailure() != nullptr)
+    {
+      return Unchanged(input, component, map.GetFailure());
+    }
+    if (attempt + 1 < MostAttempts && DropFeatures(input, component, map.GetCollapsedFeatures()))
+    {
+      continue;
+    }
+    Extract(charted, map, progress.Part(0.7, 1.0), out);
+    break;
+  }
   return out;
 }
 }

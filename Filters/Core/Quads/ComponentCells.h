@@ -54,8 +54,10 @@ struct CellInput
 {
   const SurfaceGeometry& Geometry;
   const FieldCharts& Charts;
-  const FeatureLines& Features;
-  const std::vector<char>& IsFrameless;
+  /// Features of which no line can become are taken out while cells are made, and so are the corners that
+  /// they made.
+  FeatureLines& Features;
+  std::vector<char>& IsFrameless;
   const std::vector<Complex>& Section;
   /// 1 / h of each vertex, h the wanted length of edges there.
   const std::vector<double>& PerLength;

@@ -79,10 +79,18 @@ bool CollapseZeroEdges(CellMesh& mesh)
       const CellMesh::Role& role = mesh.GetRole(u);
       return role.IsCorner ? 3 : role.IsCone ? 2 : role.IsKept ? 1 : 0;
     };
-    const Index edge = rank(v) <= rank(w) || mesh.Twin(h) == None ? h : mesh.Twin(h);
-    if (!MayMove(mesh, edge) || !mesh.MayCollapse(edge))
+    const Index twin = mesh.Twin(h);
+    Index edge = rank(v) <= rank(w) || twin == None ? h : twin;
+    const auto isPossible = [&](Index k)
+    { return k != None && MayMove(mesh, k) && mesh.MayCollapse(k); };
+    if (!isPossible(edge))
     {
-      continue;
+      // A cone beside a feature moves onto it.
+      edge = edge == h ? twin : h;
+      if (!isPossible(edge))
+      {
+        continue;
+      }
     }
     const Index stays = mesh.Head(edge);
     const bool isKept = mesh.GetRole(v).IsKept || mesh.GetRole(w).IsKept;

@@ -9,6 +9,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <random>
 
 using namespace DirectionFields;
@@ -152,6 +154,29 @@ TEST(IntegerRounding, FollowsWhatIsRoundedFirst)
   EXPECT_EQ(x[1], -1.0);
 }
 
+TEST(IntegerRounding, KeepsToBoundsFirst)
+{
+  // As before, but y is to be at least 1: it goes first, and x follows it to about 1.6.
+  Eigen::Matrix2d matrix;
+  matrix << 1.01, -1.0, -1.0, 1.0;
+  const Eigen::MatrixXd factor = matrix.llt().matrixL();
+  Eigen::VectorXd x(2);
+  x << 0.1, -0.5;
+  const double infinity = std::numeric_limits<double>::infinity();
+  RoundGreedily(factor, x, Eigen::Vector2d(-infinity, 1.0));
+  EXPECT_EQ(x, Eigen::Vector2d(2.0, 1.0));
+}
+
+TEST(IntegerElimination, LeavesBoundedVariablesFree)
+{
+  IntegerElimination elimination(std::vector<char>(3, 1));
+  const Index sum = elimination.AddFreeInteger();
+  elimination.Require({ { 0, 1 }, { 1, 1 }, { 2, -1 }, { sum, -1 } });
+  EXPECT_TRUE(elimination.IsFree(sum));
+  EXPECT_TRUE(elimination.IsInteger(sum));
+  EXPECT_EQ(elimination.Resolve(2), (IntegerSum{ { 0, 1 }, { 1, 1 }, { sum, -1 } }));
+}
+
 TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
 {
   // A chain of springs of length 0.3, in numbers that are rounded in batches.
@@ -167,7 +192,7 @@ TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
     x[i] = 0.3 * static_cast<double>(i % 7);
   }
   const Eigen::VectorXd before = x;
-  RoundGreedily(factor, x, 50);
+  RoundGreedily(factor, x, {}, 50);
   EXPECT_TRUE((x.array() == x.array().round()).all());
   const double energy = (factor.transpose() * (x - before)).squaredNorm();
   const double allAtOnce =

@@ -114,6 +114,36 @@ TEST(Remesh, PlaneIsCutIntoEquilateralTriangles)
     0.8 * mesh.Triangles);
 }
 
+namespace
+{
+/// A roof over a triangle with an angle at each of the two ends of its ridge: sharp edges that meet there at that
+/// angle.
+Surface Wedge(double angle)
+{
+  Surface wedge;
+  const double half = std::tan(0.5 * angle);
+  wedge.Points = { { 0.0, 0.0, 0.0 }, { 1.0, half, 0.0 }, { 1.0, -half, 0.0 }, { 0.0, 0.0, 1.0 },
+    { 1.0, half, 1.0 }, { 1.0, -half, 1.0 } };
+  wedge.Triangles = { { 0, 1, 2 }, { 3, 5, 4 }, { 0, 3, 4 }, { 0, 4, 1 }, { 0, 2, 5 }, { 0, 5, 3 },
+    { 1, 4, 5 }, { 1, 5, 2 } };
+  return Meshes::FlatlySubdivided(wedge, 3);
+}
+}
+
+TEST(Remesh, WedgesHaveRoomAtTheirNarrowCorners)
+{
+  // Two edges that meet at 25 degrees follow the same direction of the field, and cannot both be lines of the lattice up
+  // to the corner.
+  for (const double angle : { 25.0, 40.0, 80.0 })
+  {
+    const RemeshResult mesh = Remeshed(Wedge(angle * Pi / 180.0), 1000);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_GT(mesh.Quads, 0.97 * static_cast<double>(mesh.Faces.size())) << angle;
+    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 1000.0, 150.0) << angle;
+    EXPECT_GT(LeastQuality(mesh), 0.0) << angle;
+  }
+}
+
 TEST(Remesh, KeepsTheTopologyOfAnySurface)
 {
   const std::vector<Surface> surfaces = { Meshes::Tetrahedron(), Meshes::Octahedron(),
