@@ -171,6 +171,10 @@ struct LatticeMap::Energy
 
 namespace
 {
+/// Features of up to this many edges are given up where the map is folded along this part of them.
+constexpr double LongestFolded = 8.0;
+constexpr double FoldedPart = 0.2;
+
 /// The area that the targets ask for, in parallelograms of the lattice.
 double WantedArea(
   const ChartedMesh& mesh, const LatticeMap::Settings& settings, const Lattice& plane)
@@ -304,6 +308,7 @@ void LatticeMap::Evaluate(
   {
     this->Corners[h] = this->Plane.Apply(own[h], places[mesh.Triangles[h / 3].Vertex[h % 3]]);
   }
+  this->FindFoldedFeatures(mesh, unknowns.Stretches);
   for (std::size_t h = 0; h < own.size(); ++h)
   {
     const Index twin = mesh.Triangles[h / 3].Twin[h % 3];
@@ -321,15 +326,47 @@ void LatticeMap::Evaluate(
   }
 }
 
+bool LatticeMap::IsFlipped(Index t) const
+{
+  const LatticePoint* corner = &this->Corners[3 * static_cast<std::size_t>(t)];
+  return Lattice::Orientation(corner[0], corner[1], corner[2]) <= 0;
+}
+
 Index LatticeMap::CountFlipped() const
 {
   Index flipped = 0;
-  for (std::size_t h = 0; h < this->Corners.size(); h += 3)
+  for (Index t = 0; t < static_cast<Index>(this->Corners.size() / 3); ++t)
   {
-    flipped +=
-      Lattice::Orientation(this->Corners[h], this->Corners[h + 1], this->Corners[h + 2]) > 0 ? 0
-                                                                                             : 1;
+    flipped += this->IsFlipped(t) ? 1 : 0;
   }
   return flipped;
+}
+
+void LatticeMap::FindFoldedFeatures(
+  const ChartedMesh& mesh, const std::vector<IsolineStretch>& stretches)
+{
+  for (const IsolineStretch& stretch : stretches)
+  {
+    double length = 0.0;
+    std::size_t flipped = 0;
+    for (const IsolineStretch::Step& step : stretch.Steps)
+    {
+      const ChartedMesh::IsolineEdge& edge = mesh.Isolines[step.Isoline];
+      const Index h = 3 * edge.Triangle + edge.Corner;
+      const Index twin = mesh.Triangles[edge.Triangle].Twin[edge.Corner];
+      flipped += this->IsFlipped(edge.Triangle) ? 1 : 0;
+      flipped += twin != None && this->IsFlipped(twin / 3) ? 1 : 0;
+      length += std::abs(
+        this->Plane.Place(this->Corners[edge.Corner == 2 ? h - 2 : h + 1] - this->Corners[h]));
+    }
+    if (length < LongestFolded &&
+      2 * FoldedPart * static_cast<double>(stretch.Steps.size()) < static_cast<double>(flipped))
+    {
+      for (const IsolineStretch::Step& step : stretch.Steps)
+      {
+        this->CollapsedFeatures.push_back(mesh.Isolines[step.Isoline].Edge);
+      }
+    }
+  }
 }
 }

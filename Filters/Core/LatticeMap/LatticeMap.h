@@ -13,6 +13,7 @@
 namespace DirectionFields::Internal
 {
 class MapUnknowns;
+struct IsolineStretch;
 
 /// The integer-grid map of a component: coordinates for every corner of every triangle whose gradients follow
 /// the field, such that charts differ by maps of the lattice onto itself, cones and corners are lattice
@@ -42,14 +43,16 @@ public:
   const std::vector<Transition>& GetAcross() const { return this->Across; }
   /// Integers that were rounded.
   Index GetNumberOfIntegers() const { return this->NumberOfIntegers; }
-  /// The edges of the surface that are features whose two ends came to the same place, or to the wrong order:
-  /// no line of the new mesh can stand for them.
+  /// The edges of the surface that are features of which no good line of a mesh can become: the ends came to
+  /// the same place or to the wrong order, or the feature is short and the map folded beside it.
   const std::vector<Index>& GetCollapsedFeatures() const { return this->CollapsedFeatures; }
   /// Triangles that the map turns over, or flattens.
   Index CountFlipped() const;
 
 private:
   struct Energy;
+  bool IsFlipped(Index t) const;
+  void FindFoldedFeatures(const ChartedMesh& mesh, const std::vector<IsolineStretch>& stretches);
   void Evaluate(const ChartedMesh& mesh, MapUnknowns& unknowns, const Eigen::VectorXd& free);
 
   Lattice Plane;
