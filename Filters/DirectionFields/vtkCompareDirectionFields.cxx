@@ -5,6 +5,7 @@
 
 #include "AlgorithmProgress.h"
 #include "ComparisonToPolyData.h"
+#include "CompositeOutputs.h"
 #include "DefaultThreads.h"
 #include "FilterRun.h"
 #include "PolyDataCheck.h"
@@ -116,23 +117,7 @@ vtkTypeBool vtkCompareDirectionFields::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
-    // The outputs are composite where the first input is: two composite inputs are compared block by block, which
-    // the pipeline does with one of them only.
-    vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
-    auto* const composite = vtkCompositeDataSet::SafeDownCast(input);
-    for (int port = 0; input && port < 2; ++port)
-    {
-      vtkInformation* const info = outputVector->GetInformationObject(port);
-      vtkDataObject* const now = info->Get(vtkDataObject::DATA_OBJECT());
-      const std::string wanted = composite ? composite->GetClassName() : "vtkPolyData";
-      if (!now || now->GetClassName() != wanted)
-      {
-        vtkSmartPointer<vtkDataObject> output;
-        output.TakeReference(
-          composite ? static_cast<vtkDataObject*>(composite->NewInstance()) : vtkPolyData::New());
-        info->Set(vtkDataObject::DATA_OBJECT(), output);
-      }
-    }
+    DirectionFields::MakeOutputsLike(inputVector[0], outputVector);
     return 1;
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);

@@ -3,10 +3,27 @@
 """Direction fields in plain VTK: from directionfields_vtk import vtkDirectionField."""
 
 from .vtkDirectionFieldsFilters import (
-    vtkCompareDirectionFields, vtkDirectionField, vtkDirectionFieldGlyphs, vtkDirectionFieldReader,
-    vtkDirectionFieldStreamlines, vtkDirectionFieldWriter, vtkFieldAlignedRemesh,
-    vtkGuidanceCurves, vtkStripePattern)
+    vtkCompareDirectionFields,
+    vtkDirectionField,
+    vtkDirectionFieldGlyphs,
+    vtkDirectionFieldReader,
+    vtkDirectionFieldSingularities,
+    vtkDirectionFieldStreamlines,
+    vtkDirectionFieldWriter,
+    vtkFieldAlignedRemesh,
+    vtkGuidanceCurves,
+    vtkStripePattern,
+)
 
-__all__ = ["vtkCompareDirectionFields", "vtkDirectionField", "vtkDirectionFieldGlyphs",
-           "vtkDirectionFieldReader", "vtkDirectionFieldStreamlines", "vtkDirectionFieldWriter",
-           "vtkFieldAlignedRemesh", "vtkGuidanceCurves", "vtkStripePattern"]
+__all__ = [
+    "vtkCompareDirectionFields",
+    "vtkDirectionField",
+    "vtkDirectionFieldGlyphs",
+    "vtkDirectionFieldReader",
+    "vtkDirectionFieldSingularities",
+    "vtkDirectionFieldStreamlines",
+    "vtkDirectionFieldWriter",
+    "vtkFieldAlignedRemesh",
+    "vtkGuidanceCurves",
+    "vtkStripePattern",
+]

@@ -27,8 +27,8 @@ TriangleMesh::Component AllOf(const TriangleMesh& mesh)
   return { 0, mesh.GetNumberOfTriangles(), 0, mesh.GetNumberOfEdges(), 0,
     mesh.GetNumberOfVertices(), false, false };
 }
+}
 
-/// omega of each edge of a component in its direction.
 LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const Complex* field)
 {
@@ -50,7 +50,6 @@ LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
       }
     });
   return omega;
-}
 }
 
 std::vector<int> SingularityIndices(

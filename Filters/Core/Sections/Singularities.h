@@ -22,6 +22,11 @@ std::vector<int> SingularityIndices(
 std::vector<int> SingularityIndices(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const Complex* field);
 
+/// omega of each edge of a component in its direction, radians, in [-pi, pi].
+/// @param field representation vector of each vertex of the component, from its first one on
+LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, const Complex* field);
+
 /// The square of the gradient of the section of unit length with the same directions at each vertex of the mesh, in
 /// 1 / unit^2: a third of the Dirichlet energies of the linear interpolations over the triangles at the vertex (sum of
 /// half cotangents times 2 - 2 cos omega), over a third of their areas. At least 0.

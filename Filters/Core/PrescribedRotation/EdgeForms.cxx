@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PrescribedRotation/EdgeForms.h"
+
+#include "Support/Threads.h"
+
+namespace DirectionFields::Internal
+{
+EdgeForms::EdgeForms(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component)
+  : Geometry(geometry)
+  , Component(component)
+  , Weights(component.Edges())
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  ParallelFor(component.Edges(), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index e = begin; e < end; ++e)
+      {
+        const Index h = mesh.HalfEdge(component.FirstEdge + e);
+        double weight = 0.0;
+        for (const Index side : { h, mesh.Twin(h) })
+        {
+          if (side != None)
+          {
+            const LargeArray<double>& squared = geometry.Lengths.SquaredLength;
+            const double opposite = squared[mesh.Edge(TriangleMesh::Next(side))] +
+              squared[mesh.Edge(TriangleMesh::Previous(side))] - squared[mesh.Edge(side)];
+            weight += opposite / (8.0 * geometry.Lengths.Area[side / 3]);
+          }
+        }
+        this->Weights[e] = weight;
+      }
+    });
+}
+
+double EdgeForms::Product(const EdgeForm& a, const EdgeForm& b) const
+{
+  return ParallelSum(this->Component.Edges(), LightPiece, 0.0,
+    [&](Index begin, Index end)
+    {
+      double sum = 0.0;
+      for (Index e = begin; e < end; ++e)
+      {
+        sum += this->Weights[e] * a[e] * b[e];
+      }
+      return sum;
+    });
+}
+
+Eigen::VectorXd EdgeForms::Inflow(const EdgeForm& form) const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  Eigen::VectorXd inflow(this->Component.Vertices());
+  ParallelFor(this->Component.Vertices(), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      std::vector<Index> fan;
+      for (Index v = begin; v < end; ++v)
+      {
+        const Index vertex = this->Component.FirstVertex + v;
+        mesh.GetFan(vertex, fan);
+        double sum = 0.0;
+        for (const Index h : fan)
+        {
+          sum -= this->Weights[this->LocalEdge(h)] * this->Along(form, h);
+        }
+        if (mesh.IsBoundary(vertex))
+        {
+          // The last edge has no half-edge but the one that comes in.
+          const Index last = TriangleMesh::Previous(fan.back());
+          sum += this->Weights[this->LocalEdge(last)] * this->Along(form, last);
+        }
+        inflow[v] = sum;
+      }
+    });
+  return inflow;
+}
+
+void EdgeForms::SubtractRise(const Eigen::VectorXd& values, EdgeForm& form) const
+{
+  ParallelFor(this->Component.Edges(), LightPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index e = begin; e < end; ++e)
+      {
+        const Index h = this->Geometry.Mesh.HalfEdge(this->Component.FirstEdge + e);
+        form[e] -= values[this->LocalHead(h)] - values[this->LocalTail(h)];
+      }
+    });
+}
+}
