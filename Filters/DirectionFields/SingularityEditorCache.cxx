@@ -66,6 +66,19 @@ std::vector<SingularityEditorCache::State> SingularityEditorCache::FieldOf(vtkPo
   return states;
 }
 
+SingularityEditorCache::Block SingularityEditorCache::Make(
+  vtkPolyData* input, std::shared_ptr<TriangulatedPolyData> surface, bool keepsConstraints)
+{
+  Block block;
+  block.Surface = std::move(surface);
+  if (input->GetNumberOfPoints() > 0 && !block.Surface->Mesh.Triangles.empty())
+  {
+    block.Editor = std::make_unique<SingularityEditor>(block.Surface->Mesh,
+      RequireDirections(input), keepsConstraints ? ConstraintsOf(input) : std::vector<Vector3>());
+  }
+  return block;
+}
+
 SingularityEditorCache::Block& SingularityEditorCache::Next(
   vtkPolyData* input, bool keepsConstraints, const Progress& progress)
 {
@@ -91,12 +104,7 @@ SingularityEditorCache::Block& SingularityEditorCache::Next(
   }
   // What belongs to the old surface goes before the new one needs memory.
   entry = {};
-  entry.Kept.Surface = std::move(surface);
-  if (input->GetNumberOfPoints() > 0 && !entry.Kept.Surface->Mesh.Triangles.empty())
-  {
-    entry.Kept.Editor = std::make_unique<SingularityEditor>(entry.Kept.Surface->Mesh,
-      RequireDirections(input), keepsConstraints ? ConstraintsOf(input) : std::vector<Vector3>());
-  }
+  entry.Kept = Make(input, std::move(surface), keepsConstraints);
   entry.Field = std::move(field);
   entry.KeepsConstraints = keepsConstraints;
   progress.Report(1.0);

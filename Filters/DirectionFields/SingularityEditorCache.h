@@ -41,6 +41,9 @@ public:
   /// Forgets what was not asked for since Begin.
   void End() { this->Blocks.resize(this->Position); }
   void Clear() { this->Blocks.clear(); }
+  /// The same for an input that is not kept.
+  static Block Make(
+    vtkPolyData* input, std::shared_ptr<TriangulatedPolyData> surface, bool keepsConstraints);
 
 private:
   /// An object and when it was modified: no two objects were modified at the same time.

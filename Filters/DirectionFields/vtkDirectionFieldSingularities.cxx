@@ -11,6 +11,7 @@
 #include "PolyDataCheck.h"
 #include "PolyDataToGuidance.h"
 #include "PrescribedRotation/EditedResult.h"
+#include "RefinedPolyData.h"
 #include "SingularityEditorCache.h"
 #include "Support/Threads.h"
 
@@ -39,6 +40,8 @@ using DirectionFields::WantedSingularity;
 // Where the phases of the progress end: reading the inputs, the edit. The rest is writing.
 constexpr double ProgressRead = 0.3;
 constexpr double ProgressEdited = 0.9;
+// So often the surface is refined where that is needed.
+constexpr int MostRefinements = 4;
 
 using Blocks = std::vector<vtkPolyData*>;
 
@@ -61,6 +64,7 @@ vtkDirectionFieldSingularities::vtkDirectionFieldSingularities()
   : SingularityMode(REPLACE)
   , Objective(SMOOTHEST)
   , BalanceAutomatically(false)
+  , RefineWhereNeeded(false)
   , KeepConstraints(true)
   , Alignment(ALIGN_NONE)
   , AlignmentStrength(0.5)
@@ -87,6 +91,7 @@ void vtkDirectionFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SingularityMode: " << this->SingularityMode << "\n";
   os << indent << "Objective: " << this->Objective << "\n";
   os << indent << "BalanceAutomatically: " << this->BalanceAutomatically << "\n";
+  os << indent << "RefineWhereNeeded: " << this->RefineWhereNeeded << "\n";
   os << indent << "KeepConstraints: " << this->KeepConstraints << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
@@ -156,30 +161,58 @@ void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
   const DirectionFields::Progress progress(report);
   DirectionFields::SingularityEditorCache::Block& block =
     this->Last->Next(input, this->KeepConstraints, progress.Part(0.0, ProgressRead));
-  output->ShallowCopy(input);
   if (!block.Editor)
   {
+    output->ShallowCopy(input);
     return;
   }
   std::vector<std::string> warnings;
-  DirectionFields::Options options;
-  options.Degree = block.Editor->GetBase().GetDegree();
-  options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
-  options.AlignmentStrength = this->AlignmentStrength;
-  const DirectionFields::Guidance guidance = this->Alignment == ALIGN_POINT_VECTORS
-    ? DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights)
-    : DirectionFields::Guidance();
-  block.Editor->SetGuidance(
-    DirectionFields::GuidanceFor(*block.Editor, options, guidance, warnings));
-  const DirectionFields::EditedField edited =
-    block.Editor->Edit(wanted, this->MakeOptions(), progress.Part(ProgressRead, ProgressEdited));
-  warnings.insert(warnings.end(), edited.Notes.begin(), edited.Notes.end());
+  DirectionFields::SingularityEditorCache::Block refined;
+  DirectionFields::SingularityEditorCache::Block* edits = &block;
+  vtkSmartPointer<vtkPolyData> surface = input;
+  DirectionFields::EditedField edited = this->EditField(
+    surface, *block.Editor, wanted, progress.Part(ProgressRead, ProgressEdited), warnings);
+  for (int k = 0; this->RefineWhereNeeded && !edited.WrongTriangles.empty() && k < MostRefinements;
+       ++k)
+  {
+    const DirectionFields::GivenField& base = edits->Editor->GetBase();
+    surface = DirectionFields::RefinedPolyData(surface, *edits->Surface, base,
+      DirectionFields::SurfaceRefinement(
+        edits->Surface->Mesh, DirectionFields::TrianglesToSplit(base, edited)));
+    refined = DirectionFields::SingularityEditorCache::Make(surface,
+      std::make_shared<DirectionFields::TriangulatedPolyData>(
+        DirectionFields::PolyDataToSurface(surface)),
+      this->KeepConstraints);
+    edits = &refined;
+    warnings.clear();
+    edited = this->EditField(
+      surface, *refined.Editor, wanted, progress.Part(ProgressEdited, ProgressEdited), warnings);
+  }
   for (const std::string& warning : warnings)
   {
     vtkWarningMacro(<< warning);
   }
-  DirectionFields::AddEditedField(*block.Surface, *block.Editor, edited, warnings, input, output,
-    singularities, progress.Part(ProgressEdited, 1.0));
+  output->ShallowCopy(surface);
+  DirectionFields::AddEditedField(*edits->Surface, *edits->Editor, edited, warnings, surface,
+    output, singularities, progress.Part(ProgressEdited, 1.0));
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::EditedField vtkDirectionFieldSingularities::EditField(vtkPolyData* surface,
+  DirectionFields::SingularityEditor& editor, const std::vector<WantedSingularity>& wanted,
+  const DirectionFields::Progress& progress, std::vector<std::string>& warnings)
+{
+  DirectionFields::Options options;
+  options.Degree = editor.GetBase().GetDegree();
+  options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
+  options.AlignmentStrength = this->AlignmentStrength;
+  const DirectionFields::Guidance guidance = this->Alignment == ALIGN_POINT_VECTORS
+    ? DirectionFields::PolyDataToGuidance(surface, this->GuidanceVectors, this->GuidanceWeights)
+    : DirectionFields::Guidance();
+  editor.SetGuidance(DirectionFields::GuidanceFor(editor, options, guidance, warnings));
+  DirectionFields::EditedField edited = editor.Edit(wanted, this->MakeOptions(), progress);
+  warnings.insert(warnings.end(), edited.Notes.begin(), edited.Notes.end());
+  return edited;
 }
 
 //------------------------------------------------------------------------------

@@ -62,8 +62,11 @@ class vtkCompositeDataSet;
 namespace DirectionFields
 {
 class SingularityEditorCache;
+class Progress;
 namespace Internal
 {
+class SingularityEditor;
+struct EditedField;
 struct EditOptions;
 struct WantedSingularity;
 }
@@ -143,6 +146,16 @@ public:
 
   ///@{
   /**
+   * Whether to subdivide the surface around triangles whose index is not the one asked for, up to four times, so that it can
+   * be. The output has more points and cells then, with interpolated data, and its polygons are triangles. Default off.
+   */
+  vtkSetMacro(RefineWhereNeeded, bool);
+  vtkGetMacro(RefineWhereNeeded, bool);
+  vtkBooleanMacro(RefineWhereNeeded, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether points that the input's `ConstraintKind` tells keep their `ConstraintDirection`. Singularities cannot cross
    * edges between such points: the indices in each part that they bound have to add up to what the input has there. Default
    * on.
@@ -211,6 +224,10 @@ private:
   void EditBlock(vtkPolyData* input,
     const std::vector<DirectionFields::Internal::WantedSingularity>& wanted, double begin,
     double end, vtkPolyData* output, vtkPolyData* singularities);
+  DirectionFields::Internal::EditedField EditField(vtkPolyData* surface,
+    DirectionFields::Internal::SingularityEditor& editor,
+    const std::vector<DirectionFields::Internal::WantedSingularity>& wanted,
+    const DirectionFields::Progress& progress, std::vector<std::string>& warnings);
   void EditBlocks(vtkCompositeDataSet* input, vtkDataObject* points, vtkCompositeDataSet* output,
     vtkCompositeDataSet* singularities);
   DirectionFields::Internal::EditOptions MakeOptions() const;
@@ -218,6 +235,7 @@ private:
   int SingularityMode;
   int Objective;
   bool BalanceAutomatically;
+  bool RefineWhereNeeded;
   bool KeepConstraints;
   int Alignment;
   double AlignmentStrength;

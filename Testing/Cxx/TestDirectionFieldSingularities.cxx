@@ -93,6 +93,7 @@ void TestParameters()
   CHECK(filter->GetAlignment() == vtkDirectionFieldSingularities::ALIGN_NONE);
   CHECK(filter->GetAlignmentStrength() == 0.5);
   CHECK(filter->GetKeepStages());
+  CHECK(!filter->GetRefineWhereNeeded());
   filter->SetSingularityMode(7);
   filter->SetObjectiveToLeastChange();
   filter->BalanceAutomaticallyOn();
@@ -179,6 +180,35 @@ void TestErrors()
   CHECK(others->IsOneError({ "Direction0", "Direction Field" }));
 }
 
+/// Eight singularities next to each other do not fit into a coarse mesh, but into one that is refined there.
+void TestRefinement()
+{
+  auto field = FieldOn(PolyMeshes::Icosphere(2));
+  std::vector<Wanted> wanted;
+  for (int k = 0; k < 8; ++k)
+  {
+    wanted.push_back(
+      { { 0.12 * std::cos(0.785 * k + 0.1), 0.12 * std::sin(0.785 * k + 0.1), 1.0 }, 1 });
+  }
+  auto edit = Edit(field, Points(wanted));
+  vtkNew<Messages> messages;
+  messages->Observe(edit);
+  edit->Update();
+  const double wrong = FieldValue(OutputOf(edit), "WrongTriangles");
+  std::cout << "wrong before refinement: " << wrong << std::endl;
+  CHECK(wrong > 0.0);
+  CHECK(SumOfIndices(OutputOf(edit)->GetCellData()) == 8);
+  edit->RefineWhereNeededOn();
+  edit->Update();
+  std::cout << "triangles: " << OutputOf(edit)->GetNumberOfCells()
+            << ", wrong after refinement: " << FieldValue(OutputOf(edit), "WrongTriangles")
+            << std::endl;
+  CHECK(FieldValue(OutputOf(edit), "WrongTriangles") == 0.0);
+  CHECK(OutputOf(edit)->GetNumberOfCells() > field->GetOutput()->GetNumberOfCells());
+  CHECK(SingularitiesOf(edit)->GetNumberOfPoints() == 8);
+  CheckDirections(OutputOf(edit), 4, 1e-5);
+}
+
 /// Each block has the singularities that are nearest to it.
 void TestBlocks()
 {
@@ -214,6 +244,7 @@ int TestDirectionFieldSingularities(int, char*[])
   TestCubeCorners();
   TestOwnSingularities();
   TestErrors();
+  TestRefinement();
   TestBlocks();
   return Result();
 }

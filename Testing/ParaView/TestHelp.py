@@ -34,6 +34,7 @@ for target in targets:
 for filter, inputs in ((DirectionField, {}), (DirectionFieldGlyphs, {}), (ReadDirectionField, {}),
                        (DirectionFieldStreamlines, {}), (FieldAlignedRemesh, {}),
                        (GuidanceFromCurves, {"Curves": SplineSource()}),
+                       (EditSingularities, {"Singularities": Sphere()}),
                        (CompareDirectionFields, {"Other": Sphere()})):
     proxy = filter(Input=Sphere(), **inputs)
     name = f"filters.{proxy.GetXMLName()}.html"

@@ -30,7 +30,7 @@ std::optional<std::array<double, 3>> RotationAround(
 bool CanHaveIndex(int index, double holonomy);
 
 /// A place's barycentric coordinates, at least this much each: that far from the edges a singularity can be put.
-constexpr double LeastWeightOfPlace = 0.1;
+constexpr double LeastWeightOfPlace = 0.05;
 std::array<double, 3> WithinTriangle(std::array<double, 3> weights);
 }
 
