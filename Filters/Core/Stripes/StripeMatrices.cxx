@@ -32,10 +32,12 @@ struct Entry
 class StripeColumns
 {
 public:
-  StripeColumns(const WantedPhases& wanted, const WantedPhases::Component& component)
+  StripeColumns(
+    const WantedPhases& wanted, const WantedPhases::Component& component, bool withSteps)
     : Wanted(wanted)
     , Geometry(wanted.GetField().GetGeometry())
     , Component(component)
+    , WithSteps(withSteps)
   {
   }
 
@@ -98,6 +100,12 @@ private:
     return this->Component.HasTwoSheets ? 2 * v + (onSecond ? 1 : 0) : v;
   }
 
+  WantedPhases::Step StepAlong(Index h) const
+  {
+    const WantedPhases::Step step = this->Wanted.Along(h);
+    return { this->WithSteps ? step.Increment : 0.0, step.Flips };
+  }
+
   /// Adds what the triangle to the left of an outgoing half-edge gives.
   void AddTriangle(Index h)
   {
@@ -106,10 +114,10 @@ private:
     const Index last = TriangleMesh::Previous(h);
     const auto squaredLength = [&](Index side)
     { return this->Geometry.Lengths.SquaredLength[mesh.Edge(side)]; };
-    const WantedPhases::Step out = this->Wanted.Along(h);
-    const WantedPhases::Step opposite = this->Wanted.Along(across);
+    const WantedPhases::Step out = this->StepAlong(h);
+    const WantedPhases::Step opposite = this->StepAlong(across);
     // Of the way back, which begins on another sheet where the step flips.
-    const WantedPhases::Step in = this->Wanted.Along(last);
+    const WantedPhases::Step in = this->StepAlong(last);
     const double back = in.Flips ? -in.Increment : in.Increment;
     const Complex toHead = std::polar(1.0, 2.0 * Pi * out.Increment);
     const Complex toOther = std::polar(1.0, -2.0 * Pi * back);
@@ -152,6 +160,7 @@ private:
   const WantedPhases& Wanted;
   const SurfaceGeometry& Geometry;
   const WantedPhases::Component& Component;
+  bool WithSteps;
   std::vector<Index> Fan;
   std::vector<Entry> Column;
 };
@@ -176,7 +185,7 @@ void WriteSecond(const std::vector<Entry>& column, Index* rows, Complex* energy,
 }
 
 Operators AssembleStripeMatrices(
-  const WantedPhases& wanted, const WantedPhases::Component& component)
+  const WantedPhases& wanted, const WantedPhases::Component& component, bool withSteps)
 {
   const Index sheets = component.HasTwoSheets ? 2 : 1;
   const Index n = sheets * component.Nodes();
@@ -184,7 +193,7 @@ Operators AssembleStripeMatrices(
   ParallelFor(component.Nodes(), HeavyPiece,
     [&](Index first, Index end)
     {
-      StripeColumns columns(wanted, component);
+      StripeColumns columns(wanted, component, withSteps);
       for (Index v = first; v < end; ++v)
       {
         std::fill_n(begin.begin() + sheets * v + 1, sheets, columns.Count(component.FirstNode + v));
@@ -204,7 +213,7 @@ Operators AssembleStripeMatrices(
   ParallelFor(component.Nodes(), HeavyPiece,
     [&](Index first, Index end)
     {
-      StripeColumns columns(wanted, component);
+      StripeColumns columns(wanted, component, withSteps);
       Index* const rows = operators.Energy.innerIndexPtr();
       Complex* const energy = operators.Energy.valuePtr();
       Complex* const mass = operators.Mass.valuePtr();

@@ -17,8 +17,9 @@ namespace DirectionFields::Internal
 /// the opposite sign. Complex conjugation and the change of sheets together commute with both matrices. Triangles
 /// whose steps flip an odd number of times have no integrals, since the sheets meet in their middles; their edges draw
 /// their ends together as an even triangle's do.
+/// @param withSteps false: for functions on the sheets in place of phases, as if no steps were wanted
 Operators AssembleStripeMatrices(
-  const WantedPhases& wanted, const WantedPhases::Component& component);
+  const WantedPhases& wanted, const WantedPhases::Component& component, bool withSteps = true);
 
 /// The sum of the moduli of the fluxes of the triangles that have integrals, in radians, each triangle in space once.
 double TotalFlux(const WantedPhases& wanted, const WantedPhases::Component& component);

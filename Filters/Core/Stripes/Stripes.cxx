@@ -4,6 +4,7 @@
 #include "Stripes/Stripes.h"
 
 #include "Stripes/PhaseRelaxation.h"
+#include "Stripes/PhaseSmoothing.h"
 #include "Stripes/StripeBands.h"
 #include "Stripes/StripeLines.h"
 #include "Support/Threads.h"
@@ -27,6 +28,8 @@ constexpr Index ManyNodes = 100000;
 // Where the phases of the progress end: setting up, relaxing, cutting.
 constexpr double ProgressWanted = 0.1;
 constexpr double ProgressRelaxed = 0.8;
+/// The part of the time of the phases that their relaxation takes; the rest goes into smoothing them.
+constexpr double RelaxedPart = 0.7;
 
 void CheckOptions(const StripeOptions& options)
 {
@@ -89,29 +92,48 @@ double UsableOffset(const WantedPhases& wanted, double offset)
                                                                    : 0.5 * std::round(2.0 * offset);
 }
 
-std::vector<double> RelaxedPhases(const WantedPhases& wanted, const Progress& progress)
+/// Calls body(component, progress) for each component, small ones on several threads at once, where nothing may be
+/// reported.
+template <typename Body>
+void ForComponents(const WantedPhases& wanted, const Progress& progress, const Body& body)
 {
-  std::vector<double> phases(wanted.GetNumberOfNodes());
   const double all = std::max<double>(1.0, wanted.GetNumberOfNodes());
-  const auto relax = [&](Index c, const Progress& part)
-  {
-    const WantedPhases::Component& component = wanted.GetComponents()[c];
-    const PhaseRelaxation relaxation(wanted, component);
-    ComplexVector psi = relaxation.Start();
-    relaxation.Relax(part, psi);
-    const std::vector<double> own = relaxation.Phases(psi);
-    std::copy(own.begin(), own.end(), phases.begin() + component.FirstNode);
-  };
   wanted.GetMesh().ForEachComponent(
     [&](Index c)
     {
-      // Small components run on several threads at once, where nothing may be reported.
       const WantedPhases::Component& component = wanted.GetComponents()[c];
-      relax(c,
+      body(component,
         component.Nodes() > ManyNodes
           ? progress.Part(component.FirstNode / all, component.EndNode / all)
           : Progress());
     });
+  progress.Report(1.0);
+}
+
+/// Phases that miss little of the wanted steps, and how much that is.
+std::vector<double> FindPhases(const WantedPhases& wanted, const Progress& progress, double& misfit)
+{
+  std::vector<double> phases(wanted.GetNumberOfNodes());
+  ForComponents(wanted, progress.Part(0.0, RelaxedPart),
+    [&](const WantedPhases::Component& component, const Progress& part)
+    {
+      const PhaseRelaxation relaxation(wanted, component);
+      ComplexVector psi = relaxation.Start();
+      relaxation.Relax(part, psi);
+      const std::vector<double> own = relaxation.Phases(psi);
+      std::copy(own.begin(), own.end(), phases.begin() + component.FirstNode);
+    });
+  misfit = Misfit(wanted, phases);
+  std::vector<double> smooth = phases;
+  ForComponents(wanted, progress.Part(RelaxedPart, 1.0),
+    [&](const WantedPhases::Component& component, const Progress& part)
+    { SmoothPhases(wanted, component, part, smooth); });
+  const double smoothMisfit = Misfit(wanted, smooth);
+  if (smoothMisfit < misfit)
+  {
+    misfit = smoothMisfit;
+    return smooth;
+  }
   return phases;
 }
 
@@ -212,8 +234,7 @@ StripePattern MakeStripes(const GivenField& field, const StripeOptions& options,
   RequireFewCrossings(wanted);
   progress.Report(ProgressWanted);
   std::vector<double> phases =
-    RelaxedPhases(wanted, progress.Part(ProgressWanted, ProgressRelaxed));
-  pattern.Misfit = Misfit(wanted, phases);
+    FindPhases(wanted, progress.Part(ProgressWanted, ProgressRelaxed), pattern.Misfit);
   pattern.LineOffset = UsableOffset(wanted, options.LineOffset);
   const StripePhases steps(wanted, std::move(phases), pattern.LineOffset);
   const std::vector<char>& ghost = field.GetSurface().Ghost;

@@ -4,6 +4,7 @@
 #include "Field/SmoothestField.h"
 #include "Patterns.h"
 #include "Stripes/PhaseRelaxation.h"
+#include "Stripes/PhaseSmoothing.h"
 #include "Stripes/StripeMatrices.h"
 
 #include <Eigen/Dense>
@@ -245,4 +246,46 @@ TEST(PhaseRelaxation, MissesLittleOfWhatIntegrates)
   const std::vector<double> random =
     PhasesOf(wanted.Phases, [](const PhaseRelaxation& relaxation) { return relaxation.Start(); });
   EXPECT_GT(Misfit(wanted.Phases, random), 1.0);
+}
+
+TEST(PhaseSmoothing, LowersTheMisfitAndKeepsTheBranchPoints)
+{
+  const Surface potato = Meshes::Potato(5);
+  for (const int degree : { 1, 2 })
+  {
+    const Result result = Fields::Compute(potato, degree);
+    const Wanted wanted(potato, Fields::Of(result), 0.2);
+    const std::vector<double> relaxed = Relaxed(wanted.Phases);
+    std::vector<double> smooth = relaxed;
+    SmoothPhases(wanted.Phases, wanted.Phases.GetComponents()[0], {}, smooth);
+    EXPECT_LT(Misfit(wanted.Phases, smooth), 0.98 * Misfit(wanted.Phases, relaxed));
+    const auto branchPoints = [&](const std::vector<double>& phases)
+    {
+      const StripePhases steps(wanted.Phases, phases, 0.0);
+      const StripeLevels levels(steps, LevelKind::Lines);
+      int count = 0;
+      for (Index t = 0; t < wanted.Phases.GetMesh().GetNumberOfTriangles(); ++t)
+      {
+        const StripeLevels::Corners corners = levels.At(t);
+        count += !corners.Flips && corners.Gain() != 0 ? 1 : 0;
+      }
+      return count;
+    };
+    EXPECT_NEAR(branchPoints(smooth), branchPoints(relaxed), 2);
+    // What is as smooth as can be stays.
+    std::vector<double> twice = smooth;
+    SmoothPhases(wanted.Phases, wanted.Phases.GetComponents()[0], {}, twice);
+    EXPECT_NEAR(Misfit(wanted.Phases, twice), Misfit(wanted.Phases, smooth), 0.01);
+  }
+}
+
+TEST(PhaseSmoothing, FindsThePhasesOfWhatIntegrates)
+{
+  const Surface square = Meshes::Square(12);
+  const Wanted wanted(
+    square, Fields::PlanarField(square, 2, [](const Vector3&) { return 0.4; }), 0.3);
+  std::vector<double> phases = Relaxed(wanted.Phases);
+  const double relaxed = Misfit(wanted.Phases, phases);
+  SmoothPhases(wanted.Phases, wanted.Phases.GetComponents()[0], {}, phases);
+  EXPECT_LT(Misfit(wanted.Phases, phases), 0.1 * relaxed);
 }
