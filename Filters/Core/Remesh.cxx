@@ -106,13 +106,12 @@ struct Remesh::Kept
     , Given(given)
     , Prepared(surface, DegreeOf(options.Element), FeaturesOf(options, edgeLength), this->Longest,
         progress.Part(0.0, 0.3))
-    , Field(this->Prepared.GetSurface())
     , Original(this->Prepared.GetTriangles())
   {
     progress.Report(0.4);
     const int degree = DegreeOf(options.Element);
-    this->IsFeature =
-      this->Prepared.FeaturesOf(this->Field.GetGeometry(), FeaturesOf(options, edgeLength));
+    this->IsFeature = this->Prepared.FindFeatures(FeaturesOf(options, edgeLength));
+    const SurfaceGeometry& geometry = this->GetGeometry();
     if (given.empty())
     {
       Options field;
@@ -123,20 +122,19 @@ struct Remesh::Kept
       std::vector<std::string> notes;
       const Guidance guidance = this->AlongFeatures();
       field.ConstrainGuidance = options.KeepFeatures;
-      const Guide guide(this->Field, field, guidance, notes);
-      EnergyStage& energy = this->Field.GetEnergy(field, progress.Part(0.4, 0.7));
+      Stages stages(this->Prepared.GetSurface());
+      const Guide guide(stages, field, guidance, notes);
+      EnergyStage& energy = stages.GetEnergy(field, progress.Part(0.4, 0.7));
       this->Section =
-        SolveComponents(this->Field, energy, guide, {}, field, false, progress.Part(0.7, 0.95))
-          .Section;
+        SolveComponents(stages, energy, guide, {}, field, false, progress.Part(0.7, 0.95)).Section;
     }
     else
     {
       Guidance guidance;
       guidance.Vectors = this->Prepared.Continued(given);
-      this->Section = GuidanceSection(this->Field.GetGeometry(), guidance, degree);
-      Continue(this->Field.GetGeometry(), degree, this->Section);
+      this->Section = GuidanceSection(geometry, guidance, degree);
+      Continue(geometry, degree, this->Section);
     }
-    const SurfaceGeometry& geometry = this->Field.GetGeometry();
     this->Charts.emplace(geometry, degree, this->Section);
     this->IsFrameless = FramelessVertices(geometry, degree, this->IsFeature);
     progress.Report(1.0);
@@ -146,14 +144,15 @@ struct Remesh::Kept
     const std::vector<Vector3>& given) const
   {
     return this->Element == options.Element && this->Given == given && this->Longest == longest &&
-      this->IsFeature ==
-      this->Prepared.FeaturesOf(this->Field.GetGeometry(), FeaturesOf(options, edgeLength));
+      this->IsFeature == this->Prepared.FindFeatures(FeaturesOf(options, edgeLength));
   }
+
+  const SurfaceGeometry& GetGeometry() const { return this->Prepared.GetGeometry(); }
 
   /// Vectors along the features, at the points of the prepared surface.
   Guidance AlongFeatures() const
   {
-    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    const SurfaceGeometry& geometry = this->GetGeometry();
     const std::vector<Vector3> directions = FeatureDirections(geometry, this->IsFeature);
     Guidance guidance;
     guidance.Vectors.assign(this->Prepared.GetSurface()->Points.size(), Vector3::Zero());
@@ -172,7 +171,6 @@ struct Remesh::Kept
   std::vector<double> Longest;
   std::vector<Vector3> Given;
   PreparedSurface Prepared;
-  Stages Field;
   std::vector<Complex> Section;
   std::optional<FieldCharts> Charts;
   std::vector<char> IsFeature;
@@ -417,7 +415,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
         *this->Input, options, coarse, longest, directions, progress.Part(0.0, 0.4));
     }
     const Kept& kept = *this->State;
-    const SurfaceGeometry& geometry = kept.Field.GetGeometry();
+    const SurfaceGeometry& geometry = kept.GetGeometry();
     const TriangleMesh& mesh = geometry.Mesh;
     std::vector<double> size(mesh.GetNumberOfVertices());
     std::vector<double> sizes;

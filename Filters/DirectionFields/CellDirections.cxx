@@ -5,10 +5,10 @@
 
 #include "Exchange/FaceField.h"
 #include "FieldArrays.h"
+#include "Geometry/ClosestPoints.h"
 #include "Interpolation/GivenField.h"
 #include "PolyDataToField.h"
 #include "PolyDataToSurface.h"
-#include "Tracing/NearestTriangle.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -76,8 +76,8 @@ private:
       area += part;
       polygon.Triangles.push_back({ start, start + 1, start + 2 });
     }
-    const NearestTriangle::Found found =
-      area > 0.0 ? NearestTriangle(polygon).Find(centroid / area) : NearestTriangle::Found();
+    const ClosestPoints::Answer found =
+      area > 0.0 ? ClosestPoints(polygon).Find(centroid / area) : ClosestPoints::Answer();
     if (found.Triangle != None)
     {
       const std::size_t at = first + static_cast<std::size_t>(found.Triangle);

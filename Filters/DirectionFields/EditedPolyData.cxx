@@ -5,9 +5,9 @@
 
 #include "FieldArrays.h"
 #include "FieldToPolyData.h"
+#include "Geometry/ClosestPoints.h"
 #include "PrescribedRotation/EditedResult.h"
 #include "SingularPoints.h"
-#include "Tracing/NearestTriangle.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -224,14 +224,14 @@ std::vector<std::vector<WantedSingularity>> WantedOfBlocks(
   }
   const std::vector<WantedSingularity> all = WantedSingularities(points);
   std::vector<TriangulatedPolyData> surfaces(blocks.size());
-  std::vector<std::unique_ptr<NearestTriangle>> nearest;
+  std::vector<std::unique_ptr<ClosestPoints>> nearest;
   for (std::size_t k = 0; k < blocks.size(); ++k)
   {
     if (blocks[k])
     {
       surfaces[k] = PolyDataToSurface(blocks[k]);
     }
-    nearest.push_back(std::make_unique<NearestTriangle>(surfaces[k].Mesh));
+    nearest.push_back(std::make_unique<ClosestPoints>(surfaces[k].Mesh));
   }
   for (const WantedSingularity& singularity : all)
   {
@@ -239,10 +239,10 @@ std::vector<std::vector<WantedSingularity>> WantedOfBlocks(
     std::size_t block = blocks.size();
     for (std::size_t k = 0; k < blocks.size(); ++k)
     {
-      const double distance = nearest[k]->Find(singularity.Position).Distance;
-      if (distance < least)
+      const ClosestPoints::Answer found = nearest[k]->Find(singularity.Position);
+      if (found.Triangle != None && found.SquaredDistance < least)
       {
-        least = distance;
+        least = found.SquaredDistance;
         block = k;
       }
     }

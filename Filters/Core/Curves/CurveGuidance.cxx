@@ -3,10 +3,10 @@
 
 #include "Curves/CurveGuidance.h"
 
+#include "Geometry/ClosestPoints.h"
 #include "Geometry/SurfaceDistance.h"
 #include "Interpolation/GivenField.h"
 #include "Interpolation/PowerOnTriangle.h"
-#include "Tracing/NearestTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +98,7 @@ public:
   }
 
   /// Adds a piece of a curve that lies in a triangle of the surface.
-  void Add(const NearestTriangle::Found& found, const Vector3& tangent, bool fillsSeeds)
+  void Add(const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds)
   {
     const Index front = this->Given.GetMeshTriangles()[found.Triangle];
     if (front == None)
@@ -121,7 +121,7 @@ public:
 
 private:
   void AddToTriangle(
-    Index triangle, const NearestTriangle::Found& found, const Vector3& tangent, bool fillsSeeds);
+    Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds);
   /// The mean of the neighbours that are known.
   Complex FromNeighbours(
     Index vertex, const std::vector<Complex>& values, const std::vector<char>& isKnown) const;
@@ -140,7 +140,7 @@ private:
 };
 
 void Strokes::AddToTriangle(
-  Index triangle, const NearestTriangle::Found& found, const Vector3& tangent, bool fillsSeeds)
+  Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds)
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
   const TriangleInSpace space = this->Given.InSpace(triangle);
@@ -281,7 +281,7 @@ CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vecto
   const GivenField given(surface, none);
   const SurfaceGeometry& geometry = given.GetGeometry();
   progress.Report(0.2);
-  const NearestTriangle nearest(surface);
+  const ClosestPoints closest(surface);
   progress.Report(0.4);
   const double most = options.MaximumDistance > 0.0 ? options.MaximumDistance
                                                     : std::numeric_limits<double>::infinity();
@@ -293,7 +293,7 @@ CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vecto
     {
       progress.Report(0.4 + 0.4 * static_cast<double>(i) / static_cast<double>(samples.size()));
     }
-    const NearestTriangle::Found found = nearest.Find(samples[i].Place, most);
+    const ClosestPoints::Answer found = closest.Find(samples[i].Place, Vector3::Zero(), most);
     if (found.Triangle == None)
     {
       ++guidance.FarSamples;

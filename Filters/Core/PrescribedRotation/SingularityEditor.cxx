@@ -75,7 +75,7 @@ ComponentRotation& SingularityEditor::GetRotation(std::size_t component)
   return *rotation;
 }
 
-const NearestTriangle& SingularityEditor::GetNearest()
+const ClosestPoints& SingularityEditor::GetNearest()
 {
   if (!this->Nearest)
   {
@@ -109,7 +109,7 @@ std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Snapped(
       throw std::invalid_argument(
         "A singularity has coordinates that are not finite. Give each a place on the surface.");
     }
-    const NearestTriangle::Found found = this->GetNearest().Find(singularity.Position);
+    const ClosestPoints::Answer found = this->GetNearest().Find(singularity.Position);
     if (singularity.Index == 0 || found.Triangle == None)
     {
       continue;

@@ -4,10 +4,10 @@
 #ifndef DirectionFields_SingularityEditor_h
 #define DirectionFields_SingularityEditor_h
 
+#include "Geometry/ClosestPoints.h"
 #include "Interpolation/GivenField.h"
 #include "PrescribedRotation/SingularityTargets.h"
 #include "Progress.h"
-#include "Tracing/NearestTriangle.h"
 
 #include <memory>
 #include <optional>
@@ -89,7 +89,7 @@ private:
 
   SingularityEditor(const Surface& surface, const std::shared_ptr<const FieldSurface>& made,
     const PointDirections& directions, const std::vector<Vector3>& constraints);
-  const NearestTriangle& GetNearest();
+  const ClosestPoints& GetNearest();
 
   GivenField Base;
   std::vector<Index> FirstPoint;
@@ -99,7 +99,7 @@ private:
   std::vector<Complex> Guidance;
   /// The triangles that the mesh has, if the surface has others.
   std::optional<Surface> Sound;
-  std::optional<NearestTriangle> Nearest;
+  std::optional<ClosestPoints> Nearest;
   std::vector<std::unique_ptr<ComponentRotation>> Rotations;
 };
 }

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_FaceSmoothing_h
 #define DirectionFields_FaceSmoothing_h
 
+#include "Geometry/ClosestPoints.h"
 #include "Progress.h"
-#include "Quads/ClosestPoints.h"
 #include "Quads/Faces.h"
 
 #include <vector>

@@ -54,8 +54,12 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
       this->Decimated(input, std::move(merged), settings, edgeLength, progress.Part(0.2, 0.9));
   }
   constexpr int mostRounds = 4;
-  for (int k = 0; k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings); ++k)
+  bool isSplit = true;
+  for (int k = 0; k <= mostRounds && isSplit; ++k)
   {
+    this->Geometry.reset();
+    this->Geometry.emplace(*surface);
+    isSplit = k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings);
   }
 }
 
@@ -65,7 +69,7 @@ std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMes
   const SurfaceGeometry geometry(std::move(merged.Mesh), input);
   const TriangleMesh& mesh = geometry.Mesh;
   progress.Report(0.3);
-  const std::vector<char> isFeature = FindFeatures(geometry, settings);
+  const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings);
   progress.Report(0.4);
   Decimation::Limits limits;
   limits.EdgeLength.resize(mesh.GetNumberOfVertices());
@@ -88,14 +92,13 @@ std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMes
   return triangles;
 }
 
-std::vector<char> PreparedSurface::FeaturesOf(
-  const SurfaceGeometry& geometry, const FeatureSettings& settings) const
+std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings) const
 {
   if (!this->IsDecimated)
   {
-    return FindFeatures(geometry, settings);
+    return Internal::FindFeatures(*this->Geometry, settings);
   }
-  const TriangleMesh& mesh = geometry.Mesh;
+  const TriangleMesh& mesh = this->Geometry->Mesh;
   std::vector<char> isFeature(mesh.GetNumberOfEdges(), 0);
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
@@ -105,7 +108,7 @@ std::vector<char> PreparedSurface::FeaturesOf(
       ? 1
       : 0;
   }
-  DropShortFeatures(geometry, settings, isFeature);
+  DropShortFeatures(*this->Geometry, settings, isFeature);
   return isFeature;
 }
 
@@ -135,10 +138,9 @@ std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
 bool PreparedSurface::SplitBetweenFrameless(
   Surface& surface, int degree, const FeatureSettings& settings)
 {
-  const SurfaceGeometry geometry(surface);
-  const TriangleMesh& mesh = geometry.Mesh;
+  const TriangleMesh& mesh = this->Geometry->Mesh;
   const std::vector<char> isFrameless =
-    FramelessVertices(geometry, degree, this->FeaturesOf(geometry, settings));
+    FramelessVertices(*this->Geometry, degree, this->FindFeatures(settings));
   std::map<std::array<Index, 2>, Index> middle;
   const auto middleOf = [&](Index h)
   {

@@ -4,15 +4,16 @@
 #ifndef DirectionFields_PreparedSurface_h
 #define DirectionFields_PreparedSurface_h
 
+#include "Geometry/ClosestPoints.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Mesh/MergePoints.h"
 #include "Progress.h"
-#include "Quads/ClosestPoints.h"
 #include "Quads/FeaturePaths.h"
 #include "Quads/KeptFeatures.h"
 #include "Surface.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -30,11 +31,11 @@ public:
 
   /// Its points are the input's, then the middles.
   const std::shared_ptr<const Surface>& GetSurface() const { return this->Prepared; }
+  const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
   const Repairs& GetRepairs() const { return this->Repaired; }
 
-  /// Not 0 for each edge of a mesh of the prepared surface that is a feature.
-  std::vector<char> FeaturesOf(
-    const SurfaceGeometry& geometry, const FeatureSettings& settings) const;
+  /// Not 0 for each edge of the prepared surface that is a feature.
+  std::vector<char> FindFeatures(const FeatureSettings& settings) const;
   /// The points of the prepared surface that an edge of a feature or the boundary runs through, from end to end.
   std::vector<Index> PathAlong(Index p, Index q) const;
 
@@ -83,6 +84,7 @@ private:
   std::vector<UsedTriangle> Used;
   std::vector<std::array<Index, 2>> Middles;
   std::shared_ptr<const Surface> Prepared;
+  std::optional<SurfaceGeometry> Geometry;
   Repairs Repaired;
 };
 }

@@ -3,8 +3,8 @@
 
 #include "Curves/CurveGuidance.h"
 #include "DirectionField.h"
+#include "Geometry/ClosestPoints.h"
 #include "Meshes/Surfaces.h"
-#include "Tracing/NearestTriangle.h"
 
 #include <gtest/gtest.h>
 
@@ -270,14 +270,14 @@ TEST(CurveGuidance, BothSidesOfAStripAgree)
   EXPECT_GT(most, 0.99);
 }
 
-TEST(NearestTriangle, IsThatOfAllTriangles)
+TEST(ClosestPoints, OfASurfaceAreThoseOfAllTriangles)
 {
   const Surface surface = Potato(2);
-  const NearestTriangle tree(surface);
+  const ClosestPoints tree(surface);
   for (int i = 0; i < 200; ++i)
   {
     const Vector3 p(std::sin(1.3 * i), 1.4 * std::cos(2.1 * i), std::sin(0.7 * i + 1.0));
-    const NearestTriangle::Found found = tree.Find(p);
+    const ClosestPoints::Answer found = tree.Find(p);
     ASSERT_NE(found.Triangle, None);
     double least = std::numeric_limits<double>::infinity();
     for (const Triangle& triangle : surface.Triangles)
@@ -294,10 +294,11 @@ TEST(NearestTriangle, IsThatOfAllTriangles)
         }
       }
     }
-    EXPECT_LE(found.Distance, least + 1e-12);
-    EXPECT_GT(found.Distance, least - 0.03);
+    const double distance = std::sqrt(found.SquaredDistance);
+    EXPECT_LE(distance, least + 1e-12);
+    EXPECT_GT(distance, least - 0.03);
     EXPECT_NEAR(found.Weights[0] + found.Weights[1] + found.Weights[2], 1.0, 1e-12);
-    EXPECT_EQ(
-      tree.Find(p, 0.5 * found.Distance).Triangle, found.Distance > 0.0 ? None : found.Triangle);
+    EXPECT_EQ(tree.Find(p, Vector3::Zero(), 0.5 * distance).Triangle,
+      distance > 0.0 ? None : found.Triangle);
   }
 }

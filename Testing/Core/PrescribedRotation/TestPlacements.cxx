@@ -22,7 +22,7 @@ std::vector<int> AskedFor(const SingularityEditor& editor, const Surface& surfac
   const std::vector<WantedSingularity>& all)
 {
   std::vector<int> indices(surface.Triangles.size(), 0);
-  const NearestTriangle nearest(surface);
+  const ClosestPoints nearest(surface);
   for (const WantedSingularity& wanted : all)
   {
     indices[nearest.Find(wanted.Position).Triangle] += wanted.Index;

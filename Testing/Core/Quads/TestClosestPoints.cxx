@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Geometry/ClosestPoints.h"
 #include "Meshes/Surfaces.h"
-#include "Quads/ClosestPoints.h"
 #include "Quads/FaceSmoothing.h"
 #include "Quads/Faces.h"
 #include "Quads/KeptFeatures.h"
@@ -51,12 +51,14 @@ TEST(ClosestPoints, TreeFindsWhatComparisonWithAllFinds)
     double least = Anywhere;
     for (const ClosestPoints::Corners& t : triangles)
     {
-      least = std::min(
-        least, ClosestPoints({ t }).Find(place, Vector3::Zero(), Anywhere).SquaredDistance);
+      least = std::min(least,
+        ClosestPoints(std::vector<ClosestPoints::Corners>{ t })
+          .Find(place, Vector3::Zero(), Anywhere)
+          .SquaredDistance);
     }
     const ClosestPoints::Answer answer = tree.Find(place, Vector3::Zero(), Anywhere);
     EXPECT_DOUBLE_EQ(answer.SquaredDistance, least);
-    const ClosestPoints::Corners& t = tree.GetTriangle(answer.Triangle);
+    const ClosestPoints::Corners& t = triangles[answer.Triangle];
     const Vector3 weighted =
       answer.Weights[0] * t[0] + answer.Weights[1] * t[1] + answer.Weights[2] * t[2];
     EXPECT_LT((weighted - answer.Position).norm(), 1e-12);

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_ClosestPoints_h
+#define DirectionFields_ClosestPoints_h
+
+#include "Surface.h"
+#include "Types.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Finds the closest points of triangles, or of segments, which are triangles whose last two corners are the
+/// same, in about the logarithm of their number: a tree of boxes, four to a node, over the triangles along a
+/// Morton curve. It is made in linear time.
+class ClosestPoints
+{
+public:
+  using Corners = std::array<Vector3, 3>;
+  explicit ClosestPoints(const std::vector<Corners>& triangles);
+  /// Triangles with ids of no point or coordinates that are not finite are not found.
+  explicit ClosestPoints(const Surface& surface);
+
+  struct Answer
+  {
+    /// None where nothing is within the distance asked for.
+    Index Triangle = None;
+    Vector3 Position = Vector3::Zero();
+    double SquaredDistance = 0.0;
+    /// Of the triangle's corners, at least 0; they sum up to 1.
+    std::array<double, 3> Weights{};
+  };
+  /// The closest point of all, of the triangles whose normals have a positive product with this one unless
+  /// it is zero; of equally close triangles the first one.
+  Answer Find(const Vector3& place, const Vector3& normal = Vector3::Zero(),
+    double distance = std::numeric_limits<double>::infinity()) const;
+
+private:
+  static constexpr Index Width = 4;
+  /// The boxes of Width nodes of the level below, or triangles.
+  struct Node
+  {
+    using Numbers = Eigen::Array<double, Width, 1>;
+    std::array<Numbers, 3> Low;
+    std::array<Numbers, 3> High;
+    Numbers SquaredDistances(const Vector3& p) const
+    {
+      Numbers sum = Numbers::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum += (this->Low[axis] - p[axis]).max(p[axis] - this->High[axis]).max(0.0).square();
+      }
+      return sum;
+    }
+  };
+  void Build(std::vector<Corners>&& triangles);
+  /// Takes the closest point of a triangle if it is closer than the best one.
+  void Consider(Index at, const Vector3& place, const Vector3& normal, Answer& best) const;
+
+  /// A power of two, so that squares neither overflow nor vanish.
+  double Scale = 1.0;
+  /// In their order along the curve, scaled; and their numbers.
+  std::vector<Corners> Triangles;
+  std::vector<Index> Number;
+  /// From the triangles up.
+  std::vector<std::vector<Node>> Levels;
+};
+}
+
+#endif
