@@ -4,10 +4,11 @@
 #include "LinesToPolyData.h"
 
 #include "FieldArrays.h"
+#include "Geometry/ClosestPoints.h"
+#include "Support/Threads.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellLocator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -20,8 +21,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -30,6 +29,8 @@ namespace DirectionFields
 {
 namespace
 {
+constexpr Index FewPoints = 64;
+
 /// An array of one component with the values that a function gives.
 template <typename ArrayT, typename Value>
 vtkNew<ArrayT> MakeValues(const char* name, std::size_t size, const Value& value)
@@ -75,98 +76,34 @@ void AddCellArrays(const FieldLines& lines, vtkCellData* data)
   data->AddArray(MakeValues<vtkIdTypeArray>(
     "EndNode", size, [&](std::size_t i) { return lines.EndNodes[i][1]; }));
 }
-
-/// The weights of a triangle's corners whose mean is nearest to a place in its plane.
-std::array<double, 3> WeightsAt(const Surface& surface, Index triangle, const Vector3& place)
-{
-  const Triangle& points = surface.Triangles[triangle];
-  const Vector3& origin = surface.Points[points[0]];
-  const Vector3 a = surface.Points[points[1]] - origin;
-  const Vector3 b = surface.Points[points[2]] - origin;
-  const Vector3 p = place - origin;
-  const double aa = a.squaredNorm();
-  const double ab = a.dot(b);
-  const double bb = b.squaredNorm();
-  const double determinant = aa * bb - ab * ab;
-  const double second = (bb * p.dot(a) - ab * p.dot(b)) / determinant;
-  const double third = (aa * p.dot(b) - ab * p.dot(a)) / determinant;
-  if (!(determinant > 0.0) || !std::isfinite(second) || !std::isfinite(third))
-  {
-    return { 1.0, 0.0, 0.0 };
-  }
-  std::array<double, 3> weights = { 1.0 - second - third, second, third };
-  double sum = 0.0;
-  for (double& weight : weights)
-  {
-    weight = std::clamp(weight, 0.0, 1.0);
-    sum += weight;
-  }
-  for (double& weight : weights)
-  {
-    weight /= sum;
-  }
-  return weights;
-}
 }
 
 std::vector<LineSeed> NearestPlaces(const Surface& surface, vtkPointSet* points)
 {
-  const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
+  const auto count = static_cast<Index>(points->GetNumberOfPoints());
   std::vector<LineSeed> seeds(count);
   if (count == 0)
   {
     return seeds;
   }
-  vtkNew<vtkPolyData> triangles;
-  vtkNew<vtkPoints> corners;
-  corners->SetDataTypeToDouble();
-  for (const Vector3& point : surface.Points)
+  std::vector<Vector3> places(count);
+  for (Index i = 0; i < count; ++i)
   {
-    // Those that no triangle below uses may be anything.
-    const bool isFinite = point.allFinite();
-    corners->InsertNextPoint(isFinite ? point.data() : Vector3::Zero().eval().data());
+    points->GetPoint(i, places[i].data());
   }
-  vtkNew<vtkCellArray> cells;
-  std::vector<Index> triangleOfCell;
-  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
-  {
-    const Triangle& triangle = surface.Triangles[t];
-    const bool isSound = std::all_of(
-      triangle.begin(), triangle.end(), [&](Index i) { return surface.Points[i].allFinite(); });
-    if (isSound)
+  const ClosestPoints nearest(surface);
+  ParallelFor(count, FewPoints,
+    [&](Index begin, Index end)
     {
-      cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
-      triangleOfCell.push_back(static_cast<Index>(t));
-    }
-  }
-  if (triangleOfCell.empty())
-  {
-    return seeds;
-  }
-  triangles->SetPoints(corners);
-  triangles->SetPolys(cells);
-  vtkNew<vtkCellLocator> locator;
-  locator->SetDataSet(triangles);
-  locator->BuildLocator();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    Vector3 point;
-    points->GetPoint(static_cast<vtkIdType>(i), point.data());
-    if (!point.allFinite())
-    {
-      continue;
-    }
-    Vector3 closest;
-    vtkIdType cell = -1;
-    int subId = 0;
-    double distance = 0.0;
-    locator->FindClosestPoint(point.data(), closest.data(), cell, subId, distance);
-    if (cell >= 0)
-    {
-      const Index triangle = triangleOfCell[static_cast<std::size_t>(cell)];
-      seeds[i] = { triangle, WeightsAt(surface, triangle, closest) };
-    }
-  }
+      for (Index i = begin; i < end; ++i)
+      {
+        if (places[i].allFinite())
+        {
+          const auto found = nearest.Find(places[i]);
+          seeds[i] = { found.Triangle, found.Weights };
+        }
+      }
+    });
   return seeds;
 }
 

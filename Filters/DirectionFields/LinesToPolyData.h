@@ -12,8 +12,8 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// The places of a surface that are nearest to points; of points that are not finite, and where the surface
-/// has no triangle with an area, no place.
+/// The places of a surface that are nearest to points, on the threads of the scope; of points that are not
+/// finite, and where the surface has no triangle, no place.
 std::vector<LineSeed> NearestPlaces(const Surface& surface, vtkPointSet* points);
 
 /// Adds points, cells and arrays of lines to an empty output. The points are double if the given data type

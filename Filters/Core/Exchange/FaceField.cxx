@@ -5,7 +5,6 @@
 
 #include "Interpolation/PowerOnTriangle.h"
 #include "Support/Threads.h"
-#include "Support/VectorMath.h"
 
 #include <array>
 #include <cmath>
@@ -24,28 +23,6 @@ Complex Unit(const Complex& z, const Complex& otherwise)
 }
 
 constexpr std::array<double, 3> AtMiddle = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
-
-/// Axes of a triangle of the mesh in space: along its first edge, to the left of that, and upright.
-struct Axes
-{
-  Vector3 X, Y, Normal;
-
-  Axes(const SurfaceGeometry& geometry, Index triangle)
-  {
-    const auto corner = [&](Index c) -> const Vector3&
-    { return geometry.Positions[geometry.Mesh.Tail(3 * triangle + c)]; };
-    const Vector3 edge = (corner(1) - corner(0)).stableNormalized();
-    const Vector3 other = (corner(2) - corner(0)).stableNormalized();
-    this->Normal = edge.cross(other).stableNormalized();
-    if (!(this->Normal.squaredNorm() > 0.5))
-    {
-      this->Normal = geometry.Frames.Normal[geometry.Mesh.Tail(3 * triangle)];
-    }
-    const Vector3 tangential = (edge - edge.dot(this->Normal) * this->Normal).stableNormalized();
-    this->X = tangential.squaredNorm() > 0.5 ? tangential : AnyOrthogonal(this->Normal);
-    this->Y = this->Normal.cross(this->X);
-  }
-};
 
 /// Where a face's power stands against a half-edge, to its left.
 Complex Against(const FlatTriangle& flat, int corner, const Complex& power, int degree)
@@ -96,7 +73,7 @@ FaceField FromVectors(const SurfaceGeometry& geometry, int degree,
     {
       for (Index t = begin; t < end; ++t)
       {
-        const Axes axes(geometry, t);
+        const TriangleInSpace axes = InSpace(geometry, t);
         Complex sum = 0.0;
         for (std::size_t k = 0; k < perRow; ++k)
         {
@@ -127,7 +104,7 @@ std::vector<Vector3> DirectionsInSpace(const GivenField& field, const FaceField&
         {
           continue;
         }
-        const Axes axes(geometry, t);
+        const TriangleInSpace axes = InSpace(geometry, t);
         const int axis = std::abs(axes.Normal[0]) < 1.0 - 1e-6 ? 0 : 1;
         const double wanted = std::atan2(axes.Y[axis], axes.X[axis]);
         const double first = std::arg(faces.Power[t]) / faces.Degree;

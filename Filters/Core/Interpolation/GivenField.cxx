@@ -88,6 +88,33 @@ bool IsOneOf(const PointDirections& directions, Index point, const Vector3& dire
 }
 }
 
+TriangleInSpace InSpace(const SurfaceGeometry& geometry, Index meshTriangle)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  TriangleInSpace result;
+  for (int c = 0; c < 3; ++c)
+  {
+    result.Corners[c] = geometry.Positions[mesh.Tail(3 * meshTriangle + c)];
+  }
+  const Vector3 edge = (result.Corners[1] - result.Corners[0]).stableNormalized();
+  const Vector3 other = (result.Corners[2] - result.Corners[0]).stableNormalized();
+  const Vector3 normal = edge.cross(other);
+  if (normal.squaredNorm() > 1e-24)
+  {
+    result.Normal = normal.normalized();
+    result.X = edge;
+  }
+  else
+  {
+    result.Normal = geometry.Frames.Normal[mesh.Tail(3 * meshTriangle)];
+    const Vector3 tangential = edge - edge.dot(result.Normal) * result.Normal;
+    result.X = tangential.norm() > LeastTangential ? Vector3(tangential.normalized())
+                                                   : AnyOrthogonal(result.Normal);
+  }
+  result.Y = result.Normal.cross(result.X);
+  return result;
+}
+
 FieldSurface::FieldSurface(const Surface& surface, bool joinsSeams)
 {
   const bool isSound = AllAreFinite(surface);
@@ -213,32 +240,5 @@ Index GivenField::PointAt(Index meshTriangle, int meshCorner) const
     }
   }
   return point;
-}
-
-TriangleInSpace GivenField::InSpace(Index meshTriangle) const
-{
-  const TriangleMesh& mesh = this->GetMesh();
-  TriangleInSpace result;
-  for (int c = 0; c < 3; ++c)
-  {
-    result.Corners[c] = this->GetGeometry().Positions[mesh.Tail(3 * meshTriangle + c)];
-  }
-  const Vector3 edge = (result.Corners[1] - result.Corners[0]).stableNormalized();
-  const Vector3 other = (result.Corners[2] - result.Corners[0]).stableNormalized();
-  const Vector3 normal = edge.cross(other);
-  if (normal.squaredNorm() > 1e-24)
-  {
-    result.Normal = normal.normalized();
-    result.X = edge;
-  }
-  else
-  {
-    result.Normal = this->GetGeometry().Frames.Normal[mesh.Tail(3 * meshTriangle)];
-    const Vector3 tangential = edge - edge.dot(result.Normal) * result.Normal;
-    result.X = tangential.norm() > LeastTangential ? Vector3(tangential.normalized())
-                                                   : AnyOrthogonal(result.Normal);
-  }
-  result.Y = result.Normal.cross(result.X);
-  return result;
 }
 }

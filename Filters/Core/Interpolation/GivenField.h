@@ -43,6 +43,7 @@ struct TriangleInSpace
   /// The vector of a complex number of the flat triangle.
   Vector3 Direction(const Complex& z) const { return z.real() * this->X + z.imag() * this->Y; }
 };
+TriangleInSpace InSpace(const SurfaceGeometry& geometry, Index meshTriangle);
 
 /// A surface as the computation of a field sees it, whatever the field: the mesh with its geometry, and how it
 /// belongs to the surface's own triangles. Points across seams are one, as for Direction Field by default.
@@ -95,7 +96,10 @@ public:
   int MeshCorner(Index meshTriangle, int c) const;
   /// The surface's point at the corner of a mesh triangle.
   Index PointAt(Index meshTriangle, int meshCorner) const;
-  TriangleInSpace InSpace(Index meshTriangle) const;
+  TriangleInSpace InSpace(Index meshTriangle) const
+  {
+    return Internal::InSpace(this->GetGeometry(), meshTriangle);
+  }
 
 private:
   void ReadSection(const PointDirections& directions);

@@ -205,6 +205,7 @@ private:
         meetings.push_back({ i, rider.Reverse, half, half });
       }
     }
+    this->AddMeetingsOfPairs(meetings);
     std::stable_sort(meetings.begin(), meetings.end(),
       [](const Meeting& a, const Meeting& b) { return a.Late < b.Late; });
     for (const Meeting& meeting : meetings)
@@ -215,7 +216,7 @@ private:
       {
         continue;
       }
-      if (rider.Reverse == meeting.Other)
+      if (rider.Reverse == meeting.Other && meeting.Late == 0.5 * rider.Line.Length())
       {
         if (other.End > meeting.Early)
         {
@@ -235,6 +236,23 @@ private:
       if (rider.End == Never && rider.OwnEnd() <= time)
       {
         rider.End = rider.OwnEnd();
+      }
+    }
+  }
+
+  /// Where a line of a pair crosses itself, the other one crosses it: that is the same line turned around.
+  void AddMeetingsOfPairs(std::vector<Meeting>& meetings) const
+  {
+    const std::size_t count = meetings.size();
+    for (std::size_t m = 0; m < count; ++m)
+    {
+      const Meeting own = meetings[m];
+      const Index reverse = this->Riders[own.Line].Reverse;
+      if (own.Line == own.Other && reverse != None)
+      {
+        const double there = this->Riders[own.Line].Line.Length() - own.Late;
+        meetings.push_back(own.Early > there ? Meeting{ own.Line, reverse, own.Early, there }
+                                             : Meeting{ reverse, own.Line, there, own.Early });
       }
     }
   }

@@ -15,6 +15,9 @@ namespace
 constexpr Index FewZeros = 16;
 /// Radius of the circle around a singularity, as a part of the size of its triangle.
 constexpr double Circle = 0.02;
+/// Singularities are seen from other triangles if they are nearer than this part of the size of their own.
+constexpr double Reach = 0.1;
+const Complex Far(1e300, 0.0);
 /// Places on the circle where it is looked at; the angles between them are found by bisection.
 constexpr int Places = 360;
 constexpr int Bisections = 50;
@@ -161,6 +164,16 @@ FieldZeros::FieldZeros(const GivenField& field)
       this->ZeroOfTriangle[mirror / 3] = i;
     }
   }
+  for (Index i = 0; i < static_cast<Index>(this->Zeros.size()); ++i)
+  {
+    const Index mirror = mesh.Mirror(3 * this->Zeros[i].Triangle);
+    this->FindBeside(i, this->Zeros[i].Triangle);
+    if (mirror != None)
+    {
+      this->FindBeside(i, mirror / 3);
+    }
+  }
+  this->SortBeside();
 }
 
 Complex FieldZeros::PlaceIn(Index meshTriangle) const
@@ -168,6 +181,113 @@ Complex FieldZeros::PlaceIn(Index meshTriangle) const
   const FieldZero& zero = this->Zeros[this->ZeroOfTriangle[meshTriangle]];
   return zero.Triangle == meshTriangle ? zero.Place
                                        : Mirrored(this->Field, zero.Triangle, zero.Place);
+}
+
+void FieldZeros::FindBeside(Index zero, Index zeroTriangle)
+{
+  const SurfaceGeometry& geometry = this->Field.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  const FlatTriangle flat(geometry, zeroTriangle);
+  const Complex place = this->PlaceIn(zeroTriangle);
+  const double reach = Reach * std::sqrt(2.0 * flat.Area());
+  for (int c = 0; c < 3; ++c)
+  {
+    const Index spoke = 3 * zeroTriangle + c;
+    if (std::abs(place - flat.Corner(c)) < reach)
+    {
+      const Index first = mesh.Outgoing(mesh.Tail(spoke));
+      Index h = first;
+      do
+      {
+        this->AddBeside(h, zero, zeroTriangle);
+        h = mesh.NextOutgoing(h);
+      } while (h != None && h != first);
+    }
+    const Complex offset = (place - flat.Corner(c)) * std::conj(flat.Along(c));
+    const Index twin = mesh.Twin(spoke);
+    if (std::abs(offset.imag()) < reach && twin != None)
+    {
+      this->AddBeside(twin, zero, zeroTriangle);
+    }
+  }
+}
+
+void FieldZeros::AddBeside(Index spoke, Index zero, Index zeroTriangle)
+{
+  if (this->ZeroOfTriangle[spoke / 3] == None)
+  {
+    this->AllBeside.push_back({ spoke / 3, zeroTriangle, zero, spoke });
+  }
+}
+
+void FieldZeros::SortBeside()
+{
+  std::stable_sort(this->AllBeside.begin(), this->AllBeside.end(),
+    [](const ZeroBeside& a, const ZeroBeside& b) { return a.Triangle < b.Triangle; });
+  for (Index k = static_cast<Index>(this->AllBeside.size()) - 1; k >= 0; --k)
+  {
+    this->ZeroOfTriangle[this->AllBeside[k].Triangle] = None - 1 - k;
+  }
+}
+
+std::pair<const ZeroBeside*, const ZeroBeside*> FieldZeros::Beside(Index meshTriangle) const
+{
+  const Index code = this->ZeroOfTriangle[meshTriangle];
+  if (code >= None)
+  {
+    return { nullptr, nullptr };
+  }
+  const ZeroBeside* begin = this->AllBeside.data() + (None - 1 - code);
+  const ZeroBeside* const all = this->AllBeside.data() + this->AllBeside.size();
+  const ZeroBeside* end = begin;
+  while (end != all && end->Triangle == meshTriangle)
+  {
+    ++end;
+  }
+  return { begin, end };
+}
+
+Complex FieldZeros::PlaceBeside(const ZeroBeside& beside, const Complex& from) const
+{
+  const SurfaceGeometry& geometry = this->Field.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Complex place = this->PlaceIn(beside.ZeroTriangle);
+  Complex nearest = Far;
+  for (const bool counterClockwise : { true, false })
+  {
+    const FlatTriangle flat(geometry, beside.Triangle);
+    const Complex center = flat.Corner(beside.Spoke % 3);
+    // The spoke's direction in the plane, from triangle to triangle.
+    Complex along = flat.Along(beside.Spoke % 3);
+    Index spoke = beside.Spoke;
+    while (spoke != None && spoke / 3 != beside.ZeroTriangle)
+    {
+      const Index next =
+        counterClockwise ? mesh.Twin(TriangleMesh::Previous(spoke)) : mesh.Twin(spoke);
+      const Index at = counterClockwise || next == None ? next : TriangleMesh::Next(next);
+      if (at == None || at == beside.Spoke)
+      {
+        spoke = None;
+        break;
+      }
+      // The angle of the triangle that is passed.
+      const Index passed = counterClockwise ? spoke : at;
+      const FlatTriangle triangle(geometry, passed / 3);
+      const int c = passed % 3;
+      const Complex turn = -triangle.Along((c + 2) % 3) * std::conj(triangle.Along(c));
+      along *= counterClockwise ? turn : std::conj(turn);
+      spoke = at;
+    }
+    if (spoke != None)
+    {
+      const FlatTriangle triangle(geometry, spoke / 3);
+      const int c = spoke % 3;
+      const Complex seen =
+        center + along * std::conj(triangle.Along(c)) * (place - triangle.Corner(c));
+      nearest = std::norm(seen - from) < std::norm(nearest - from) ? seen : nearest;
+    }
+  }
+  return nearest;
 }
 
 std::vector<ZeroRay> FieldZeros::Rays(Index zero) const

@@ -7,6 +7,8 @@
 #include "Interpolation/GivenField.h"
 #include "Interpolation/PowerZero.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -35,6 +37,19 @@ struct ZeroRay
   int Sense = 1;
 };
 
+/// A singularity that is closer to an edge or a corner of its triangle than lines are caught from, as it is
+/// seen from a triangle that shares these.
+struct ZeroBeside
+{
+  /// Of the mesh: from where it is seen, and the one that it is in.
+  Index Triangle = None;
+  Index ZeroTriangle = None;
+  /// Number of the singularity.
+  Index Zero = None;
+  /// The half-edge of the triangle at the vertex that it shares with that of the singularity.
+  Index Spoke = None;
+};
+
 /// All singularities of a field, the front's only, in the order of their triangles. On the back of what
 /// cannot be oriented there are the same ones once more, as places only.
 class FieldZeros
@@ -45,9 +60,18 @@ public:
 
   const std::vector<FieldZero>& GetZeros() const { return this->Zeros; }
   /// The number of the singularity in a triangle of the mesh, on the front or the back; None if none is.
-  Index ZeroIn(Index meshTriangle) const { return this->ZeroOfTriangle[meshTriangle]; }
+  Index ZeroIn(Index meshTriangle) const
+  {
+    return std::max(this->ZeroOfTriangle[meshTriangle], None);
+  }
   /// Its place in that flat triangle.
   Complex PlaceIn(Index meshTriangle) const;
+  /// The singularities that lie beside a triangle of the mesh without one: two iterators. On symmetric surfaces
+  /// they lie on vertices, and lines run into them from all triangles there.
+  std::pair<const ZeroBeside*, const ZeroBeside*> Beside(Index meshTriangle) const;
+  /// Where such a one is in the triangle's plane, with the triangles between laid flat around the common vertex:
+  /// the nearer to a place of both ways around. Infinitely far where no way leads there.
+  Complex PlaceBeside(const ZeroBeside& beside, const Complex& from) const;
 
   /// The rays of a singularity of index k/n, counter-clockwise: |n - k| of them, and 2 |n - k| for odd n,
   /// on which the field points outwards, or along every second one inwards. None for k = n: there are
@@ -60,9 +84,16 @@ public:
   std::vector<ZeroRay> Rays(Index zero) const;
 
 private:
+  void FindBeside(Index zero, Index zeroTriangle);
+  void AddBeside(Index spoke, Index zero, Index zeroTriangle);
+  void SortBeside();
+
   const GivenField& Field;
   std::vector<FieldZero> Zeros;
+  /// None - 1 - k where the first of AllBeside is number k.
   LargeArray<Index> ZeroOfTriangle;
+  /// In the order of triangles.
+  std::vector<ZeroBeside> AllBeside;
 };
 
 /// A place in a flat triangle of the mesh as seen in the flat triangle on the other side of a cover.

@@ -150,6 +150,7 @@ void LineTrace::Enter(Index triangle)
   {
     this->ZeroPlace = this->Traced.Zeros.PlaceIn(triangle);
   }
+  this->Beside = this->Traced.Zeros.Beside(triangle);
 }
 
 Complex LineTrace::DirectionAt(const Complex& place, const Complex& near) const
@@ -166,7 +167,45 @@ double LineTrace::StepLength() const
     const double distance = std::abs(this->At - this->ZeroPlace);
     length = std::min(length, ZeroPart * std::max(distance, 0.01 * this->Size));
   }
+  for (const ZeroBeside* beside = this->Beside.first; beside != this->Beside.second; ++beside)
+  {
+    const double distance = std::abs(this->At - this->Traced.Zeros.PlaceBeside(*beside, this->At));
+    length = std::min(length, ZeroPart * std::max(distance, 0.05 * this->Size));
+  }
   return length;
+}
+
+bool LineTrace::RunsIntoBeside()
+{
+  if (this->Done < this->FreeUntil)
+  {
+    return false;
+  }
+  const SurfaceGeometry& geometry = this->Traced.Field.GetGeometry();
+  for (const ZeroBeside* beside = this->Beside.first; beside != this->Beside.second; ++beside)
+  {
+    const Complex offset = this->Traced.Zeros.PlaceBeside(*beside, this->At) - this->At;
+    const double size = std::sqrt(2.0 * geometry.Lengths.Area[beside->ZeroTriangle]);
+    const double distance = std::abs(offset);
+    if (!(distance <= this->Traced.Capture * size) || distance == 0.0)
+    {
+      continue;
+    }
+    std::vector<LinePiece> way;
+    const LineStart end = WalkStraight(this->Traced.Field,
+      { this->Current, this->At, offset / distance, this->Sense }, distance, &way);
+    // On the other side of the vertex it would miss it.
+    if (end.Triangle == beside->ZeroTriangle &&
+      std::abs(end.Place - this->Traced.Zeros.PlaceIn(end.Triangle)) < 1e-6 * size)
+    {
+      way.front().BeginDirection = this->Heading;
+      way.back().End = this->Traced.Zeros.PlaceIn(end.Triangle);
+      this->WayInto.assign(way.rbegin(), way.rend());
+      this->RanInto = beside->Zero;
+      return true;
+    }
+  }
+  return false;
 }
 
 LineTrace::Step LineTrace::Advance(double length) const
@@ -284,9 +323,23 @@ std::optional<LinePiece> LineTrace::Next()
   {
     piece.End = this->ZeroPlace;
     this->At = this->ZeroPlace;
+    if (piece.Length() > 0.0)
+    {
+      piece.EndDirection = (piece.End - piece.Begin) / piece.Length();
+    }
     this->Done += piece.Length();
     this->Reason = LineEnd::Singularity;
     this->RanInto = this->Zero;
+    return piece;
+  }
+  if (!this->WayInto.empty() || this->RunsIntoBeside())
+  {
+    piece = this->WayInto.back();
+    piece.Arc = this->Done;
+    this->WayInto.pop_back();
+    this->At = piece.End;
+    this->Done += piece.Length();
+    this->Reason = this->WayInto.empty() ? LineEnd::Singularity : LineEnd::None;
     return piece;
   }
   Step step = this->Advance(this->StepLength());

@@ -7,6 +7,7 @@
 #include "Lines/FieldZeros.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -107,6 +108,8 @@ private:
   void Enter(Index triangle);
   Complex DirectionAt(const Complex& place, const Complex& near) const;
   double StepLength() const;
+  /// If a singularity of another triangle is near enough, the line runs straight into it.
+  bool RunsIntoBeside();
   Step Advance(double length) const;
   /// The edge that a step leaves through, as its first corner, and cuts the step there; None if it stays.
   int CutAtExit(Step& step) const;
@@ -122,6 +125,9 @@ private:
   double Size = 0.0;
   Index Zero = None;
   Complex ZeroPlace;
+  std::pair<const ZeroBeside*, const ZeroBeside*> Beside = { nullptr, nullptr };
+  /// What is left of the way into a singularity, the last piece first.
+  std::vector<LinePiece> WayInto;
   double Done = 0.0;
   double FreeUntil = 0.0;
   int WithoutProgress = 0;

@@ -137,7 +137,8 @@ TEST(EvenLines, LeaveNoGaps)
 TEST(EvenLines, FollowTheDirectionsWithinFiveDegrees)
 {
   // Each chord against the direction of the field in its middle, in the flat triangle; all of them but those
-  // into a singularity, the last hundredth of a triangle, which have no direction at their end.
+  // into a singularity, the last hundredth of a triangle's size, where the field has no direction.
+  constexpr double intoSingularity = 0.015;
   for (const Surface& surface : ManySurfaces())
   {
     for (const int degree : { 1, 2, 3, 4, 6 })
@@ -159,12 +160,16 @@ TEST(EvenLines, FollowTheDirectionsWithinFiveDegrees)
         for (std::size_t i = 0; i < line.Pieces.size(); ++i)
         {
           const LinePiece& piece = line.Pieces[i];
-          const bool isInto = (i == 0 && line.Ends[0] == LineEnd::Singularity) ||
-            (i + 1 == line.Pieces.size() && line.Ends[1] == LineEnd::Singularity);
           const PowerOnTriangle power(
             field.GetGeometry(), degree, field.GetSection().data(), piece.Triangle);
+          const double size = std::sqrt(2.0 * power.Flat().Area());
+          const double left = line.Pieces.back().Arc + line.Pieces.back().Length() - piece.Arc;
+          const double done = piece.Arc + piece.Length() - line.Pieces.front().Arc;
+          const bool isInto =
+            (line.Ends[0] == LineEnd::Singularity && done < intoSingularity * size) ||
+            (line.Ends[1] == LineEnd::Singularity && left < intoSingularity * size);
           // A chord that is no longer than rounding has no direction.
-          if (!isInto && piece.Length() > 1e-7 * std::sqrt(power.Flat().Area()))
+          if (!isInto && piece.Length() > 1e-7 * size)
           {
             const Complex chord = (piece.End - piece.Begin) / piece.Length();
             const Complex value = power.At(0.5 * (piece.Begin + piece.End));

@@ -92,12 +92,13 @@ public:
         const Index tree = e == 0 ? treeOf[i].front() : treeOf[i].back();
         if (line.Zeros[e] != None)
         {
-          this->Join(treeAtZero.emplace(line.Zeros[e], tree).first->second, tree);
+          const auto [at, isNew] = treeAtZero.emplace(line.Zeros[e], tree);
+          this->Inside += isNew || this->Join(at->second, tree) ? 0 : 1;
         }
       }
       if (line.Crossed[1] != None)
       {
-        this->Join(treeOf[i].back(), this->TreeAt(graph, line, treeOf));
+        this->Inside += this->Join(treeOf[i].back(), this->TreeAt(graph, line, treeOf)) ? 0 : 1;
       }
     }
   }
@@ -155,7 +156,7 @@ public:
         }
       }
     }
-    int count = 0;
+    int count = this->Inside;
     for (Index i = 0; i < static_cast<Index>(intervals.size()); ++i)
     {
       count += intervals[i] == i ? 1 : 0;
@@ -180,7 +181,14 @@ private:
     }
     return i;
   }
-  void Join(Index a, Index b) { this->Trees[Find(this->Trees, a)] = Find(this->Trees, b); }
+  /// Returns whether they were apart.
+  bool Join(Index a, Index b)
+  {
+    const Index first = Find(this->Trees, a);
+    const Index second = Find(this->Trees, b);
+    this->Trees[first] = second;
+    return first != second;
+  }
 
   /// @param piece the first one beyond the edge
   void AddCrossing(const LinePiece& piece, Index tree, Index treeBefore, Index before)
@@ -248,6 +256,8 @@ private:
   const SurfaceGeometry& Geometry;
   std::vector<std::vector<Crossing>> OnEdge;
   std::vector<Index> Trees;
+  /// Parts within a single triangle, which no edge leads to: what joins a tree to itself closes one off.
+  int Inside = 0;
 };
 
 int Merged(const Graph& graph)
@@ -258,9 +268,10 @@ int Merged(const Graph& graph)
 
 TEST(FieldGraph, EnclosesAsManyPatchesAsTheFormulasSay)
 {
-  const std::vector<Surface> surfaces = { Meshes::FlatlySubdivided(Meshes::DoubleTorus(), 2),
-    Meshes::Potato(3), Meshes::Roughened(Meshes::Potato(3), 0.2, 2), Meshes::ChamferedCube(5),
-    Meshes::Potato(2), Meshes::Roughened(Meshes::Torus(30, 20), 0.3, 6) };
+  const std::vector<Surface> surfaces = { Meshes::DoubleTorus(),
+    Meshes::FlatlySubdivided(Meshes::DoubleTorus(), 2), Meshes::ChamferedCube(2), Meshes::Potato(3),
+    Meshes::Roughened(Meshes::Potato(3), 0.2, 2), Meshes::ChamferedCube(5), Meshes::Potato(2),
+    Meshes::Roughened(Meshes::Torus(30, 20), 0.3, 6) };
   int quads = 0;
   for (const Surface& surface : surfaces)
   {
@@ -306,6 +317,26 @@ TEST(FieldGraph, HasLinesBetweenTwoSingularitiesOnceOnSymmetricSurfaces)
     [](const TracedLine& line) { return line.Zeros[1] != None; });
   EXPECT_EQ(between, 6);
   EXPECT_EQ(FloodFill(graph).Count(), 12);
+}
+
+TEST(FieldGraph, OfChamferedCubesHasTheEdgesAndFacesOfCubes)
+{
+  // Singularities lie on vertices, or almost: lines run into them from all triangles there.
+  for (const int parts : { 2, 3, 4, 5, 6, 8, 12 })
+  {
+    const Graph graph(Meshes::ChamferedCube(parts), 4);
+    EXPECT_EQ(graph.Zeros.GetZeros().size(), 8u);
+    EXPECT_EQ(graph.Lines.size(), 12u) << parts;
+    for (const TracedLine& line : graph.Lines)
+    {
+      EXPECT_NE(line.Zeros[1], None);
+      // The line ends where the singularity is, in its triangle.
+      const FieldZero& zero = graph.Zeros.GetZeros()[std::max(line.Zeros[1], Index(0))];
+      EXPECT_EQ(line.Pieces.back().Triangle, zero.Triangle);
+      EXPECT_EQ(line.Pieces.back().End, zero.Place);
+    }
+    EXPECT_EQ(FloodFill(graph).Count(), 6) << parts;
+  }
 }
 
 TEST(FieldGraph, StopsLinesAtTrailsThatWereThereBefore)
