@@ -273,6 +273,31 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
   AddComponentArrays(field, output->GetFieldData());
 }
 
+void RemoveFieldArrays(vtkPolyData* output)
+{
+  for (int k = 0; k < MostDirections; ++k)
+  {
+    output->GetPointData()->RemoveArray(ArrayNames::Direction(k).c_str());
+    output->GetCellData()->RemoveArray(ArrayNames::Direction(k).c_str());
+  }
+  for (const char* name :
+    { ArrayNames::RepresentationMagnitude, ArrayNames::EnergyDensity, ArrayNames::ConstraintKind,
+      ArrayNames::ConstraintDirection, ArrayNames::PrincipalDirection0,
+      ArrayNames::PrincipalDirection1, ArrayNames::MeanCurvature, ArrayNames::GaussianCurvature,
+      ArrayNames::OriginalPointIds, ArrayNames::FaceSingularityIndex })
+  {
+    output->GetPointData()->RemoveArray(name);
+  }
+  output->GetCellData()->RemoveArray(ArrayNames::SingularityIndex);
+  for (const char* name :
+    { "Eigenvalue", "Residual", "Iterations", "SolverUsed", "EulerCharacteristic", "IndexSum",
+      "Lambda", "SmoothnessEnergy", "SystemResidual", "UnitEnergy", "CancelledPairs", "UnitSteps",
+      ArrayNames::Repairs, ArrayNames::Warnings, ArrayNames::Summary, "Distribution" })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
+}
+
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data)
 {

@@ -28,6 +28,9 @@ void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkP
 void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const Progress& progress = {});
 
+/// Removes every array that a field may have left in the point, cell and field data.
+void RemoveFieldArrays(vtkPolyData* output);
+
 /// Adds the counts of what was mended, and the warnings if there are any.
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);

@@ -267,16 +267,50 @@ int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   std::string error;
-  const bool isRight = DirectionFields::RunFilter([&]
-    { this->ComputeOutputs(outputVector->GetInformationObject(0), input, output, singularities); },
-    { output, singularities }, error);
-  if (!this->KeepStages)
-  {
-    this->ReleaseStages();
-  }
+  const bool isRight =
+    this->Compute(outputVector->GetInformationObject(0), input, output, singularities, error) ||
+    error.empty();
   if (!isRight)
   {
     vtkErrorMacro(<< error);
   }
   return isRight ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionField::Compute(vtkInformation* request, vtkPolyData* input, vtkPolyData* output,
+  vtkPolyData* singularities, std::string& error)
+{
+  bool isComplete = false;
+  error.clear();
+  DirectionFields::RunFilter(
+    [&]
+    {
+      this->ComputeOutputs(request, input, output, singularities);
+      isComplete = true;
+    },
+    { output, singularities }, error);
+  if (!this->KeepStages)
+  {
+    this->ReleaseStages();
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionField::CheckInput(vtkPolyData* input)
+{
+  DirectionFields::CheckPolyData(input);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionField::RemoveField(vtkPolyData* output)
+{
+  DirectionFields::RemoveFieldArrays(output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionField::IsStopped()
+{
+  return DirectionFields::IsAborted(this);
 }

@@ -176,6 +176,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 namespace DirectionFields
 {
@@ -535,6 +536,20 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  ///@{
+  /**
+   * What a filter of several processes is made of. CheckInput throws a std::exception with a sentence for the
+   * user where the input contradicts itself. Compute fills the outputs, or empties them and returns false with
+   * the error, which is empty where somebody stopped the filter; request has the time of the outputs. RemoveField
+   * takes away the arrays that an earlier filter left.
+   */
+  static void CheckInput(vtkPolyData* input);
+  bool Compute(vtkInformation* request, vtkPolyData* input, vtkPolyData* output,
+    vtkPolyData* singularities, std::string& error);
+  static void RemoveField(vtkPolyData* output);
+  bool IsStopped();
+  ///@}
 
 private:
   vtkDirectionField(const vtkDirectionField&) = delete;

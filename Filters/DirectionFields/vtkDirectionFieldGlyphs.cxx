@@ -149,13 +149,41 @@ int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   std::string error;
-  if (DirectionFields::RunFilter([&] { this->DrawGlyphs(input, output); }, { output }, error,
-        "Lower Maximum Number Of Glyphs or decimate the surface"))
+  if (this->Compute(input, output, error) || error.empty())
   {
     return 1;
   }
-  // What is kept may be what the memory lacks.
-  this->ReleaseSurfaces();
   vtkErrorMacro(<< error);
   return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionFieldGlyphs::Compute(vtkPolyData* input, vtkPolyData* output, std::string& error)
+{
+  bool isComplete = false;
+  error.clear();
+  const auto draw = [&]
+  {
+    this->DrawGlyphs(input, output);
+    isComplete = true;
+  };
+  if (!DirectionFields::RunFilter(
+        draw, { output }, error, "Lower Maximum Number Of Glyphs or decimate the surface"))
+  {
+    // What is kept may be what the memory lacks.
+    this->ReleaseSurfaces();
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::CheckInput(vtkPolyData* input)
+{
+  DirectionFields::CheckPolyData(input);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionFieldGlyphs::IsStopped()
+{
+  return DirectionFields::IsAborted(this);
 }

@@ -70,6 +70,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 namespace DirectionFields
 {
@@ -204,6 +205,17 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  ///@{
+  /**
+   * What a filter of several processes is made of. CheckInput throws a std::exception with a sentence for the
+   * user where the input contradicts itself. Compute fills the output, or empties it and returns false with the
+   * error, which is empty where somebody stopped the filter.
+   */
+  static void CheckInput(vtkPolyData* input);
+  bool Compute(vtkPolyData* input, vtkPolyData* output, std::string& error);
+  bool IsStopped();
+  ///@}
 
 private:
   vtkDirectionFieldGlyphs(const vtkDirectionFieldGlyphs&) = delete;

@@ -14,6 +14,7 @@ from .vtkDirectionFieldsFilters import (
     vtkGuidanceCurves,
     vtkStripePattern,
 )
+from .vtkDirectionFieldsFiltersParallel import vtkPDirectionField, vtkPDirectionFieldGlyphs
 
 __all__ = [
     "vtkCompareDirectionFields",
@@ -25,5 +26,7 @@ __all__ = [
     "vtkDirectionFieldWriter",
     "vtkFieldAlignedRemesh",
     "vtkGuidanceCurves",
+    "vtkPDirectionField",
+    "vtkPDirectionFieldGlyphs",
     "vtkStripePattern",
 ]

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints default and range of each property of vtkDirectionField as JSON, for the comparison with
+// Prints default and range of each property of vtkPDirectionField, which has those of vtkDirectionField, too, as JSON, for the comparison with
 // the server manager's. Switches and names of arrays have no range, names are null.
 
-#include "vtkDirectionField.h"
+#include "vtkPDirectionField.h"
 
 #include "vtkNew.h"
 
@@ -34,13 +34,14 @@ void PrintDefault(const char* name, const char* value)
 }
 
 #define PRINT_DEFAULT(name, end)                                                                   \
-  PrintDefault(#name, vtkNew<vtkDirectionField>()->Get##name());                                   \
+  PrintDefault(#name, vtkNew<vtkPDirectionField>()->Get##name());                                  \
   std::cout << "}" end "\n"
 
 #define PRINT(name, end)                                                                           \
-  PrintDefault(#name, vtkNew<vtkDirectionField>()->Get##name());                                   \
-  std::cout << ", \"min\": " << vtkNew<vtkDirectionField>()->Get##name##MinValue()                 \
-            << ", \"max\": " << vtkNew<vtkDirectionField>()->Get##name##MaxValue() << "}" end "\n"
+  PrintDefault(#name, vtkNew<vtkPDirectionField>()->Get##name());                                  \
+  std::cout << ", \"min\": " << vtkNew<vtkPDirectionField>()->Get##name##MinValue()                \
+            << ", \"max\": " << vtkNew<vtkPDirectionField>()->Get##name##MaxValue()                \
+            << "}" end "\n"
 
 int main()
 {
@@ -52,6 +53,7 @@ int main()
   PRINT(Solver, ",");
   PRINT(NumberOfThreads, ",");
   PRINT_DEFAULT(KeepStages, ",");
+  PRINT(GatherLimit, ",");
   PRINT(MergePoints, ",");
   PRINT_DEFAULT(IntrinsicDelaunay, ",");
   PRINT_DEFAULT(CellDirections, ",");

@@ -25,6 +25,7 @@ def total(array):
 
 # Shift is not one of them, because it takes the place of the strength where UseShift is on.
 ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
+            "GatherLimit",
             "IntrinsicDelaunay", "CellDirections", "UseShift", "CurvatureScale")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],

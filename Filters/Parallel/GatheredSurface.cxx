@@ -1,0 +1,636 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GatheredSurface.h"
+
+#include "PieceMatching.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+/// Values of all processes, those of each in a row.
+template <typename T>
+struct Gathered
+{
+  /// How many each process has.
+  std::vector<vtkIdType> Lengths;
+  /// The first of each, and the number of all.
+  std::vector<vtkIdType> First;
+  /// Empty but on the process that gathers.
+  std::vector<T> Values;
+};
+
+/// Cells of one kind of all processes.
+struct GatheredCells
+{
+  Gathered<vtkIdType> Corners;
+  /// Empty where all have three.
+  Gathered<vtkIdType> Sizes;
+  /// The first cell of each process, and the number of all.
+  std::vector<vtkIdType> First;
+};
+
+/// What the processes tell each other before anything is gathered: the same numbers of each.
+class Announcements
+{
+public:
+  /// @return where to look for the number
+  std::size_t Add(vtkIdType value)
+  {
+    this->Values.push_back(value);
+    return this->Values.size() - 1;
+  }
+
+  void Exchange(Processes& processes)
+  {
+    this->Count = static_cast<std::size_t>(processes.Count());
+    this->All = processes.AllGather(this->Values);
+  }
+
+  std::vector<vtkIdType> Of(std::size_t number) const
+  {
+    std::vector<vtkIdType> values(this->Count);
+    for (std::size_t p = 0; p < this->Count; ++p)
+    {
+      values[p] = this->All[p * this->Values.size() + number];
+    }
+    return values;
+  }
+
+  vtkIdType Sum(std::size_t number) const
+  {
+    const std::vector<vtkIdType> values = this->Of(number);
+    return std::accumulate(values.begin(), values.end(), vtkIdType(0));
+  }
+
+  vtkIdType Largest(std::size_t number) const
+  {
+    const std::vector<vtkIdType> values = this->Of(number);
+    return *std::max_element(values.begin(), values.end());
+  }
+
+private:
+  std::size_t Count = 0;
+  std::vector<vtkIdType> Values;
+  std::vector<vtkIdType> All;
+};
+
+/// Takes what was announced of a list, and makes room for it on one process.
+template <typename T>
+void Expect(const Announcements& announced, std::size_t number, bool isThere, Gathered<T>& list)
+{
+  list.Lengths = announced.Of(number);
+  list.First = Processes::FirstOf(list.Lengths);
+  list.Values.resize(isThere ? static_cast<std::size_t>(list.First.back()) : 0);
+}
+
+/// The cells of one kind on their way.
+struct TravellingCells
+{
+  explicit TravellingCells(const PieceCells& own, Announcements& announced)
+    : Own(own)
+    , Cells(announced.Add(static_cast<vtkIdType>(own.Cells.size())))
+    , Corners(announced.Add(static_cast<vtkIdType>(own.Corners.size())))
+    , HasSizes(announced.Add(own.Sizes.empty() ? 0 : 1))
+  {
+  }
+
+  void Expect(const Announcements& announced, bool isThere)
+  {
+    Parallel::Expect(announced, this->Corners, isThere, this->All.Corners);
+    this->All.First = Processes::FirstOf(announced.Of(this->Cells));
+    this->SomeHaveSizes = announced.Sum(this->HasSizes) > 0;
+    if (this->SomeHaveSizes)
+    {
+      Parallel::Expect(announced, this->Cells, isThere, this->All.Sizes);
+      this->OwnSizes = this->Own.Sizes.empty() ? std::vector<vtkIdType>(this->Own.Cells.size(), 3)
+                                               : this->Own.Sizes;
+    }
+  }
+
+  void Gather(Processes& processes, int to)
+  {
+    processes.Gather(this->Own.Corners, this->All.Corners.Lengths, this->All.Corners.Values, to);
+    if (this->SomeHaveSizes)
+    {
+      processes.Gather(this->OwnSizes, this->All.Sizes.Lengths, this->All.Sizes.Values, to);
+    }
+  }
+
+  GatheredCells All;
+
+private:
+  const PieceCells& Own;
+  std::vector<vtkIdType> OwnSizes;
+  std::size_t Cells;
+  std::size_t Corners;
+  std::size_t HasSizes;
+  bool SomeHaveSizes = false;
+};
+
+/// The numbers that points of all processes have, made of those that each has for itself: below the number
+/// of its own points from `first` on, the others from `beyond` on.
+void CountOn(Gathered<vtkIdType>& numbers, const std::vector<vtkIdType>& first,
+  const std::vector<vtkIdType>& beyond)
+{
+  for (std::size_t p = 0; p + 1 < numbers.First.size() && !numbers.Values.empty(); ++p)
+  {
+    const vtkIdType own = first[p + 1] - first[p];
+    for (vtkIdType k = numbers.First[p]; k < numbers.First[p + 1]; ++k)
+    {
+      vtkIdType& number = numbers.Values[k];
+      number += number < own ? first[p] : beyond[p] - own;
+    }
+  }
+}
+
+/// The points of the pieces as those of the surface.
+void Renumber(const std::vector<vtkIdType>& numbers, std::vector<vtkIdType>& corners)
+{
+  for (vtkIdType& corner : corners)
+  {
+    corner = numbers[static_cast<std::size_t>(corner)];
+  }
+}
+
+vtkSmartPointer<vtkCellArray> MakeCells(const GatheredCells& cells)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  const vtkIdType count = cells.First.back();
+  offsets->SetNumberOfValues(count + 1);
+  vtkIdType offset = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    offsets->SetValue(i, offset);
+    offset += cells.Sizes.Values.empty() ? 3 : cells.Sizes.Values[i];
+  }
+  offsets->SetValue(count, offset);
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(cells.Corners.Values.size()));
+  std::copy(cells.Corners.Values.begin(), cells.Corners.Values.end(), corners->GetPointer(0));
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->SetData(offsets, corners);
+  return array;
+}
+
+/// For each number of the surface's points the first point of the pieces with it.
+std::vector<vtkIdType> FirstOfEach(const JoinedPoints& joined)
+{
+  std::vector<vtkIdType> first(static_cast<std::size_t>(joined.Count));
+  for (std::size_t i = joined.Number.size(); i-- > 0;)
+  {
+    first[joined.Number[i]] = static_cast<vtkIdType>(i);
+  }
+  return first;
+}
+
+/// The values of an array at points, as doubles.
+std::vector<double> ReadValues(vtkDataArray* array, const std::vector<vtkIdType>& points)
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> values(points.size() * components);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    array->GetTuple(points[i], values.data() + i * components);
+  }
+  return values;
+}
+
+/// A point array on its way, which is left behind unless all pieces with points have it alike.
+struct TravellingArray
+{
+  TravellingArray(
+    vtkPolyData* polyData, const SurfacePiece& piece, std::string name, Announcements& announced)
+    : Name(std::move(name))
+    , TakesPart(piece.HasPoints)
+  {
+    vtkDataArray* const array = polyData->GetPointData()->GetArray(this->Name.c_str());
+    const int components = this->TakesPart && array ? array->GetNumberOfComponents() : 0;
+    if (components > 0)
+    {
+      this->Own = ReadValues(array, piece.Own.Points);
+    }
+    this->Components = announced.Add(components);
+    this->Missing = announced.Add(this->TakesPart && components == 0 ? 1 : 0);
+    this->Values = announced.Add(static_cast<vtkIdType>(this->Own.size()));
+  }
+
+  void Expect(const Announcements& announced, bool isThere)
+  {
+    this->Width = announced.Largest(this->Components);
+    bool isAlike = announced.Sum(this->Missing) == 0 && this->Width > 0;
+    for (const vtkIdType components : announced.Of(this->Components))
+    {
+      isAlike = isAlike && (components == 0 || components == this->Width);
+    }
+    this->Width = isAlike ? this->Width : 0;
+    if (isAlike)
+    {
+      Parallel::Expect(announced, this->Values, isThere, this->All);
+    }
+  }
+
+  void Gather(Processes& processes, int to)
+  {
+    if (this->Width > 0)
+    {
+      processes.Gather(this->Own, this->All.Lengths, this->All.Values, to);
+    }
+  }
+
+  /// @param first the point of the pieces that each point of the surface is
+  void AddTo(vtkPolyData* surface, const std::vector<vtkIdType>& first) const
+  {
+    if (this->Width == 0)
+    {
+      return;
+    }
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(this->Name.c_str());
+    values->SetNumberOfComponents(static_cast<int>(this->Width));
+    values->SetNumberOfTuples(static_cast<vtkIdType>(first.size()));
+    for (std::size_t i = 0; i < first.size(); ++i)
+    {
+      std::copy_n(this->All.Values.data() + first[i] * this->Width, this->Width,
+        values->GetPointer(static_cast<vtkIdType>(i) * this->Width));
+    }
+    surface->GetPointData()->AddArray(values);
+  }
+
+private:
+  std::string Name;
+  bool TakesPart;
+  std::vector<double> Own;
+  Gathered<double> All;
+  std::size_t Components;
+  std::size_t Missing;
+  std::size_t Values;
+  vtkIdType Width = 0;
+};
+
+/// The corners of polygons in ascending order, one after another with each polygon's end.
+struct SortedCorners
+{
+  std::vector<vtkIdType>::const_iterator Begin(std::size_t i) const
+  {
+    return this->Corners.begin() + static_cast<std::ptrdiff_t>(this->First[i]);
+  }
+
+  /// The same for cells of the same corners.
+  std::uint64_t Key(std::size_t i) const
+  {
+    std::uint64_t key = 0;
+    for (auto corner = this->Begin(i); corner != this->Begin(i + 1); ++corner)
+    {
+      key = (key ^ static_cast<std::uint64_t>(*corner)) * 0x9E3779B97F4A7C15ULL;
+      key ^= key >> 29;
+    }
+    return key;
+  }
+
+  std::vector<vtkIdType> Corners;
+  std::vector<std::size_t> First;
+};
+
+SortedCorners Sort(const GatheredCells& cells)
+{
+  SortedCorners sorted;
+  sorted.Corners = cells.Corners.Values;
+  sorted.First.assign(1, 0);
+  for (vtkIdType i = 0; i < cells.First.back(); ++i)
+  {
+    const std::size_t begin = sorted.First.back();
+    const std::size_t end =
+      begin + static_cast<std::size_t>(cells.Sizes.Values.empty() ? 3 : cells.Sizes.Values[i]);
+    std::sort(sorted.Corners.begin() + begin, sorted.Corners.begin() + end);
+    sorted.First.push_back(end);
+  }
+  return sorted;
+}
+
+/// For each polygon of one list one of another list with the same corners, or -1.
+std::vector<vtkIdType> FindCells(const GatheredCells& cells, const GatheredCells& wanted)
+{
+  std::vector<vtkIdType> found(static_cast<std::size_t>(wanted.First.back()), -1);
+  if (found.empty())
+  {
+    return found;
+  }
+  const SortedCorners all = Sort(cells);
+  const SortedCorners copies = Sort(wanted);
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> copiesAt;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    copiesAt[copies.Key(k)].push_back(k);
+  }
+  for (std::size_t i = 0; i + 1 < all.First.size() && !copiesAt.empty(); ++i)
+  {
+    const auto at = copiesAt.find(all.Key(i));
+    if (at == copiesAt.end())
+    {
+      continue;
+    }
+    // Copies of the same cell are found together and once.
+    std::vector<std::size_t> others;
+    for (const std::size_t k : at->second)
+    {
+      if (std::equal(all.Begin(i), all.Begin(i + 1), copies.Begin(k), copies.Begin(k + 1)))
+      {
+        found[k] = static_cast<vtkIdType>(i);
+      }
+      else
+      {
+        others.push_back(k);
+      }
+    }
+    if (others.empty())
+    {
+      copiesAt.erase(at);
+    }
+    else
+    {
+      at->second = std::move(others);
+    }
+  }
+  return found;
+}
+
+/// Appends numbers first ... last - 1, shifted, to a list.
+void AppendRange(vtkIdType first, vtkIdType last, vtkIdType shift, std::vector<vtkIdType>& list)
+{
+  for (vtkIdType i = first; i < last; ++i)
+  {
+    list.push_back(i + shift);
+  }
+}
+
+/// Sets the lists of the way back.
+void ListParts(const JoinedPoints& joined, const std::vector<vtkIdType>& firstPoint,
+  const std::vector<vtkIdType>& copiedPoints, const std::vector<vtkIdType>& firstCopied,
+  const GatheredCells& polys, const GatheredCells& strips,
+  const std::vector<vtkIdType>& copiedCells, const GatheredCells& ghosts, GatheredSurface& gathered)
+{
+  gathered.FirstPointOf.assign(1, 0);
+  gathered.FirstCellOf.assign(1, 0);
+  for (std::size_t p = 0; p + 1 < firstPoint.size(); ++p)
+  {
+    std::vector<vtkIdType>& points = gathered.PointsOf;
+    points.insert(points.end(), joined.Number.begin() + firstPoint[p],
+      joined.Number.begin() + firstPoint[p + 1]);
+    points.insert(points.end(), copiedPoints.begin() + firstCopied[p],
+      copiedPoints.begin() + firstCopied[p + 1]);
+    gathered.FirstPointOf.push_back(static_cast<vtkIdType>(points.size()));
+    gathered.OwnPointsOf.push_back(firstPoint[p + 1] - firstPoint[p]);
+
+    std::vector<vtkIdType>& cells = gathered.CellsOf;
+    AppendRange(polys.First[p], polys.First[p + 1], 0, cells);
+    AppendRange(strips.First[p], strips.First[p + 1], polys.First.back(), cells);
+    cells.insert(cells.end(), copiedCells.begin() + ghosts.First[p],
+      copiedCells.begin() + ghosts.First[p + 1]);
+    gathered.FirstCellOf.push_back(static_cast<vtkIdType>(cells.size()));
+    gathered.OwnCellsOf.push_back(
+      polys.First[p + 1] - polys.First[p] + strips.First[p + 1] - strips.First[p]);
+  }
+}
+
+/// The points of the surface, of double precision if any piece's are, each where its first piece has it.
+vtkSmartPointer<vtkPoints> MakePoints(
+  const std::vector<double>& coordinates, const std::vector<vtkIdType>& first, bool areDouble)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(areDouble ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(first.size()));
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), coordinates.data() + 3 * first[i]);
+  }
+  return points;
+}
+
+std::vector<vtkIdType> PerPoint(std::vector<vtkIdType> first)
+{
+  for (vtkIdType& value : first)
+  {
+    value /= 3;
+  }
+  return first;
+}
+
+/// A surface on its way from the processes to one of them.
+class Travel
+{
+public:
+  Travel(vtkPolyData* polyData, const SurfacePiece& piece, const std::vector<std::string>& arrays)
+    : Piece(piece)
+    , Polys(piece.Polys, Announced)
+    , Strips(piece.Strips, Announced)
+    , Ghosts(piece.Ghosts, Announced)
+  {
+    const auto add = [this](std::size_t value)
+    { return this->Announced.Add(static_cast<vtkIdType>(value)); };
+    this->Size = add(piece.Polys.Cells.size() + piece.Strips.Corners.size());
+    this->Cells = add(piece.Polys.Cells.size() + piece.Strips.Cells.size());
+    this->HasPoints = add(piece.HasPoints);
+    this->HasDoublePoints = add(piece.HasDoublePoints);
+    this->LacksIds = add(piece.HasPoints && !piece.HasGlobalIds);
+    this->PointValues = add(piece.Own.Coordinates.size());
+    this->CopiedValues = add(piece.GhostPoints.Coordinates.size());
+    this->Ids = add(piece.Own.GlobalIds.size());
+    this->CopiedIds = add(piece.GhostPoints.GlobalIds.size());
+    this->BorderNumbers = add(piece.BorderEdges.size());
+    for (const std::string& name : arrays)
+    {
+      this->Arrays.emplace_back(polyData, piece, name, this->Announced);
+    }
+  }
+
+  void Gather(Processes& processes, GatheredSurface& gathered)
+  {
+    this->Announced.Exchange(processes);
+    const std::vector<vtkIdType> sizes = this->Announced.Of(this->Size);
+    const int to = static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    gathered.Process = to;
+    gathered.Pieces = static_cast<int>(this->Announced.Sum(this->HasPoints));
+    gathered.Cells = this->Announced.Sum(this->Cells);
+    this->AreDouble = this->Announced.Sum(this->HasDoublePoints) > 0;
+    this->UseIds = this->Announced.Sum(this->LacksIds) == 0;
+    processes.Together([&] { this->Expect(processes.Own() == to); });
+
+    const auto gather = [&](const auto& own, auto& list)
+    { processes.Gather(own, list.Lengths, list.Values, to); };
+    gather(this->Piece.Own.Coordinates, this->Coordinates);
+    gather(this->Piece.GhostPoints.Coordinates, this->CopiedCoordinates);
+    gather(this->Piece.BorderEdges, this->Border);
+    if (this->UseIds)
+    {
+      gather(this->Piece.Own.GlobalIds, this->GlobalIds);
+      gather(this->Piece.GhostPoints.GlobalIds, this->CopiedGlobalIds);
+    }
+    for (TravellingCells* const cells : { &this->Polys, &this->Strips, &this->Ghosts })
+    {
+      cells->Gather(processes, to);
+    }
+    for (TravellingArray& array : this->Arrays)
+    {
+      array.Gather(processes, to);
+    }
+  }
+
+  /// On the process that has everything.
+  void Arrive(GatheredSurface& gathered)
+  {
+    Pieces pieces;
+    pieces.FirstPoint = PerPoint(this->Coordinates.First);
+    pieces.Coordinates = std::move(this->Coordinates.Values);
+    pieces.GlobalIds = std::move(this->GlobalIds.Values);
+    const std::vector<vtkIdType> firstCopied = PerPoint(this->CopiedCoordinates.First);
+    // Copied points are numbered after all others.
+    std::vector<vtkIdType> beyond = firstCopied;
+    for (vtkIdType& value : beyond)
+    {
+      value += pieces.FirstPoint.back();
+    }
+    GatheredCells& polys = this->Polys.All;
+    GatheredCells& strips = this->Strips.All;
+    GatheredCells& ghosts = this->Ghosts.All;
+    for (Gathered<vtkIdType>* const numbers :
+      { &this->Border, &polys.Corners, &strips.Corners, &ghosts.Corners })
+    {
+      CountOn(*numbers, pieces.FirstPoint, beyond);
+    }
+    pieces.BorderEdges = std::move(this->Border.Values);
+    const double tolerance = ToleranceOf(pieces);
+    if (!AreGlobalIdsRight(pieces, tolerance))
+    {
+      pieces.GlobalIds.clear();
+    }
+    const JoinedPoints joined = JoinPieces(pieces, tolerance);
+    gathered.SharedPoints = joined.Shared;
+    const std::vector<vtkIdType> first = FirstOfEach(joined);
+    std::vector<vtkIdType> copiedPoints = FindPoints(
+      pieces, { this->CopiedCoordinates.Values, this->CopiedGlobalIds.Values }, tolerance);
+    for (vtkIdType& point : copiedPoints)
+    {
+      point = point < 0 ? point : joined.Number[point];
+    }
+    Renumber(joined.Number, polys.Corners.Values);
+    Renumber(joined.Number, strips.Corners.Values);
+    std::vector<vtkIdType> numbers = joined.Number;
+    numbers.insert(numbers.end(), copiedPoints.begin(), copiedPoints.end());
+    Renumber(numbers, ghosts.Corners.Values);
+    ListParts(joined, pieces.FirstPoint, copiedPoints, firstCopied, polys, strips,
+      FindCells(polys, ghosts), ghosts, gathered);
+    gathered.Surface = vtkSmartPointer<vtkPolyData>::New();
+    gathered.Surface->SetPoints(MakePoints(pieces.Coordinates, first, this->AreDouble));
+    gathered.Surface->SetPolys(MakeCells(polys));
+    gathered.Surface->SetStrips(MakeCells(strips));
+    for (const TravellingArray& array : this->Arrays)
+    {
+      array.AddTo(gathered.Surface, first);
+    }
+  }
+
+private:
+  /// Makes room.
+  void Expect(bool isThere)
+  {
+    const Announcements& announced = this->Announced;
+    Parallel::Expect(announced, this->PointValues, isThere, this->Coordinates);
+    Parallel::Expect(announced, this->CopiedValues, isThere, this->CopiedCoordinates);
+    Parallel::Expect(announced, this->BorderNumbers, isThere, this->Border);
+    if (this->UseIds)
+    {
+      Parallel::Expect(announced, this->Ids, isThere, this->GlobalIds);
+      Parallel::Expect(announced, this->CopiedIds, isThere, this->CopiedGlobalIds);
+    }
+    for (TravellingCells* const cells : { &this->Polys, &this->Strips, &this->Ghosts })
+    {
+      cells->Expect(announced, isThere);
+    }
+    for (TravellingArray& array : this->Arrays)
+    {
+      array.Expect(announced, isThere);
+    }
+  }
+
+  double ToleranceOf(const Pieces& pieces) const
+  {
+    double largest = 0.0;
+    for (const std::vector<double>* const values :
+      { &pieces.Coordinates, &this->CopiedCoordinates.Values })
+    {
+      for (const double value : *values)
+      {
+        largest = std::max(largest, std::abs(value));
+      }
+    }
+    return MatchingTolerance * largest;
+  }
+
+  const SurfacePiece& Piece;
+  Announcements Announced;
+  TravellingCells Polys;
+  TravellingCells Strips;
+  TravellingCells Ghosts;
+  std::vector<TravellingArray> Arrays;
+  Gathered<double> Coordinates;
+  Gathered<double> CopiedCoordinates;
+  Gathered<vtkIdType> GlobalIds;
+  Gathered<vtkIdType> CopiedGlobalIds;
+  Gathered<vtkIdType> Border;
+  std::size_t Size;
+  std::size_t Cells;
+  std::size_t HasPoints;
+  std::size_t HasDoublePoints;
+  std::size_t LacksIds;
+  std::size_t PointValues;
+  std::size_t CopiedValues;
+  std::size_t Ids;
+  std::size_t CopiedIds;
+  std::size_t BorderNumbers;
+  bool AreDouble = false;
+  bool UseIds = false;
+};
+}
+
+GatheredSurface GatherSurface(
+  Processes& processes, vtkPolyData* polyData, const std::vector<std::string>& arrays)
+{
+  GatheredSurface gathered;
+  std::unique_ptr<Travel> travel;
+  processes.Together(
+    [&]
+    {
+      gathered.Piece = ReadPiece(polyData);
+      travel = std::make_unique<Travel>(polyData, gathered.Piece, arrays);
+    });
+  travel->Gather(processes, gathered);
+  processes.Together(
+    [&]
+    {
+      if (processes.Own() == gathered.Process)
+      {
+        travel->Arrive(gathered);
+      }
+    });
+  return gathered;
+}
+}

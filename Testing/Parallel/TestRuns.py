@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Glyphs, errors, stops and composite data over processes:
+mpiexec -n 3 pvbatch --symmetric TestRuns.py PACKAGES"""
+import sys
+import time
+
+sys.path.insert(0, sys.argv[1])
+
+import numpy as np
+from paraview import simple  # noqa: F401, starts MPI
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSet
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+import Surfaces
+from directionfields_vtk import (vtkDirectionField, vtkDirectionFieldGlyphs, vtkPDirectionField,
+                                 vtkPDirectionFieldGlyphs)
+
+controller = vtkMultiProcessController.GetGlobalController()
+rank, count = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+points, triangles = Surfaces.potato(14)
+owner = Surfaces.owners(points, triangles, "slabs", count)
+
+
+def reduced(value, operation=vtkCommunicator.SUM_OP):
+    own, result = vtkDoubleArray(), vtkDoubleArray()
+    own.InsertNextValue(float(value))
+    result.SetNumberOfTuples(1)
+    controller.AllReduce(own, result, operation)
+    return result.GetValue(0)
+
+
+def check(condition, *what):
+    """Fails on all processes, that none waits for another one."""
+    failed = reduced(not condition)
+    assert not failed, (rank, *what, "here" if not condition else "elsewhere")
+
+
+def own_piece(**kind):
+    return Surfaces.piece(points, triangles, {}, owner, rank, **kind)
+
+
+def whole_mesh():
+    return Surfaces.piece(points, triangles, {}, owner * 0, 0)
+
+
+def messages_of(algorithm):
+    found = []
+
+    def hear(source, event, message):
+        found.append(message)
+    hear.CallDataType = "string0"
+    for source in (algorithm, algorithm.GetExecutive()):
+        source.AddObserver("ErrorEvent", hear)
+    return found
+
+
+def test_glyphs():
+    """The glyphs of all processes are as many and as dense as those of one, each on one process."""
+    serial = vtkDirectionFieldGlyphs()
+    field = vtkDirectionField()
+    field.SetTolerance(1e-10)
+    field.SetInputData(whole_mesh())
+    serial.SetInputConnection(field.GetOutputPort())
+    serial.Update()
+    for kind in ({}, {"ghosts": True}):
+        part = vtkPDirectionField()
+        part.SetTolerance(1e-10)
+        part.SetInputData(own_piece(**kind))
+        glyphs = vtkPDirectionFieldGlyphs()
+        glyphs.SetInputConnection(part.GetOutputPort())
+        glyphs.Update()
+        # The order of the points decides which samples are tried first: not the same places, but as many.
+        wanted, found = found_number(serial), found_number(glyphs)
+        check(abs(wanted / found - 1.0) < 0.05, "number of glyphs", wanted, found)
+        wanted, found = found_spacing(serial), found_spacing(glyphs)
+        check(abs(wanted / found - 1.0) < 0.05, "spacing", wanted, found)
+        cells = glyphs.GetOutput().GetCellData()
+        locations = Surfaces.array(cells, "Location").astype(int)
+        here = np.zeros(int(found_number(glyphs)))
+        here[np.unique(locations)] = 1
+        everywhere = vtkDoubleArray()
+        sent = vtkDoubleArray()
+        for value in here:
+            sent.InsertNextValue(value)
+        everywhere.SetNumberOfTuples(len(here))
+        controller.AllReduce(sent, everywhere, vtkCommunicator.SUM_OP)
+        each = [everywhere.GetValue(i) for i in range(len(here))]
+        check(all(value == 1 for value in each), "each glyph on one process")
+        ids = Surfaces.array(cells, "PointId").astype(int)
+        check((ids < part.GetOutput().GetNumberOfPoints()).all(), "ids of the piece")
+        center = np.array([part.GetOutput().GetPoint(i) for i in ids]).reshape(-1, 3)
+        box = np.array([glyphs.GetOutput().GetCell(i).GetBounds()
+                        for i in range(glyphs.GetOutput().GetNumberOfCells())]).reshape(-1, 3, 2)
+        distance = np.linalg.norm(box.mean(axis=2) - center, axis=1)
+        check((distance < 2.0 * found_spacing(serial)).all(), "glyphs at their points", distance.max(initial=0.0))
+
+
+def found_number(glyphs):
+    return glyphs.GetOutput().GetFieldData().GetArray("NumberOfGlyphs").GetTuple1(0)
+
+
+def found_spacing(glyphs):
+    return glyphs.GetOutput().GetFieldData().GetArray("Spacing").GetTuple1(0)
+
+
+def test_error():
+    """What is wrong on one process is an error of all, in the same words, and the filter works again after."""
+    for kind in (vtkPDirectionField, vtkPDirectionFieldGlyphs):
+        mesh = own_piece()
+        if rank == count - 1:
+            mesh.GetPoints().SetPoint(3, float("nan"), 0.0, 0.0)
+        filter = kind()
+        heard = messages_of(filter)
+        filter.SetInputData(mesh)
+        filter.Update()
+        text = "".join(heard)
+        check("1 point of the surface has NaN or infinite coordinates, the first is point 3" in text and
+              f"On process {count - 1}." in text, text)
+        check(filter.GetOutput().GetNumberOfPoints() == 0, "outputs are empty")
+    field = vtkPDirectionField()
+    field.SetInputData(mesh)
+    heard = messages_of(field)
+    field.Update()
+    field.SetInputData(own_piece())
+    field.Update()
+    check(field.GetOutput().GetPointData().HasArray("Direction0"), "after an error")
+    # What only the process with the whole surface notices.
+    field.SetDegree(3)
+    field.SetAlignment(vtkDirectionField.ALIGN_PRINCIPAL_CURVATURE)
+    del heard[:]
+    field.Update()
+    check("Degree" in "".join(heard), heard)
+
+
+def test_stop():
+    """Whoever is asked to stop stops all, wherever the work is done."""
+    for stopping in range(count):
+        field = vtkPDirectionField()
+        field.SetInputData(own_piece())
+        heard = messages_of(field)
+        began = []
+
+        def stop(source, event):
+            began.append(time.time())
+            if rank == stopping:
+                source.SetAbortExecute(1)
+        field.AddObserver("ProgressEvent", stop)
+        # Whoever works must still be at it when the message comes.
+        def wait(source, event):
+            if len(began) < 40:
+                time.sleep(0.01)
+        field.AddObserver("ProgressEvent", wait)
+        field.Update()
+        check(field.GetOutput().GetNumberOfPoints() == 0, "stopped by", stopping)
+        check(not heard, heard)
+        field.RemoveAllObservers()
+        field.Modified()
+        field.Update()
+        check(field.GetOutput().GetPointData().HasArray("Direction0"), "after a stop")
+
+
+def test_empty():
+    """No process has anything, or points without cells only."""
+    for mesh in (Surfaces.poly_data(np.zeros((0, 3)), np.zeros((0, 3))),
+                 Surfaces.poly_data(points[:5 * rank], np.zeros((0, 3)))):
+        field = vtkPDirectionField()
+        field.SetInputData(mesh)
+        field.Update()
+        check(field.GetOutput().GetNumberOfPoints() == mesh.GetNumberOfPoints(), "points")
+        check(field.GetOutput().GetPointData().HasArray("Direction3"), "directions")
+        check(field.GetOutput(1).GetPointData().HasArray("CellId"), "singularities")
+
+
+def test_composite():
+    """Blocks at the same place are one surface, also where a process has none of it or fewer of them."""
+    serial = vtkDirectionField()
+    serial.SetInputData(whole_mesh())
+    serial.Update()
+    wanted = serial.GetOutput().GetFieldData().GetArray("Eigenvalue").GetTuple1(0)
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetNumberOfBlocks(3)
+    blocks.SetBlock(0, own_piece() if len(np.flatnonzero(owner == rank)) else None)
+    if rank == 1:
+        blocks.SetBlock(2, whole_mesh())
+    blocks.GetMetaData(2).Set(vtkMultiBlockDataSet.NAME(), "second")
+    partitions = vtkPartitionedDataSet()
+    partitions.SetPartition(0, own_piece())
+    if rank == 0:
+        partitions.SetPartition(1, whole_mesh())
+    for data, last in ((blocks, 2), (partitions, 1)):
+        field = vtkPDirectionField()
+        field.SetInputData(data)
+        field.Update()
+        output = field.GetOutputDataObject(0)
+        check(output.GetClassName() == data.GetClassName(), output)
+        block = output.GetBlock if data is blocks else output.GetPartitionAsDataObject
+        check(abs(block(0).GetFieldData().GetArray("Eigenvalue").GetTuple1(0) / wanted - 1.0) < 1e-9, "first")
+        alone = (rank == 1) if data is blocks else (rank == 0)
+        other = block(last) if alone or data is blocks else None
+        check((other is not None) == alone, "where the second one is")
+        check(not alone or other.GetPointData().HasArray("Direction0"), "second")
+        glyphs = vtkPDirectionFieldGlyphs()
+        glyphs.SetInputConnection(field.GetOutputPort())
+        glyphs.Update()
+        check(glyphs.GetOutputDataObject(0).GetNumberOfCells() > 0, "glyphs")
+
+
+def test_limit():
+    """Beyond the limit one process warns."""
+    heard = []
+
+    def hear(source, event, message):
+        heard.append(message)
+    hear.CallDataType = "string0"
+    field = vtkPDirectionField()
+    field.AddObserver("WarningEvent", hear)
+    field.SetGatherLimit(100)
+    field.SetInputData(own_piece())
+    field.Update()
+    check(reduced(len(heard)) == 1, heard)
+    warnings = field.GetOutput().GetFieldData().GetAbstractArray("Warnings")
+    check("more than GatherLimit" in warnings.GetValue(0), "warning")
+
+
+for test in (test_glyphs, test_error, test_stop, test_empty, test_composite, test_limit):
+    test()
+if rank == 0:
+    print("passed")
