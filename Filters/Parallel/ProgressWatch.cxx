@@ -39,13 +39,23 @@ void ComputeOnOne(Processes& processes, int process, vtkAlgorithm* filter,
     filter->UpdateProgress(0.0);
     return !isStopped();
   };
-  const auto stop = [&] { filter->SetAbortExecute(1); };
+  bool wasStoppedByOthers = false;
+  const auto stop = [&]
+  {
+    filter->SetAbortExecute(1);
+    wasStoppedByOthers = true;
+  };
   const auto workWatched = [&](std::string& error)
   {
     const bool isRight = work(error);
     if (observer != 0)
     {
       filter->RemoveObserver(observer);
+    }
+    if (wasStoppedByOthers)
+    {
+      // Whoever has asked takes it back there, not here.
+      filter->SetAbortExecute(0);
     }
     return isRight;
   };

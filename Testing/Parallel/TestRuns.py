@@ -156,6 +156,7 @@ def test_stop():
         check(field.GetOutput().GetNumberOfPoints() == 0, "stopped by", stopping)
         check(not heard, heard)
         field.RemoveAllObservers()
+        field.SetAbortExecute(0)
         field.Modified()
         field.Update()
         check(field.GetOutput().GetPointData().HasArray("Direction0"), "after a stop")
