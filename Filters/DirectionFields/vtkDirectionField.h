@@ -36,7 +36,8 @@
  * cut into triangles internally, and the results come back on the input's own points and cells.
  * Vertices, lines and cells that vtkGhostType marks as hidden are passed through but take no part.
  * Cells that it marks as duplicates of another piece's carry the field on, but count neither in the
- * sums of the field data nor on port 1. Each piece is solved for itself.
+ * sums of the field data nor on port 1. Each piece is solved for itself; vtkPDirectionField
+ * solves the pieces of several processes as one surface.
  * An input without polygons and strips has the zero field; an empty input gives an empty output.
  *
  * @section Output Output port 0: the field

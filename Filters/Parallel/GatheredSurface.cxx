@@ -524,6 +524,10 @@ public:
     }
     const JoinedPoints joined = JoinPieces(pieces, tolerance);
     gathered.SharedPoints = joined.Shared;
+    for (const auto& [point, place] : joined.Moved)
+    {
+      std::copy_n(pieces.Coordinates.data() + 3 * place, 3, pieces.Coordinates.data() + 3 * point);
+    }
     const std::vector<vtkIdType> first = FirstOfEach(joined);
     std::vector<vtkIdType> copiedPoints = FindPoints(
       pieces, { this->CopiedCoordinates.Values, this->CopiedGlobalIds.Values }, tolerance);

@@ -98,7 +98,8 @@ BorderPlaces FindPlaces(const Pieces& pieces)
 
 /// Joins places within the tolerance, the nearest first, as long as no piece has a point at both: rounding
 /// does not give one process two points for one.
-void JoinNearPlaces(
+/// @return the pairs of places that stay apart
+std::vector<std::pair<vtkIdType, vtkIdType>> JoinNearPlaces(
   const Pieces& pieces, const BorderPlaces& border, double tolerance, Joined& places)
 {
   std::vector<double> coordinates;
@@ -123,7 +124,7 @@ void JoinNearPlaces(
   }
   if (pairs.empty())
   {
-    return;
+    return {};
   }
   std::sort(pairs.begin(), pairs.end());
   owners.resize(static_cast<std::size_t>(border.Count()));
@@ -135,6 +136,7 @@ void JoinNearPlaces(
     }
     // The points ascend, hence their pieces.
   }
+  std::vector<std::pair<vtkIdType, vtkIdType>> apart;
   for (const auto& [squared, a, b] : pairs)
   {
     const std::vector<std::size_t>& first = owners[places.Find(a)];
@@ -142,12 +144,67 @@ void JoinNearPlaces(
     std::vector<std::size_t> both;
     std::set_intersection(
       first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-    if (places.Find(a) != places.Find(b) && both.empty())
+    if (places.Find(a) == places.Find(b))
     {
-      std::vector<std::size_t> all;
-      std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all));
-      places.Join(a, b);
-      owners[places.Find(a)] = std::move(all);
+      continue;
+    }
+    if (!both.empty())
+    {
+      apart.emplace_back(a, b);
+      continue;
+    }
+    std::vector<std::size_t> all;
+    std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(all));
+    places.Join(a, b);
+    owners[places.Find(a)] = std::move(all);
+  }
+  return apart;
+}
+
+/// For each point on the border its place.
+std::unordered_map<vtkIdType, vtkIdType> PlacesOf(const BorderPlaces& border)
+{
+  std::unordered_map<vtkIdType, vtkIdType> placeOf;
+  for (vtkIdType k = 0; k < border.Count(); ++k)
+  {
+    for (vtkIdType m = border.First[k]; m < border.First[k + 1]; ++m)
+    {
+      placeOf[border.Points[m]] = k;
+    }
+  }
+  return placeOf;
+}
+
+/// Lets places that stay apart become equal, but for the two ends of an edge, which would vanish.
+void MoveTogether(const Pieces& pieces, const BorderPlaces& border,
+  const std::vector<std::pair<vtkIdType, vtkIdType>>& apart, JoinedPoints& joined)
+{
+  if (apart.empty())
+  {
+    return;
+  }
+  std::unordered_map<vtkIdType, vtkIdType> placeOf = PlacesOf(border);
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  for (std::size_t e = 0; e + 1 < pieces.BorderEdges.size(); e += 2)
+  {
+    edges.emplace_back(
+      std::minmax({ placeOf[pieces.BorderEdges[e]], placeOf[pieces.BorderEdges[e + 1]] }));
+  }
+  std::sort(edges.begin(), edges.end());
+  Joined together(static_cast<std::size_t>(border.Count()));
+  for (const auto& pair : apart)
+  {
+    if (!std::binary_search(edges.begin(), edges.end(), pair))
+    {
+      together.Join(pair.first, pair.second);
+    }
+  }
+  for (vtkIdType k = 0; k < border.Count(); ++k)
+  {
+    const vtkIdType to = together.Find(k);
+    for (vtkIdType m = border.First[k]; to != k && m < border.First[k + 1]; ++m)
+    {
+      joined.Moved.emplace_back(border.Points[m], border.Points[border.First[to]]);
     }
   }
 }
@@ -203,14 +260,7 @@ std::vector<char> JoinSinglePoints(const Pieces& pieces, const BorderPlaces& bor
 void JoinByEdges(const Pieces& pieces, const BorderPlaces& border,
   const std::vector<char>& isAmbiguous, Joined& points)
 {
-  std::unordered_map<vtkIdType, vtkIdType> placeOf;
-  for (vtkIdType k = 0; k < border.Count(); ++k)
-  {
-    for (vtkIdType m = border.First[k]; m < border.First[k + 1]; ++m)
-    {
-      placeOf[border.Points[m]] = k;
-    }
-  }
+  std::unordered_map<vtkIdType, vtkIdType> placeOf = PlacesOf(border);
   // The places of an edge, and the points there in the same order.
   std::vector<std::array<vtkIdType, 4>> edges;
   for (std::size_t e = 0; e + 1 < pieces.BorderEdges.size(); e += 2)
@@ -381,11 +431,12 @@ bool AreGlobalIdsRight(const Pieces& pieces, double tolerance)
 
 JoinedPoints JoinPieces(const Pieces& pieces, double tolerance)
 {
+  JoinedPoints joined;
   BorderPlaces border = FindPlaces(pieces);
   if (pieces.GlobalIds.empty())
   {
     Joined places(static_cast<std::size_t>(border.Count()));
-    JoinNearPlaces(pieces, border, tolerance, places);
+    MoveTogether(pieces, border, JoinNearPlaces(pieces, border, tolerance, places), joined);
     border = Merged(border, places);
   }
   Joined points(static_cast<std::size_t>(pieces.FirstPoint.back()));
@@ -396,7 +447,6 @@ JoinedPoints JoinPieces(const Pieces& pieces, double tolerance)
   }
   JoinPointsInside(pieces, border, tolerance, points);
 
-  JoinedPoints joined;
   joined.Number.resize(static_cast<std::size_t>(pieces.FirstPoint.back()));
   std::vector<char> isShared(joined.Number.size(), 0);
   for (vtkIdType i = 0; i < pieces.FirstPoint.back(); ++i)

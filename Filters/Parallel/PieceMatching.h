@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace DirectionFields::Parallel
@@ -36,6 +37,10 @@ struct JoinedPoints
   vtkIdType Count = 0;
   /// How many of them belong to several pieces.
   vtkIdType Shared = 0;
+  /// Points of the pieces that stay apart from another one within the tolerance, because a piece has both, and
+  /// that point. They are to take its place, so that what joins points of equal places joins them: two
+  /// processes may have computed them, one has both now.
+  std::vector<std::pair<vtkIdType, vtkIdType>> Moved;
 };
 
 /// Distance at which points are the same one, in parts of the largest coordinate: what single precision

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A client and a server of two processes: TestServer.py PLUGIN MPIEXEC PVSERVER PVPYTHON, TestServer.py PLUGIN PORT
+
+The client compares what the server gives of a surface in two pieces with what it has computed itself."""
+import os
+import subprocess
+import sys
+
+plugin = sys.argv[1]
+
+
+def serve(mpiexec, pvserver, pvpython):
+    server = subprocess.Popen([mpiexec, "-n", "2", pvserver, "--server-port=0"], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        # Port 0 asks for one that is free; the server says "Accepting connection(s): host:port".
+        for line in server.stdout:
+            if "Accepting connection" in line:
+                port = line.strip().rsplit(":", 1)[1]
+                break
+        subprocess.run([pvpython, os.path.abspath(__file__), plugin, port], check=True, timeout=240)
+        assert server.wait(60) == 0, server.returncode
+    finally:
+        server.kill()
+
+
+def client(port):
+    from paraview import servermanager, simple
+
+    def compute():
+        scaled = simple.Transform(Input=simple.Sphere(ThetaResolution=40, PhiResolution=30))
+        scaled.Transform.Scale = [1.0, 1.4, 0.7]
+        field = simple.DirectionField(Input=scaled)
+        glyphs = simple.DirectionFieldGlyphs(Input=field)
+        glyphs.UpdatePipeline()
+        data = servermanager.Fetch(field).GetFieldData()
+        points = servermanager.Fetch(field, idx=1).GetNumberOfPoints()
+        distribution = data.GetArray("Distribution")
+        return ([data.GetArray(name).GetTuple1(0) for name in
+                 ("Eigenvalue", "EulerCharacteristic", "IndexSum")], points,
+                distribution and distribution.GetTuple3(0), data.GetAbstractArray("Summary").GetValue(0))
+
+    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+    wanted = compute()
+    simple.Connect("localhost", port)
+    simple.LoadPlugin(plugin, remote=True, ns=vars(simple))
+    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+    found = compute()
+    assert abs(found[0][0] / wanted[0][0] - 1.0) < 1e-5, (found, wanted)
+    assert found[0][1:] == wanted[0][1:] == [2.0, 8.0], (found, wanted)
+    assert found[1] == wanted[1], (found, wanted)
+    assert wanted[2] is None and found[2][:2] == (1.0, 2.0) and found[2][2] > 50, (found, wanted)
+
+
+if len(sys.argv) == 5:
+    serve(*sys.argv[2:])
+    print("passed")
+else:
+    client(int(sys.argv[2]))
