@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -198,7 +199,7 @@ void AddStripeBands(vtkPolyData* input, const TriangulatedPolyData& surface,
   CopyCellData(input, surface, pattern, output->GetCellData());
   output->GetCellData()->AddArray(MakeValues<vtkIdTypeArray>("CellId", pattern.BandTriangle.size(),
     [&](std::size_t f) { return surface.Cell(pattern.BandTriangle[f]); }));
-  output->GetCellData()->SetScalars(MakeScalars<vtkUnsignedCharArray>("Stripe", pattern.Stripe));
+  output->GetCellData()->SetScalars(MakeScalars<vtkSignedCharArray>("Stripe", pattern.Stripe));
   AddFigures(pattern, output);
 }
 

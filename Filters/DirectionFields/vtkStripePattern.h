@@ -31,7 +31,7 @@
  *
  * Port 1, "Bands": the surface cut exactly along the borders of the stripes, into convex polygons that share their
  * points, with the input's point data interpolated, but for the field, and its cell data copied, and
- * - cell data `Stripe`: unsigned char, active scalars: 1 within a quarter of the spacing from a line, else 0.
+ * - cell data `Stripe`: signed char, active scalars: 1 within a quarter of the spacing from a line, else 0.
  *   `CellId`: vtkIdType, the cell of the input.
  * - point data `Normals`: 3-component float, active normals.
  * - with TextureCoordinates point data `StripePhase`: 2-component float, active texture coordinates: the phase in

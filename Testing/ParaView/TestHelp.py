@@ -33,6 +33,7 @@ for target in targets:
 # Each filter has a page with all of its properties, which the guide leads to.
 for filter, inputs in ((DirectionField, {}), (DirectionFieldGlyphs, {}), (ReadDirectionField, {}),
                        (DirectionFieldStreamlines, {}), (FieldAlignedRemesh, {}),
+                       (StripePattern, {}),
                        (GuidanceFromCurves, {"Curves": SplineSource()}),
                        (EditSingularities, {"Singularities": Sphere()}),
                        (CompareDirectionFields, {"Other": Sphere()})):
