@@ -9,6 +9,7 @@
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
 #include "vtkGuidanceCurves.h"
+#include "vtkStripePattern.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -302,6 +303,43 @@ std::string UseFlaw(vtkPolyData* mesh)
   return most && !(most->GetComponent(0, 0) < 1e-3) ? "a field that is not like itself" : "";
 }
 
+/// What does not hold of stripes: an error leaves nothing, and all points are somewhere.
+std::string StripesFlaw(vtkPolyData* mesh, unsigned number)
+{
+  vtkNew<vtkStripePattern> filter;
+  vtkNew<Listener> listener;
+  listener->Listen(filter);
+  filter->SetInputData(mesh);
+  filter->SetStripeDirection(static_cast<int>(number % 2));
+  filter->SetTextureCoordinates(number / 2 % 2 != 0);
+  // Few lines whatever the size, or as many as the number says.
+  filter->SetSpacing(number < 128 ? 0.0 : Special(number));
+  filter->SetSpacingArray(number % 16 == 3 ? "weights" : nullptr);
+  filter->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkPolyData* output = filter->GetOutput(port);
+    if (listener->Errors > 0)
+    {
+      if (listener->Errors > 1 || !IsEmpty(output))
+      {
+        return "an error, and stripes";
+      }
+      continue;
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double place[3];
+      output->GetPoint(i, place);
+      if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+      {
+        return "a stripe that is nowhere";
+      }
+    }
+  }
+  return "";
+}
+
 std::string GlyphsFlaw(vtkPolyData* mesh, unsigned kind, unsigned number, bool isField)
 {
   vtkNew<vtkDirectionFieldGlyphs> filter;
@@ -374,7 +412,12 @@ std::string FuzzedPolyData(const std::uint8_t* data, std::size_t size)
   {
     flaw = UseFlaw(filter->GetOutput());
   }
+  if (flaw.empty() && listener->Errors == 0)
+  {
+    flaw = StripesFlaw(filter->GetOutput(), glyphNumber);
+  }
   // The mesh's own arrays may be those of a field.
   flaw = flaw.empty() ? GlyphsFlaw(mesh, glyphKind, glyphNumber, false) : flaw;
-  return flaw.empty() ? UseFlaw(mesh) : flaw;
+  flaw = flaw.empty() ? UseFlaw(mesh) : flaw;
+  return flaw.empty() ? StripesFlaw(mesh, glyphNumber) : flaw;
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <set>
 #include <utility>
+#include <vector>
 
 using namespace DirectionFields;
 using namespace Patterns;
@@ -155,6 +156,58 @@ TEST(StripeBands, HaveTheirLinesInTheMiddle)
       }
       EXPECT_GT(found, 100);
       EXPECT_EQ(missing, 0) << "of " << found;
+    }
+  }
+}
+
+TEST(StripeBands, CoverAnySurfaceWhateverTheField)
+{
+  Surface fins = Meshes::Icosphere(1);
+  for (const double x : { 2.0, 2.5 })
+  {
+    // Edges of three triangles and four.
+    fins.Points.emplace_back(x, 0.3, 0.1);
+    fins.Triangles.push_back(
+      { fins.Triangles[0][0], fins.Triangles[0][1], static_cast<Index>(fins.Points.size()) - 1 });
+  }
+  const std::vector<Surface> surfaces = { Meshes::Tetrahedron(), Meshes::Octahedron(),
+    Meshes::BadSphere(3, 0.1, 1), Meshes::Scrambled(Meshes::Square(12), 2),
+    Meshes::KleinBottle(24, 12), Meshes::ProjectivePlane(2), Meshes::MoebiusStrip(5),
+    Meshes::Soup(Meshes::Icosphere(1)), fins, Meshes::Joined(Meshes::Cube(), Meshes::Disk(4)) };
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+  {
+    const Surface& surface = surfaces[k];
+    for (const int degree : { 1, 2 })
+    {
+      // Directions that have nothing to do with each other.
+      PointDirections noise;
+      noise.Degree = degree;
+      noise.Direction = [degree](Index point, int direction)
+      {
+        const double sign = degree == 2 && direction == 1 ? -1.0 : 1.0;
+        return Vector3(sign * std::sin(12.9898 * point + 1.0), sign * std::sin(78.233 * point),
+          sign * std::cos(37.719 * point));
+      };
+      noise.Magnitude = [](Index point) { return point % 7 == 3 ? 0.0 : 1.0; };
+      for (const double spacing : { 0.0, 0.07 })
+      {
+        const StripePattern pattern = PatternOf(surface, noise, Spaced(spacing));
+        double area = 0.0;
+        for (std::size_t i = 0; i + 1 < pattern.BandOffsets.size(); ++i)
+        {
+          area += PolygonArea(pattern, i).norm();
+        }
+        EXPECT_NEAR(area, AreaOf(surface), 1e-6 * area) << "surface " << k << ", degree " << degree;
+        int unpaired = 0;
+        for (std::size_t i = 0; i < pattern.Closed.size(); ++i)
+        {
+          const Vector3 begin = pattern.LinePositions[pattern.LineOffsets[i]];
+          const Vector3 end = pattern.LinePositions[pattern.LineOffsets[i + 1] - 1];
+          EXPECT_TRUE(begin.allFinite() && end.allFinite());
+          unpaired += pattern.Closed[i] != 0 && begin != end ? 1 : 0;
+        }
+        EXPECT_EQ(unpaired, 0);
+      }
     }
   }
 }
