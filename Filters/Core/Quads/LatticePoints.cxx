@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace DirectionFields::Internal
 {
@@ -70,7 +71,6 @@ public:
 
   void Fill(Index t)
   {
-    this->Parts.assign(1, t);
     std::array<LatticePoint, 3> p;
     std::array<Vector3, 3> positions;
     for (int c = 0; c < 3; ++c)
@@ -81,6 +81,7 @@ public:
     const auto [lowA, highA] = std::minmax({ p[0].A, p[1].A, p[2].A });
     const auto [lowB, highB] = std::minmax({ p[0].B, p[1].B, p[2].B });
     const double total = Area(p[0], p[1], p[2]);
+    std::vector<Point> points;
     for (std::int64_t b = FloorOf(lowB + Lattice::Unit - 1); b * Lattice::Unit <= highB; ++b)
     {
       // Of a row only what is between the sides: a sliver across the lattice has few points.
@@ -99,9 +100,25 @@ public:
         {
           const double u = Area(place, p[1], p[2]) / total;
           const double v = Area(p[0], place, p[2]) / total;
-          this->Insert(place, u * positions[0] + v * positions[1] + (1.0 - u - v) * positions[2]);
+          points.push_back({ Mixed(place), place,
+            u * positions[0] + v * positions[1] + (1.0 - u - v) * positions[2] });
         }
       }
+    }
+    // Row by row, all would be joined with the same few corners.
+    if (points.size() > FewPoints)
+    {
+      std::sort(
+        points.begin(), points.end(), [](const Point& a, const Point& b) { return a.Key < b.Key; });
+    }
+    this->Parts.clear();
+    this->FirstTriangle = t;
+    this->FirstNew = this->Mesh.GetNumberOfTriangles();
+    this->PartOf.clear();
+    this->AddPart(t);
+    for (const Point& point : points)
+    {
+      this->Insert(point.Place, point.Position);
     }
   }
 
@@ -139,58 +156,138 @@ private:
     }
   }
 
+  struct Point
+  {
+    std::uint64_t Key;
+    LatticePoint Place;
+    Vector3 Position;
+  };
+  /// As good as random, one number for each place (G. Steele et al.: Fast Splittable Pseudorandom Number
+  /// Generators, 2014).
+  static std::uint64_t Mixed(const LatticePoint& place)
+  {
+    std::uint64_t x = static_cast<std::uint64_t>(place.A) * 0x9e3779b97f4a7c15u +
+      static_cast<std::uint64_t>(place.B);
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+  }
+
+  /// A triangle that was a part once: where its corners are, and the parts that it has been cut into.
+  struct Part
+  {
+    std::array<LatticePoint, 3> Places;
+    Index Triangle;
+    std::array<Index, 3> Children{ None, None, None };
+  };
+  Index AddPart(Index t)
+  {
+    const auto number = static_cast<Index>(this->Parts.size());
+    this->Parts.push_back(
+      { { this->Mesh.Place(3 * t), this->Mesh.Place(3 * t + 1), this->Mesh.Place(3 * t + 2) }, t });
+    if (t >= this->FirstNew)
+    {
+      this->PartOf.resize(this->Mesh.GetNumberOfTriangles() - this->FirstNew, None);
+      this->PartOf[t - this->FirstNew] = number;
+    }
+    else
+    {
+      this->FirstPart = number;
+    }
+    return number;
+  }
+  /// The part that a triangle is now, or None.
+  Index FindPart(Index t) const
+  {
+    if (t < this->FirstNew)
+    {
+      return t == this->FirstTriangle ? this->FirstPart : None;
+    }
+    const Index at = t - this->FirstNew;
+    return at < static_cast<Index>(this->PartOf.size()) ? this->PartOf[at] : None;
+  }
+  static bool IsIn(const Part& part, const LatticePoint& place)
+  {
+    return Lattice::Orientation(part.Places[0], part.Places[1], place) >= 0 &&
+      Lattice::Orientation(part.Places[1], part.Places[2], place) >= 0 &&
+      Lattice::Orientation(part.Places[2], part.Places[0], place) >= 0;
+  }
+  /// Goes down to the part that a point is in: in random order that takes about the logarithm of the points.
+  Index Locate(const LatticePoint& place) const
+  {
+    Index at = 0;
+    while (this->Parts[at].Children[0] != None)
+    {
+      const std::array<Index, 3>& children = this->Parts[at].Children;
+      const auto* const child = std::find_if(children.begin(), children.end(),
+        [&](Index k) { return k != None && IsIn(this->Parts[k], place); });
+      if (child == children.end())
+      {
+        return None;
+      }
+      at = *child;
+    }
+    return at;
+  }
+
   /// Finds the part of the triangle that a point is in, and splits it, or its edge.
   void Insert(const LatticePoint& place, const Vector3& position)
   {
-    for (auto part = this->Parts.rbegin(); part != this->Parts.rend(); ++part)
+    const Index part = this->Locate(place);
+    if (part == None)
     {
-      const Index t = *part;
-      int zero = -1;
-      int zeros = 0;
-      bool isInside = true;
-      for (int c = 0; c < 3 && isInside; ++c)
-      {
-        const int side = Lattice::Orientation(
-          this->Mesh.Place(3 * t + c), this->Mesh.Place(CellMesh::Next(3 * t + c)), place);
-        isInside = side >= 0;
-        if (side == 0)
-        {
-          zero = c;
-          ++zeros;
-        }
-      }
-      if (!isInside)
-      {
-        continue;
-      }
-      if (zeros == 0)
-      {
-        const Index before = this->Mesh.GetNumberOfTriangles();
-        this->Mesh.SetKept(this->Mesh.SplitTriangle(t, place, position), true);
-        this->Parts.push_back(before);
-        this->Parts.push_back(before + 1);
-      }
-      else if (zeros == 1 && !this->Mesh.IsFeature(3 * t + zero))
-      {
-        // The triangle on the other side may be another part of this one.
-        const Index twin = this->Mesh.Twin(3 * t + zero);
-        const bool isPart = twin != None &&
-          std::find(this->Parts.begin(), this->Parts.end(), twin / 3) != this->Parts.end();
-        const Index before = this->Mesh.GetNumberOfTriangles();
-        this->Mesh.SetKept(this->Mesh.SplitEdge(3 * t + zero, place, position), true);
-        this->Parts.push_back(before);
-        if (isPart)
-        {
-          this->Parts.push_back(before + 1);
-        }
-      }
       return;
+    }
+    const Index t = this->Parts[part].Triangle;
+    int zero = -1;
+    int zeros = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      if (Lattice::Orientation(
+            this->Mesh.Place(3 * t + c), this->Mesh.Place(CellMesh::Next(3 * t + c)), place) == 0)
+      {
+        zero = c;
+        ++zeros;
+      }
+    }
+    const Index before = this->Mesh.GetNumberOfTriangles();
+    if (zeros == 0)
+    {
+      this->Mesh.SetKept(this->Mesh.SplitTriangle(t, place, position), true);
+      this->Divide(part, { t, before, before + 1 });
+    }
+    else if (zeros == 1 && !this->Mesh.IsFeature(3 * t + zero))
+    {
+      // The triangle on the other side may be another part of this one.
+      const Index twin = this->Mesh.Twin(3 * t + zero);
+      const Index beyond = twin != None ? this->FindPart(twin / 3) : None;
+      this->Mesh.SetKept(this->Mesh.SplitEdge(3 * t + zero, place, position), true);
+      this->Divide(part, { t, before, None });
+      if (beyond != None)
+      {
+        this->Divide(beyond, { twin / 3, before + 1, None });
+      }
+    }
+  }
+  void Divide(Index part, const std::array<Index, 3>& triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index child = triangles[k] != None ? this->AddPart(triangles[k]) : None;
+      this->Parts[part].Children[k] = child;
     }
   }
 
+  /// So many points are searched for just as quickly in any order.
+  static constexpr std::size_t FewPoints = 8;
   CellMesh& Mesh;
-  /// The parts of the triangle so far.
-  std::vector<Index> Parts;
+  /// The first one is the whole triangle.
+  std::vector<Part> Parts;
+  /// The triangle that is filled, which stays the number of one part, and those that have come after.
+  Index FirstTriangle = None;
+  Index FirstPart = 0;
+  Index FirstNew = 0;
+  std::vector<Index> PartOf;
 };
 }
 
