@@ -20,6 +20,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPDirectionFieldPipeline.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -61,6 +62,12 @@ void vtkPDirectionField::PrintSelf(ostream& os, vtkIndent indent)
 bool vtkPDirectionField::HasSeveralProcesses() const
 {
   return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
+vtkExecutive* vtkPDirectionField::CreateDefaultExecutive()
+{
+  return vtkPDirectionFieldPipeline::New();
 }
 
 //------------------------------------------------------------------------------

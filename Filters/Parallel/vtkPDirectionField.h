@@ -87,6 +87,7 @@ protected:
   vtkPDirectionField();
   ~vtkPDirectionField() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;

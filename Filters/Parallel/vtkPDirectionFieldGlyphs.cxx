@@ -19,6 +19,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPDirectionFieldPipeline.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -58,6 +59,12 @@ void vtkPDirectionFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
 bool vtkPDirectionFieldGlyphs::HasSeveralProcesses() const
 {
   return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
+vtkExecutive* vtkPDirectionFieldGlyphs::CreateDefaultExecutive()
+{
+  return vtkPDirectionFieldPipeline::New();
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,7 @@ protected:
   vtkPDirectionFieldGlyphs();
   ~vtkPDirectionFieldGlyphs() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -10,7 +10,8 @@ sys.path.insert(0, sys.argv[1])
 import numpy as np
 from paraview import simple  # noqa: F401, starts MPI
 from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSet
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPolyData
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 import Surfaces
@@ -208,6 +209,37 @@ def test_composite():
         check(glyphs.GetOutputDataObject(0).GetNumberOfCells() > 0, "glyphs")
 
 
+class Failing(VTKPythonAlgorithmBase):
+    """A source that fails on one process."""
+
+    def __init__(self):
+        VTKPythonAlgorithmBase.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self.Fails = True
+
+    def RequestData(self, request, inputs, outputs):
+        vtkPolyData.GetData(outputs).ShallowCopy(own_piece())
+        return 0 if self.Fails and rank == count - 1 else 1
+
+
+def test_failure_upstream():
+    """No process waits for one whose input has failed, and the next time all execute."""
+    for kind in (vtkPDirectionField, vtkPDirectionFieldGlyphs):
+        source = Failing()
+        field = vtkPDirectionField()
+        field.SetInputConnection(source.GetOutputPort())
+        filter = field
+        if kind is vtkPDirectionFieldGlyphs:
+            filter = kind()
+            filter.SetInputConnection(field.GetOutputPort())
+        heard = messages_of(filter)
+        filter.Update()
+        check(f"has failed on process {0 if filter is not field else count - 1}" in "".join(heard), heard)
+        source.Fails = False
+        source.Modified()
+        filter.Update()
+        check(reduced(filter.GetOutput().GetNumberOfCells()) > 0, "after a failure")
+
+
 def test_limit():
     """Beyond the limit one process warns."""
     heard = []
@@ -225,7 +257,8 @@ def test_limit():
     check("more than GatherLimit" in warnings.GetValue(0), "warning")
 
 
-for test in (test_glyphs, test_error, test_stop, test_empty, test_composite, test_limit):
+for test in (test_glyphs, test_error, test_stop, test_empty, test_composite,
+             test_failure_upstream, test_limit):
     test()
 if rank == 0:
     print("passed")

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkPDirectionFieldPipeline.h"
+
+#include "Processes.h"
+#include "vtkPDirectionField.h"
+#include "vtkPDirectionFieldGlyphs.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkPDirectionFieldPipeline);
+
+//------------------------------------------------------------------------------
+void vtkPDirectionFieldPipeline::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+int vtkPDirectionFieldPipeline::Agree(vtkExecutive* pipeline, vtkInformation* request, int result)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return result;
+  }
+  vtkAlgorithm* const filter = pipeline->GetAlgorithm();
+  vtkMultiProcessController* controller = nullptr;
+  if (auto* const field = vtkPDirectionField::SafeDownCast(filter))
+  {
+    controller = field->GetController();
+  }
+  else if (auto* const glyphs = vtkPDirectionFieldGlyphs::SafeDownCast(filter))
+  {
+    controller = glyphs->GetController();
+  }
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+  {
+    return result;
+  }
+  DirectionFields::Parallel::Processes processes(controller);
+  const std::vector<vtkIdType> results = processes.AllGather({ result });
+  const auto failed = std::find(results.begin(), results.end(), 0);
+  if (failed == results.end())
+  {
+    return result;
+  }
+  vtkErrorWithObjectMacro(
+    filter, << "What this filter needs has failed on process " << failed - results.begin()
+            << ", hence no process executes it. See the errors of the filters before it.");
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkPDirectionFieldPipeline::ForwardUpstream(vtkInformation* request)
+{
+  return Agree(this, request, this->Superclass::ForwardUpstream(request));
+}
