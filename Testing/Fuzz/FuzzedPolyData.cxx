@@ -8,6 +8,7 @@
 #include "vtkCompareDirectionFields.h"
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
+#include "vtkDirectionFieldSingularities.h"
 #include "vtkGuidanceCurves.h"
 #include "vtkStripePattern.h"
 
@@ -340,6 +341,36 @@ std::string StripesFlaw(vtkPolyData* mesh, unsigned number)
   return "";
 }
 
+/// What does not hold of edits of singularities: an error leaves nothing, and balanced indices are those of the surface.
+std::string EditFlaw(vtkPolyData* mesh, unsigned kind)
+{
+  vtkNew<vtkDirectionFieldSingularities> edit;
+  vtkNew<Listener> listener;
+  listener->Listen(edit);
+  edit->SetInputData(mesh);
+  edit->SetSingularitiesData(mesh);
+  edit->SetSingularityMode(static_cast<int>(kind % 2));
+  edit->SetObjective(static_cast<int>(kind / 2 % 2));
+  edit->SetBalanceAutomatically(kind / 4 % 2 != 0);
+  edit->SetRefineWhereNeeded(kind / 8 % 4 == 3);
+  edit->SetKeepConstraints(kind / 32 % 2 == 0);
+  edit->Update();
+  auto* const output = vtkPolyData::SafeDownCast(edit->GetOutputDataObject(0));
+  if (listener->Errors > 0)
+  {
+    return listener->Errors > 1 || !IsEmpty(output) ? "an error, and an edited field" : "";
+  }
+  vtkDataArray* const energy = output->GetFieldData()->GetArray("RotationEnergy");
+  for (vtkIdType i = 0; energy && i < energy->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isfinite(energy->GetComponent(i, 0)))
+    {
+      return "an energy that is not finite";
+    }
+  }
+  return "";
+}
+
 std::string GlyphsFlaw(vtkPolyData* mesh, unsigned kind, unsigned number, bool isField)
 {
   vtkNew<vtkDirectionFieldGlyphs> filter;
@@ -415,9 +446,11 @@ std::string FuzzedPolyData(const std::uint8_t* data, std::size_t size)
   if (flaw.empty() && listener->Errors == 0)
   {
     flaw = StripesFlaw(filter->GetOutput(), glyphNumber);
+    flaw = flaw.empty() ? EditFlaw(filter->GetOutput(), glyphKind) : flaw;
   }
   // The mesh's own arrays may be those of a field.
   flaw = flaw.empty() ? GlyphsFlaw(mesh, glyphKind, glyphNumber, false) : flaw;
   flaw = flaw.empty() ? UseFlaw(mesh) : flaw;
-  return flaw.empty() ? StripesFlaw(mesh, glyphNumber) : flaw;
+  flaw = flaw.empty() ? StripesFlaw(mesh, glyphNumber) : flaw;
+  return flaw.empty() ? EditFlaw(mesh, glyphNumber) : flaw;
 }

@@ -5,6 +5,7 @@
 Each function makes the panels of a figure and asserts what they show.
 """
 
+import math
 import os
 import tempfile
 
@@ -319,6 +320,39 @@ def exchange(directory):
     return panels
 
 
+def singularities(_):
+    """A cube-like sphere with four singularities between its corners (left), and moved to the corners (right)."""
+    base = simple.DirectionField(Input=producer(meshes.rounded_cube()), Degree=4)
+    size = 3.0 ** (-1.0 / 6.0)
+    panels = []
+    energy = []
+    for turned_by in (math.pi / 4.0, 0.0):
+        places = []
+        for height, angle in ((size, turned_by), (-size, 0.0)):
+            for k in range(4):
+                phi = math.pi / 4.0 + math.pi / 2.0 * k + angle
+                places.append([math.sqrt(2.0) * size * math.cos(phi),
+                               math.sqrt(2.0) * size * math.sin(phi), height])
+        points = producer(meshes.polydata(places, np.zeros((0, 3))))
+        edit = simple.EditSingularities(Input=base, Singularities=points)
+        edit.UpdatePipeline()
+        panels.append(GivenPanel(edit, OBLIQUE))
+        figures = panels[-1].field.surface.GetFieldData()
+        energy.append(figures.GetArray("RotationEnergy").GetValue(0))
+        assert figures.GetArray("WrongTriangles").GetValue(0) == 0
+        found = vtk_to_numpy(servermanager.Fetch(edit, idx=1).GetPoints().GetData())
+        distances = np.linalg.norm(found[:, None] - np.array(places)[None], axis=2)
+        assert len(found) == 8
+        # The lower ones are on the surface; the upper four are between corners at first, off the surface.
+        assert distances.min(axis=1)[found[:, 2] < 0.0].max() < 0.05
+        if not turned_by:
+            assert distances.min(axis=1).max() < 0.05
+    assert energy[1] < 0.9 * energy[0], energy
+    for panel in panels:
+        panel.field.check_sum()
+    return panels
+
+
 FIGURES = {
     "WhatItDoes": what_it_does,
     "Symmetries": symmetries,
@@ -332,4 +366,5 @@ FIGURES = {
     "Strokes": strokes,
     "Comparison": comparison,
     "Exchange": exchange,
+    "Singularities": singularities,
 }

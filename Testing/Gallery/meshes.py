@@ -123,6 +123,14 @@ def icosahedron(subdivisions=16):
     return closed(*ordered(np.array(points), np.array(triangles)))
 
 
+def rounded_cube():
+    """The surface |x|^6 + |y|^6 + |z|^6 = 1."""
+    ball = icosahedron(5)
+    points = vtk_to_numpy(ball.GetPoints().GetData()).astype(float)
+    points /= np.sum(points ** 6, axis=1)[:, None] ** (1.0 / 6.0)
+    return closed(points, vtk_to_numpy(ball.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+
+
 def plate(around=192, across=60, radius=0.6, bevel=0.15):
     """A square plate with a large round hole, whose sides are bent down over bevels."""
     wall = 0.5 * math.pi * bevel + 0.3

@@ -57,14 +57,6 @@ double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     [&](Index begin, Index end)
     { return a.segment(begin, end - begin).dot(b.segment(begin, end - begin)); });
 }
-
-/// y += factor x
-void Add(double factor, const Eigen::VectorXd& x, Eigen::VectorXd& y)
-{
-  ForRows(y,
-    [&](Index begin, Index end)
-    { y.segment(begin, end - begin) += factor * x.segment(begin, end - begin); });
-}
 }
 
 PoissonSolver::PoissonSolver(const IntrinsicGeometry& geometry,
@@ -83,7 +75,8 @@ PoissonSolver::PoissonSolver(Operators&& operators, const GivenGroups& groups)
 }
 
 /// Conjugate gradients among the values that the sets leave open. Residuals are projected to them before and after
-/// the V-cycle: the few conditions cost a few more steps, and the hierarchy stays the same whatever they are.
+/// the V-cycle: the few conditions cost a few more steps, and the hierarchy stays the same whatever they are. Directions are
+/// kept in single precision, with the products of what they are then; values and residuals in double precision.
 class PoissonSolver::Iteration
 {
 public:
@@ -93,15 +86,22 @@ public:
     , Values(values)
     , Cycles(solver.Hierarchy,
         problem.Diagonal ? std::max(0.0, problem.Diagonal->sum() / solver.Area) : 0.0, Lowest)
+    , Residual(problem.RightHandSide)
     , Corrected(values.size())
-    , Direction(Eigen::VectorXd::Zero(values.size()))
+    , Direction(static_cast<std::size_t>(values.size()))
     , Compact(static_cast<std::size_t>(values.size()))
-    , Input(static_cast<std::size_t>(values.size()))
-    , Image(static_cast<std::size_t>(values.size()))
-    , Product(values.size())
   {
-    this->Multiply(values);
-    this->Residual = problem.RightHandSide - this->Product;
+    if (values.cwiseAbs().maxCoeff() > 0.0)
+    {
+      const ComplexVector start = values.cast<Complex>();
+      Resize(this->Image, values.size());
+      solver.Laplacian.Multiply(start, this->Image);
+      this->Residual -= this->Image.real();
+      if (problem.Diagonal)
+      {
+        this->Residual -= problem.Diagonal->cwiseProduct(values);
+      }
+    }
     this->Project(this->Residual);
     const double start = std::sqrt(Dot(this->Residual, this->Residual));
     this->Size = std::max(start, std::sqrt(Dot(problem.RightHandSide, problem.RightHandSide)));
@@ -129,39 +129,74 @@ public:
         }
       });
     const CyclePreconditioner::Result result = this->Cycles.Apply(this->Compact);
+    const double product =
+      ParallelSum<double>(static_cast<Index>(this->Corrected.size()), VectorPiece, 0.0,
+        [&](Index begin, Index end)
+        {
+          double sum = 0.0;
+          for (Index v = begin; v < end; ++v)
+          {
+            const double z = unit * result(v).real();
+            this->Corrected[v] = z;
+            sum += this->Residual[v] * z;
+          }
+          return sum;
+        });
+    // The residual is projected already, hence its product with the projected vector is the same.
+    this->Project(this->Corrected);
+    return product;
+  }
+
+  void SetDirection(double keep)
+  {
     ForRows(this->Corrected,
       [&](Index begin, Index end)
       {
         for (Index v = begin; v < end; ++v)
         {
-          this->Corrected[v] = unit * result(v).real();
+          const double next = keep == 0.0
+            ? this->Corrected[v]
+            : this->Corrected[v] + keep * static_cast<double>(this->Direction[v].real());
+          this->Direction[v] = CompactComplex(static_cast<float>(next), 0.0F);
         }
-      });
-    this->Project(this->Corrected);
-    return Dot(this->Residual, this->Corrected);
-  }
-
-  void SetDirection(double keep)
-  {
-    ForRows(this->Direction,
-      [&](Index begin, Index end)
-      {
-        auto part = this->Direction.segment(begin, end - begin);
-        part = this->Corrected.segment(begin, end - begin) + keep * part;
       });
   }
 
   double FindCurvature()
   {
-    this->Multiply(this->Direction);
-    this->Project(this->Product);
-    return Dot(this->Direction, this->Product);
+    Resize(this->Image, this->Corrected.size());
+    double curvature = this->Solver.Laplacian.Multiply(this->Direction, this->Image);
+    if (this->Given.Diagonal)
+    {
+      curvature += ParallelSum<double>(static_cast<Index>(this->Corrected.size()), VectorPiece, 0.0,
+        [&](Index begin, Index end)
+        {
+          double sum = 0.0;
+          for (Index v = begin; v < end; ++v)
+          {
+            const double x = this->Direction[v].real();
+            const double product = (*this->Given.Diagonal)[v] * x;
+            this->Image[v] += product;
+            sum += product * x;
+          }
+          return sum;
+        });
+    }
+    return curvature;
   }
 
   void Advance(double step)
   {
-    Add(step, this->Direction, this->Values);
-    Add(-step, this->Product, this->Residual);
+    ForRows(this->Residual,
+      [&](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          this->Values[v] += step * static_cast<double>(this->Direction[v].real());
+          this->Residual[v] -= step * this->Image[v].real();
+        }
+      });
+    this->Project(this->Residual);
     this->Left = std::sqrt(Dot(this->Residual, this->Residual));
     ++this->Steps;
   }
@@ -183,29 +218,6 @@ private:
     }
   }
 
-  /// Product = (L + D) x
-  void Multiply(const Eigen::VectorXd& x)
-  {
-    ForRows(x,
-      [&](Index begin, Index end)
-      {
-        for (Index v = begin; v < end; ++v)
-        {
-          this->Input[v] = x[v];
-        }
-      });
-    this->Solver.Laplacian.Multiply(this->Input, this->Image);
-    ForRows(x,
-      [&](Index begin, Index end)
-      {
-        for (Index v = begin; v < end; ++v)
-        {
-          this->Product[v] = this->Image[v].real() +
-            (this->Given.Diagonal ? (*this->Given.Diagonal)[v] * x[v] : 0.0);
-        }
-      });
-  }
-
   const PoissonSolver& Solver;
   const Problem& Given;
   Eigen::VectorXd& Values;
@@ -214,11 +226,10 @@ private:
   Eigen::VectorXd Residual;
   /// What a V-cycle makes of the residual.
   Eigen::VectorXd Corrected;
-  Eigen::VectorXd Direction;
+  CompactVector Direction;
   CompactVector Compact;
-  ComplexVector Input;
+  /// The product of matrix and direction.
   ComplexVector Image;
-  Eigen::VectorXd Product;
   double Size;
   double Left;
   int Steps = 0;

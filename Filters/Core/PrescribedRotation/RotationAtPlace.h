@@ -13,7 +13,7 @@ namespace DirectionFields::Internal
 {
 /// The most that a field is let turn along an edge where that is chosen, in radians: from a half turn on it would be
 /// taken for one in the other sense.
-constexpr double MostRotation = 0.95 * Pi;
+constexpr double MostRotation = 0.99 * Pi;
 
 /// How a field turns along the edges of a triangle around a singularity in it: its index times the angle under which
 /// the edge is seen from there, less a third of the holonomy. That is below a half turn along each edge, as it must be
