@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Hatching of a PLY file along its greatest curvature, as in engravings, written to Hatching.vtp: lines for a plotter, each
+// Hatching of a PLY file along its greatest curvature, as in engravings, written to Hatching.obj: lines for a plotter, each
 // as long as can be.
 
 #include "FieldReport.h"
@@ -9,9 +9,9 @@
 #include <vtkCellData.h>
 #include <vtkDirectionField.h>
 #include <vtkNew.h>
+#include <vtkOBJWriter.h>
 #include <vtkPLYReader.h>
 #include <vtkStripePattern.h>
-#include <vtkXMLPolyDataWriter.h>
 
 int main(int argc, char* argv[])
 {
@@ -42,8 +42,8 @@ int main(int argc, char* argv[])
   std::cout << "about " << 100 * static_cast<int>(length / 100.0 + 0.5) << " long in all, in "
             << (lines->GetNumberOfLines() < 300 ? "less" : "more") << " than 300 strokes"
             << std::endl;
-  vtkNew<vtkXMLPolyDataWriter> writer;
+  vtkNew<vtkOBJWriter> writer;
   writer->SetInputData(lines);
-  writer->SetFileName("Hatching.vtp");
+  writer->SetFileName("Hatching.obj");
   return writer->Write() == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A knit pattern on a sleeve: two stripe patterns on one line field, courses around the arm and wales along it, written to
-// Courses.vtp and Wales.vtp. The sleeve is narrower at the wrist, so that wales have to end on the way.
+// Courses.obj and Wales.obj. The sleeve is narrower at the wrist, so that wales have to end on the way.
 
 #include "FieldReport.h"
 
 #include <vtkCellArray.h>
 #include <vtkDirectionField.h>
 #include <vtkNew.h>
+#include <vtkOBJWriter.h>
 #include <vtkPoints.h>
 #include <vtkStripePattern.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
 
@@ -73,9 +73,9 @@ int main()
     const int branchPoints = Sum(stripes->GetOutput()->GetFieldData(), "BranchPoints");
     std::cout << (isCourse ? "Courses" : "Wales")
               << (branchPoints == 0 ? " without branches" : " that branch or end") << std::endl;
-    vtkNew<vtkXMLPolyDataWriter> writer;
+    vtkNew<vtkOBJWriter> writer;
     writer->SetInputData(stripes->GetOutput());
-    writer->SetFileName(isCourse ? "Courses.vtp" : "Wales.vtp");
+    writer->SetFileName(isCourse ? "Courses.obj" : "Wales.obj");
     if (writer->Write() != 1)
     {
       return EXIT_FAILURE;

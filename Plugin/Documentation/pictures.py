@@ -65,6 +65,19 @@ def lines_tile(append, mesh, folder, degree, **options):
     add(append, view, folder)
 
 
+def stripes_tile(append, mesh, folder, degree, isWeave=False, **options):
+    """A tile with stripes in two colors, and lines across them for a weave."""
+    view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
+                             UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
+    field = simple.DirectionField(Input=mesh, Degree=degree)
+    simple.Show(simple.OutputPort(simple.StripePattern(Input=field, **options), 1), view)
+    if isWeave:
+        weft = simple.StripePattern(Input=field, StripeDirection="Across Field", Bands=0, **options)
+        simple.Show(weft, view).DiffuseColor = [0.85, 0.51, 0.18]
+    simple.ResetCamera(view)
+    add(append, view, folder)
+
+
 mesh = directionfields.read(sys.argv[2])
 draw("degrees.png", mesh, [{"degree": degree} for degree in (1, 2, 4)])
 draw("alignment.png", mesh, [{"Alignment": "Principal Curvature", "AlignmentStrength": strength}
@@ -107,3 +120,5 @@ draw("comparison.png", mesh, [
 draw("lines.png", mesh, [{"degree": 2}, {"degree": 4},
                          {"degree": 4, "SeedType": "Singularities", "StopAtCrossings": 1}],
      lines_tile)
+draw("stripes.png", mesh, [{"degree": 1}, {"degree": 2, "Spacing": 0.25},
+                           {"degree": 2, "isWeave": True}], stripes_tile)
