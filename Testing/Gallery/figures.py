@@ -350,10 +350,56 @@ def singularities(_):
     assert energy[1] < 0.9 * energy[0], energy
     for panel in panels:
         panel.field.check_sum()
+class StripePanel:
+    """Stripes on a field, in two colors, with the lines of others on top if there are any."""
+
+    def __init__(self, field, camera, lines=None, **properties):
+        self.view = simple.CreateRenderView()
+        self.view.ViewSize = PANEL
+        self.view.UseColorPaletteForBackground = 0
+        self.view.Background = [1.0, 1.0, 1.0]
+        self.view.OrientationAxesVisibility = 0
+        self.field = Field(field)
+        self.camera = camera
+        self.stripes = simple.StripePattern(Input=field, **properties)
+        simple.Show(simple.OutputPort(self.stripes, 1), self.view)
+        if lines:
+            simple.Show(lines, self.view).DiffuseColor = [0.85, 0.51, 0.18]
+
+    def spoil(self):
+        self.stripes.Input = producer(turned(self.field))
+
+    def figure(self, name):
+        return servermanager.Fetch(self.stripes).GetFieldData().GetArray(name).GetTuple1(0)
+
+    def share(self):
+        """The length of the lines over the one that area and spacing ask for."""
+        length = vtk_to_numpy(servermanager.Fetch(self.stripes).GetCellData().GetArray("Length")).sum()
+        a, b, c = (self.field.points[self.field.triangles[:, k]] for k in range(3))
+        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+        return length * self.figure("Spacing") / area
+
+    image = Panel.image
+
+
+def stripes(directory):
+    """Stripes around a scan, and courses and wales on a sleeve, which branch where it gets narrower."""
+    scan = simple.DirectionField(Input=bunny(directory), Degree=2)
+    sleeve = simple.DirectionField(Input=producer(meshes.sleeve()), Degree=2, ConstrainBoundary=1)
+    wales = simple.StripePattern(Input=sleeve, StripeDirection="Across Field", Spacing=0.12)
+    panels = [StripePanel(scan, BUNNY_CAMERA),
+              StripePanel(sleeve, ([0.1, -0.2, 1.0], [0.0, 1.0, 0.0], 1.2), wales, Spacing=0.12)]
+        assert abs(panel.share() - 1.0) < 0.03, panel.share()
+        assert 0.0 < panel.figure("Misfit") < 0.15, panel.figure("Misfit")
+        assert panel.figure("BranchPoints") > 10
+    # The sleeve loses half of its wales to the wrist: 2 pi (1 - 0.5) / 0.12 of them.
+    index = vtk_to_numpy(servermanager.Fetch(wales, idx=2).GetPointData().GetArray("StripeIndex"))
+    assert 0.6 * 26.2 < abs(index.sum()) < 1.1 * 26.2, index.sum()
     return panels
 
 
 FIGURES = {
+    "Stripes": stripes,
     "WhatItDoes": what_it_does,
     "Symmetries": symmetries,
     "Energies": energies,

@@ -68,6 +68,17 @@ def torus(around=120, across=60, major=1.0, minor=0.42):
     return polydata(points.reshape(-1, 3), grid_triangles(around, across, True, True))
 
 
+def sleeve(around=96, along=120):
+    """A bent tube that gets narrower, with an arc of 70 degrees."""
+    part, angle = np.meshgrid(np.linspace(0.0, 1.0, along + 1),
+                              2.0 * np.pi * np.arange(around) / around, indexing="ij")
+    bend = np.radians(70.0) * part
+    radius = 1.0 - 0.5 * part
+    reach = 4.0 + radius * np.cos(angle)
+    points = np.stack([reach * np.cos(bend), reach * np.sin(bend), radius * np.sin(angle)], axis=-1)
+    return polydata(points.reshape(-1, 3), grid_triangles(around, along + 1, wrap_columns=True))
+
+
 def disk(cells=24):
     """The unit disk, of squares bent to circles; a quarter turn maps it to itself."""
     i, j = np.meshgrid(np.arange(-cells, cells + 1), np.arange(-cells, cells + 1))
