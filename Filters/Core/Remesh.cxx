@@ -12,6 +12,7 @@
 #include "Quads/FaceSmoothing.h"
 #include "Quads/PreparedSurface.h"
 #include "Quads/QuadSplit.h"
+#include "Quads/SizeAdvice.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -25,6 +26,10 @@ namespace DirectionFields
 namespace
 {
 constexpr double LeastSize = 0.125;
+// How far the progress is after each step.
+constexpr double AfterPreparing = 0.12;
+constexpr double AfterField = 0.4;
+constexpr double AfterCells = 0.85;
 
 int DegreeOf(Element element)
 {
@@ -48,26 +53,6 @@ double SizeAt(const RemeshOptions& options, std::size_t point)
     return 1.0;
   }
   return std::clamp(options.Sizing[point], LeastSize, 1.0 / LeastSize);
-}
-
-/// V - E + F, the faces being the whole of it.
-int EulerCharacteristicOf(const RemeshResult& mesh)
-{
-  std::vector<std::array<Index, 2>> edges;
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    const int size = face[3] == None ? 3 : 4;
-    for (int c = 0; c < size; ++c)
-    {
-      const Index a = face[c];
-      const Index b = face[(c + 1) % size];
-      edges.push_back({ std::min(a, b), std::max(a, b) });
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  const auto end = std::unique(edges.begin(), edges.end());
-  return static_cast<int>(mesh.Points.size()) - static_cast<int>(end - edges.begin()) +
-    static_cast<int>(mesh.Faces.size());
 }
 }
 
@@ -105,7 +90,7 @@ struct Remesh::Kept
     , Longest(std::move(longest))
     , Given(given)
     , Prepared(surface, DegreeOf(options.Element), FeaturesOf(options, edgeLength), this->Longest,
-        progress.Part(0.0, 0.3))
+        progress.Part(0.0, AfterPreparing / AfterField))
     , Original(this->Prepared.GetTriangles())
   {
     progress.Report(0.4);
@@ -394,6 +379,14 @@ void Count(const RemeshOptions& options, const std::vector<char>& isBoundary, Re
 }
 }
 
+const char* Remesh::StepAt(double done)
+{
+  return done < AfterPreparing ? "Preparing the surface"
+    : done < AfterField        ? "Computing the field"
+    : done < AfterCells        ? "Mapping the surface to a grid"
+                               : "Smoothing the mesh";
+}
+
 RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vector3>& directions,
   const ProgressFunction& progressFunction)
 {
@@ -412,7 +405,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     {
       this->State.reset();
       this->State = std::make_unique<Kept>(
-        *this->Input, options, coarse, longest, directions, progress.Part(0.0, 0.4));
+        *this->Input, options, coarse, longest, directions, progress.Part(0.0, AfterField));
     }
     const Kept& kept = *this->State;
     const SurfaceGeometry& geometry = kept.GetGeometry();
@@ -439,13 +432,15 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength };
     std::vector<Index> line;
     std::vector<char> isBoundary;
+    SizeAdvice advice(result.EdgeLength, DegreeOf(options.Element));
     const auto components = static_cast<double>(mesh.GetComponents().size());
     for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
     {
       const TriangleMesh::Component& component = mesh.GetComponents()[c];
       ComponentCells cells = MakeCells(input, component,
-        progress.Part(0.4 + 0.45 * static_cast<double>(c) / components,
-          0.4 + 0.45 * static_cast<double>(c + 1) / components));
+        progress.Part(AfterField, AfterCells)
+          .Part(static_cast<double>(c) / components, static_cast<double>(c + 1) / components));
+      advice.AddComponent(geometry, component, perLength);
       if (options.PureQuads && options.Element == Element::Quads)
       {
         SplitIntoQuads(cells);
@@ -469,10 +464,14 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     const SmoothingDomain domain{ kept.Original, lines, std::move(line),
       WantedLengths(options, *this->Input, kept.Prepared, kept.Original, result) };
     SmoothFaces(
-      faces, domain, options.SmoothingIterations, result.Points, progress.Part(0.85, 0.97));
+      faces, domain, options.SmoothingIterations, result.Points, progress.Part(AfterCells, 0.97));
     FindSources(kept.Prepared, kept.Original, result);
+    advice.AddMesh(result.Points, faces, result.KeptVertices);
+    const std::vector<std::string> sentences = advice.GetSentences();
+    result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
     Count(options, isBoundary, result);
-    result.EulerCharacteristicAfter = EulerCharacteristicOf(result);
+    result.EulerCharacteristicAfter =
+      EulerCharacteristic(static_cast<Index>(result.Points.size()), faces);
     result.Repaired = kept.Prepared.GetRepairs();
   }
   catch (const Stopped&)

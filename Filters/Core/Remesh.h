@@ -119,6 +119,9 @@ public:
   RemeshResult Compute(const RemeshOptions& options, const std::vector<Vector3>& directions = {},
     const ProgressFunction& progress = {});
 
+  /// What is being done at a fraction of the progress, in words for the user.
+  static const char* StepAt(double done);
+
 private:
   struct Kept;
   std::shared_ptr<const Surface> Input;

@@ -133,8 +133,15 @@ void vtkFieldAlignedRemesh::MakeMesh(
       std::to_string(degree) + ", which was computed. Set Degree of Direction Field to " +
       std::to_string(degree) + " for the mesh to follow that.");
   }
-  const DirectionFields::RemeshResult mesh = this->Last->Mesher.Compute(
-    options, directions, DirectionFields::ReportTo(this, ProgressRead, ProgressMade));
+  const DirectionFields::ProgressFunction report =
+    DirectionFields::ReportTo(this, ProgressRead, ProgressMade);
+  const DirectionFields::RemeshResult mesh = this->Last->Mesher.Compute(options, directions,
+    [&](double done)
+    {
+      this->SetProgressText(DirectionFields::Remesh::StepAt(done));
+      return report(done);
+    });
+  this->SetProgressText(nullptr);
   if (mesh.Aborted || DirectionFields::IsAborted(this))
   {
     throw DirectionFields::Stopped();

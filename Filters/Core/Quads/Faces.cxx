@@ -36,4 +36,23 @@ double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& fac
   }
   return least;
 }
+
+int EulerCharacteristic(Index points, const Faces& faces)
+{
+  std::vector<std::array<Index, 2>> edges;
+  for (const Faces::Face& face : faces.Corners)
+  {
+    const int size = Faces::Size(face);
+    for (int c = 0; c < size; ++c)
+    {
+      const Index a = face[c];
+      const Index b = face[(c + 1) % size];
+      edges.push_back({ std::min(a, b), std::max(a, b) });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto end = std::unique(edges.begin(), edges.end());
+  return static_cast<int>(points) - static_cast<int>(end - edges.begin()) +
+    static_cast<int>(faces.Corners.size());
+}
 }

@@ -24,6 +24,9 @@ struct Faces
 /// The scaled Jacobian of a face, as the Verdict library and vtkMeshQuality define it: the least sine of the
 /// angles at its corners, negative where the face is folded; of a triangle relative to 60 degrees.
 double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& face);
+
+/// V - E + F, the faces being the whole of a mesh of so many points.
+int EulerCharacteristic(Index points, const Faces& faces);
 }
 
 #endif

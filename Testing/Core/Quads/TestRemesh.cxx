@@ -293,3 +293,62 @@ TEST(Remesh, EmptySurfaceGivesAnEmptyMesh)
 {
   EXPECT_TRUE(Remesh(std::make_shared<Surface>()).Compute({}).Faces.empty());
 }
+
+TEST(Remesh, NamesTheEdgeLengthThatWouldDo)
+{
+  // A sphere of a hundredth of the size has an area of 1e-4 of the other one's, and so of less than one face.
+  const Surface sphere = Meshes::Icosphere(3);
+  Surface small = sphere;
+  for (Vector3& p : small.Points)
+  {
+    p = 0.01 * p + Vector3(3.0, 0.0, 0.0);
+  }
+  const auto both = std::make_shared<Surface>(Meshes::Joined(sphere, small));
+  RemeshOptions options;
+  options.NumberOfFaces = 500;
+  Remesh remesh(both);
+  const RemeshResult mesh = remesh.Compute(options);
+  const std::string words = "1 component is too small";
+  const auto isAbout = [&](const std::string& note) { return note.rfind(words, 0) == 0; };
+  const auto note = std::find_if(mesh.Notes.begin(), mesh.Notes.end(), isAbout);
+  ASSERT_NE(note, mesh.Notes.end());
+  const std::string before = "An edge length of ";
+  options.UseEdgeLength = true;
+  options.EdgeLength = std::stod(note->substr(note->find(before) + before.size()));
+  EXPECT_NEAR(options.EdgeLength, std::sqrt(4.0 * Pi * 1e-4 / 8.0), 1e-3);
+  // Of the small one alone, since the large one would have 80 000 faces; three digits are rounded.
+  options.EdgeLength *= 0.99;
+  const RemeshResult fine = Remesh(std::make_shared<Surface>(small)).Compute(options);
+  EXPECT_TRUE(std::none_of(fine.Notes.begin(), fine.Notes.end(), isAbout));
+}
+
+TEST(Remesh, LargeSurfaceIsRemeshedOnFewerTrianglesAndLiesOnIt)
+{
+  const Surface potato = Meshes::Potato(6);
+  const auto surface = std::make_shared<Surface>(potato);
+  RemeshOptions options;
+  options.NumberOfFaces = 2000;
+  Remesh remesh(surface);
+  const RemeshResult mesh = remesh.Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_GT(LeastQuality(mesh), 0.3);
+  EXPECT_GT(mesh.Quads, static_cast<Index>(0.99 * static_cast<double>(mesh.Faces.size())));
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    Vector3 place = Vector3::Zero();
+    for (int c = 0; c < 3; ++c)
+    {
+      place +=
+        mesh.SourceWeights[v][c] * potato.Points[potato.Triangles[mesh.SourceTriangle[v]][c]];
+    }
+    ASSERT_LT((place - mesh.Points[v]).norm(), 1e-9);
+  }
+  // What the first mesh left behind does not show in the next one.
+  options.NumberOfFaces = 3000;
+  options.NumberOfThreads = 2;
+  const RemeshResult next = remesh.Compute(options);
+  options.NumberOfThreads = 1;
+  const RemeshResult anew = Remesh(surface).Compute(options);
+  EXPECT_EQ(next.Points, anew.Points);
+  EXPECT_EQ(next.Faces, anew.Faces);
+}
