@@ -389,12 +389,84 @@ def stripes(directory):
     wales = simple.StripePattern(Input=sleeve, StripeDirection="Across Field", Spacing=0.12)
     panels = [StripePanel(scan, BUNNY_CAMERA),
               StripePanel(sleeve, ([0.1, -0.2, 1.0], [0.0, 1.0, 0.0], 1.2), wales, Spacing=0.12)]
+    for panel in panels:
         assert abs(panel.share() - 1.0) < 0.03, panel.share()
         assert 0.0 < panel.figure("Misfit") < 0.15, panel.figure("Misfit")
         assert panel.figure("BranchPoints") > 10
     # The sleeve loses half of its wales to the wrist: 2 pi (1 - 0.5) / 0.12 of them.
     index = vtk_to_numpy(servermanager.Fetch(wales, idx=2).GetPointData().GetArray("StripeIndex"))
     assert 0.6 * 26.2 < abs(index.sum()) < 1.1 * 26.2, index.sum()
+    return panels
+
+
+class LinesPanel(Panel):
+    """Lines along a field, as ParaView shows them on its own, on the surface that they follow."""
+
+    def __init__(self, source, degree, camera, **properties):
+        self.view = simple.CreateRenderView()
+        self.view.ViewSize = PANEL
+        self.view.UseColorPaletteForBackground = 0
+        self.view.Background = [1.0, 1.0, 1.0]
+        self.view.OrientationAxesVisibility = 0
+        self.proxy = simple.DirectionField(Input=source, Degree=degree)
+        self.field = Field(self.proxy)
+        self.camera = camera
+        for port in (0, 1):
+            simple.Show(simple.OutputPort(self.proxy, port), self.view)
+        self.lines = simple.DirectionFieldStreamlines(Input=self.proxy, **properties)
+        simple.Show(self.lines, self.view)
+        self.traced = servermanager.Fetch(self.lines, idx=0)
+        self.nodes = servermanager.Fetch(self.lines, idx=1)
+
+    def array(self, name):
+        return vtk_to_numpy(self.traced.GetCellData().GetArray(name))
+
+    def spoil(self):
+        self.lines.Input = producer(turned(self.field))
+
+
+def lines(directory):
+    """Evenly spaced lines of a line field and of a cross field."""
+    panels = [LinesPanel(bunny(directory), degree, BUNNY_CAMERA) for degree in (2, 4)]
+    for panel, families in zip(panels, (1, 2)):
+        panel.field.check_sum()
+        a, b, c = (panel.field.points[panel.field.triangles[:, k]] for k in range(3))
+        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+        spacing = panel.traced.GetFieldData().GetArray("SeparatingDistance").GetTuple1(0)
+        assert abs(spacing - np.sqrt(area) / 40.0) < 1e-3 * spacing
+        # Each family covers the surface once.
+        covered = panel.array("Length").sum() * spacing / (families * area)
+        assert 0.9 < covered < 1.3, covered
+        along = vtk_to_numpy(panel.traced.GetPointData().GetArray("Direction"))
+        assert np.allclose(np.linalg.norm(along, axis=1), 1.0, atol=1e-5)
+    return panels
+
+
+def graph(directory):
+    """The lines out of the singularities of a cross field, and its graph: they end where they meet."""
+    mesh = bunny(directory)
+    most = 12.0
+    panels = [
+        LinesPanel(
+            mesh, 4, BUNNY_CAMERA, SeedType="Singularities", MaximumStreamlineLength=most),
+        LinesPanel(mesh, 4, BUNNY_CAMERA, SeedType="Singularities", StopAtCrossings=1)]
+    free, stopped = panels
+    index = free.field.index[free.field.index != 0]
+    assert len(free.array("Length")) == np.abs(4 - index).sum()
+    assert free.array("Length").max() < most + 1e-6
+    # Each ends in a singularity or where it crosses another one, and what leads from one singularity to another
+    # is there once.
+    ends = stopped.array("ReasonForTermination")[:, 1]
+    crossings, into = (ends == 9).sum(), (ends == 6).sum()
+    assert crossings + into == len(ends) and crossings > 10, (crossings, into, len(ends))
+    rays = np.abs(4 - index).sum()
+    assert 0 <= rays - len(ends) <= into, (rays, len(ends), into)
+    kinds = vtk_to_numpy(stopped.nodes.GetPointData().GetArray("NodeType"))
+    assert (kinds == 0).sum() == len(index) and (kinds == 1).sum() == crossings
+    # By Euler's formula, and by their corners: two at each crossing, one between two rays of a singularity. Where
+    # a line runs into a singularity beside its rays, there is one more.
+    patches = stopped.field.figure("EulerCharacteristic") + len(ends) - len(index)
+    assert 4 * patches - 2 * crossings - rays == 2 * (into - (rays - len(ends))), patches
     return panels
 
 
@@ -413,4 +485,6 @@ FIGURES = {
     "Comparison": comparison,
     "Exchange": exchange,
     "Singularities": singularities,
+    "Lines": lines,
+    "Graph": graph,
 }
