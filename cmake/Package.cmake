@@ -81,6 +81,7 @@ endif ()
 set(soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 file(WRITE "${debian}/shlibs"
 "libvtkDirectionFieldsFilters ${soversion} direction-fields (= ${version})
+libvtkDirectionFieldsFiltersParallel ${soversion} direction-fields (= ${version})
 libvtkDirectionFieldsServerManager ${soversion} direction-fields (= ${version})
 ")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA

@@ -3,10 +3,11 @@
 
 #include "GatheredSurface.h"
 
+#include "CellMatching.h"
+#include "GatheredArrays.h"
 #include "PieceMatching.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -16,136 +17,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace DirectionFields::Parallel
 {
 namespace
 {
-/// Values of all processes, those of each in a row.
-template <typename T>
-struct Gathered
-{
-  /// How many each process has.
-  std::vector<vtkIdType> Lengths;
-  /// The first of each, and the number of all.
-  std::vector<vtkIdType> First;
-  /// Empty but on the process that gathers.
-  std::vector<T> Values;
-};
-
-/// Cells of one kind of all processes.
-struct GatheredCells
-{
-  Gathered<vtkIdType> Corners;
-  /// Empty where all have three.
-  Gathered<vtkIdType> Sizes;
-  /// The first cell of each process, and the number of all.
-  std::vector<vtkIdType> First;
-};
-
-/// What the processes tell each other before anything is gathered: the same numbers of each.
-class Announcements
-{
-public:
-  /// @return where to look for the number
-  std::size_t Add(vtkIdType value)
-  {
-    this->Values.push_back(value);
-    return this->Values.size() - 1;
-  }
-
-  void Exchange(Processes& processes)
-  {
-    this->Count = static_cast<std::size_t>(processes.Count());
-    this->All = processes.AllGather(this->Values);
-  }
-
-  std::vector<vtkIdType> Of(std::size_t number) const
-  {
-    std::vector<vtkIdType> values(this->Count);
-    for (std::size_t p = 0; p < this->Count; ++p)
-    {
-      values[p] = this->All[p * this->Values.size() + number];
-    }
-    return values;
-  }
-
-  vtkIdType Sum(std::size_t number) const
-  {
-    const std::vector<vtkIdType> values = this->Of(number);
-    return std::accumulate(values.begin(), values.end(), vtkIdType(0));
-  }
-
-  vtkIdType Largest(std::size_t number) const
-  {
-    const std::vector<vtkIdType> values = this->Of(number);
-    return *std::max_element(values.begin(), values.end());
-  }
-
-private:
-  std::size_t Count = 0;
-  std::vector<vtkIdType> Values;
-  std::vector<vtkIdType> All;
-};
-
-/// Takes what was announced of a list, and makes room for it on one process.
-template <typename T>
-void Expect(const Announcements& announced, std::size_t number, bool isThere, Gathered<T>& list)
-{
-  list.Lengths = announced.Of(number);
-  list.First = Processes::FirstOf(list.Lengths);
-  list.Values.resize(isThere ? static_cast<std::size_t>(list.First.back()) : 0);
-}
-
-/// The cells of one kind on their way.
-struct TravellingCells
-{
-  explicit TravellingCells(const PieceCells& own, Announcements& announced)
-    : Own(own)
-    , Cells(announced.Add(static_cast<vtkIdType>(own.Cells.size())))
-    , Corners(announced.Add(static_cast<vtkIdType>(own.Corners.size())))
-    , HasSizes(announced.Add(own.Sizes.empty() ? 0 : 1))
-  {
-  }
-
-  void Expect(const Announcements& announced, bool isThere)
-  {
-    Parallel::Expect(announced, this->Corners, isThere, this->All.Corners);
-    this->All.First = Processes::FirstOf(announced.Of(this->Cells));
-    this->SomeHaveSizes = announced.Sum(this->HasSizes) > 0;
-    if (this->SomeHaveSizes)
-    {
-      Parallel::Expect(announced, this->Cells, isThere, this->All.Sizes);
-      this->OwnSizes = this->Own.Sizes.empty() ? std::vector<vtkIdType>(this->Own.Cells.size(), 3)
-                                               : this->Own.Sizes;
-    }
-  }
-
-  void Gather(Processes& processes, int to)
-  {
-    processes.Gather(this->Own.Corners, this->All.Corners.Lengths, this->All.Corners.Values, to);
-    if (this->SomeHaveSizes)
-    {
-      processes.Gather(this->OwnSizes, this->All.Sizes.Lengths, this->All.Sizes.Values, to);
-    }
-  }
-
-  GatheredCells All;
-
-private:
-  const PieceCells& Own;
-  std::vector<vtkIdType> OwnSizes;
-  std::size_t Cells;
-  std::size_t Corners;
-  std::size_t HasSizes;
-  bool SomeHaveSizes = false;
-};
-
 /// The numbers that points of all processes have, made of those that each has for itself: below the number
 /// of its own points from `first` on, the others from `beyond` on.
 void CountOn(Gathered<vtkIdType>& numbers, const std::vector<vtkIdType>& first,
@@ -200,177 +78,6 @@ std::vector<vtkIdType> FirstOfEach(const JoinedPoints& joined)
     first[joined.Number[i]] = static_cast<vtkIdType>(i);
   }
   return first;
-}
-
-/// The values of an array at points, as doubles.
-std::vector<double> ReadValues(vtkDataArray* array, const std::vector<vtkIdType>& points)
-{
-  const int components = array->GetNumberOfComponents();
-  std::vector<double> values(points.size() * components);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    array->GetTuple(points[i], values.data() + i * components);
-  }
-  return values;
-}
-
-/// A point array on its way, which is left behind unless all pieces with points have it alike.
-struct TravellingArray
-{
-  TravellingArray(
-    vtkPolyData* polyData, const SurfacePiece& piece, std::string name, Announcements& announced)
-    : Name(std::move(name))
-    , TakesPart(piece.HasPoints)
-  {
-    vtkDataArray* const array = polyData->GetPointData()->GetArray(this->Name.c_str());
-    const int components = this->TakesPart && array ? array->GetNumberOfComponents() : 0;
-    if (components > 0)
-    {
-      this->Own = ReadValues(array, piece.Own.Points);
-    }
-    this->Components = announced.Add(components);
-    this->Missing = announced.Add(this->TakesPart && components == 0 ? 1 : 0);
-    this->Values = announced.Add(static_cast<vtkIdType>(this->Own.size()));
-  }
-
-  void Expect(const Announcements& announced, bool isThere)
-  {
-    this->Width = announced.Largest(this->Components);
-    bool isAlike = announced.Sum(this->Missing) == 0 && this->Width > 0;
-    for (const vtkIdType components : announced.Of(this->Components))
-    {
-      isAlike = isAlike && (components == 0 || components == this->Width);
-    }
-    this->Width = isAlike ? this->Width : 0;
-    if (isAlike)
-    {
-      Parallel::Expect(announced, this->Values, isThere, this->All);
-    }
-  }
-
-  void Gather(Processes& processes, int to)
-  {
-    if (this->Width > 0)
-    {
-      processes.Gather(this->Own, this->All.Lengths, this->All.Values, to);
-    }
-  }
-
-  /// @param first the point of the pieces that each point of the surface is
-  void AddTo(vtkPolyData* surface, const std::vector<vtkIdType>& first) const
-  {
-    if (this->Width == 0)
-    {
-      return;
-    }
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(this->Name.c_str());
-    values->SetNumberOfComponents(static_cast<int>(this->Width));
-    values->SetNumberOfTuples(static_cast<vtkIdType>(first.size()));
-    for (std::size_t i = 0; i < first.size(); ++i)
-    {
-      std::copy_n(this->All.Values.data() + first[i] * this->Width, this->Width,
-        values->GetPointer(static_cast<vtkIdType>(i) * this->Width));
-    }
-    surface->GetPointData()->AddArray(values);
-  }
-
-private:
-  std::string Name;
-  bool TakesPart;
-  std::vector<double> Own;
-  Gathered<double> All;
-  std::size_t Components;
-  std::size_t Missing;
-  std::size_t Values;
-  vtkIdType Width = 0;
-};
-
-/// The corners of polygons in ascending order, one after another with each polygon's end.
-struct SortedCorners
-{
-  std::vector<vtkIdType>::const_iterator Begin(std::size_t i) const
-  {
-    return this->Corners.begin() + static_cast<std::ptrdiff_t>(this->First[i]);
-  }
-
-  /// The same for cells of the same corners.
-  std::uint64_t Key(std::size_t i) const
-  {
-    std::uint64_t key = 0;
-    for (auto corner = this->Begin(i); corner != this->Begin(i + 1); ++corner)
-    {
-      key = (key ^ static_cast<std::uint64_t>(*corner)) * 0x9E3779B97F4A7C15ULL;
-      key ^= key >> 29;
-    }
-    return key;
-  }
-
-  std::vector<vtkIdType> Corners;
-  std::vector<std::size_t> First;
-};
-
-SortedCorners Sort(const GatheredCells& cells)
-{
-  SortedCorners sorted;
-  sorted.Corners = cells.Corners.Values;
-  sorted.First.assign(1, 0);
-  for (vtkIdType i = 0; i < cells.First.back(); ++i)
-  {
-    const std::size_t begin = sorted.First.back();
-    const std::size_t end =
-      begin + static_cast<std::size_t>(cells.Sizes.Values.empty() ? 3 : cells.Sizes.Values[i]);
-    std::sort(sorted.Corners.begin() + begin, sorted.Corners.begin() + end);
-    sorted.First.push_back(end);
-  }
-  return sorted;
-}
-
-/// For each polygon of one list one of another list with the same corners, or -1.
-std::vector<vtkIdType> FindCells(const GatheredCells& cells, const GatheredCells& wanted)
-{
-  std::vector<vtkIdType> found(static_cast<std::size_t>(wanted.First.back()), -1);
-  if (found.empty())
-  {
-    return found;
-  }
-  const SortedCorners all = Sort(cells);
-  const SortedCorners copies = Sort(wanted);
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> copiesAt;
-  for (std::size_t k = 0; k < found.size(); ++k)
-  {
-    copiesAt[copies.Key(k)].push_back(k);
-  }
-  for (std::size_t i = 0; i + 1 < all.First.size() && !copiesAt.empty(); ++i)
-  {
-    const auto at = copiesAt.find(all.Key(i));
-    if (at == copiesAt.end())
-    {
-      continue;
-    }
-    // Copies of the same cell are found together and once.
-    std::vector<std::size_t> others;
-    for (const std::size_t k : at->second)
-    {
-      if (std::equal(all.Begin(i), all.Begin(i + 1), copies.Begin(k), copies.Begin(k + 1)))
-      {
-        found[k] = static_cast<vtkIdType>(i);
-      }
-      else
-      {
-        others.push_back(k);
-      }
-    }
-    if (others.empty())
-    {
-      copiesAt.erase(at);
-    }
-    else
-    {
-      at->second = std::move(others);
-    }
-  }
-  return found;
 }
 
 /// Appends numbers first ... last - 1, shifted, to a list.
