@@ -337,6 +337,12 @@ def singularities(_):
         edit = simple.EditSingularities(Input=base, Singularities=points)
         edit.UpdatePipeline()
         panels.append(GivenPanel(edit, OBLIQUE))
+        balls = simple.Show(simple.Glyph(
+            Input=simple.OutputPort(edit, 1), GlyphType="Sphere", GlyphMode="All Points",
+            ScaleArray=["POINTS", "Size"], ScaleFactor=3.0,
+            OrientationArray=["POINTS", "No orientation array"]), panels[-1].view)
+        balls.ColorArrayName = ["POINTS", ""]
+        balls.AmbientColor = balls.DiffuseColor = [0.84, 0.10, 0.11]
         figures = panels[-1].field.surface.GetFieldData()
         energy.append(figures.GetArray("RotationEnergy").GetValue(0))
         assert figures.GetArray("WrongTriangles").GetValue(0) == 0
