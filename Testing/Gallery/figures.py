@@ -356,6 +356,9 @@ def singularities(_):
     assert energy[1] < 0.9 * energy[0], energy
     for panel in panels:
         panel.field.check_sum()
+    return panels
+
+
 class StripePanel:
     """Stripes on a field, in two colors, with the lines of others on top if there are any."""
 

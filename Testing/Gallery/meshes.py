@@ -101,7 +101,7 @@ def disk(cells=24):
 
 
 def icosahedron(subdivisions=16):
-    """An icosahedron whose flat faces are subdivided."""
+    """An icosahedron whose edges are divided into so many parts, and its flat faces with them."""
     golden = 0.5 * (1.0 + math.sqrt(5.0))
     corners = np.array([
         np.roll((0.0, y, z * golden), turn)
@@ -136,7 +136,7 @@ def icosahedron(subdivisions=16):
 
 def rounded_cube():
     """The surface |x|^6 + |y|^6 + |z|^6 = 1."""
-    ball = icosahedron(5)
+    ball = icosahedron(32)
     points = vtk_to_numpy(ball.GetPoints().GetData()).astype(float)
     points /= np.sum(points ** 6, axis=1)[:, None] ** (1.0 / 6.0)
     return closed(points, vtk_to_numpy(ball.GetPolys().GetConnectivityArray()).reshape(-1, 3))
