@@ -221,7 +221,10 @@ class ComparisonPanel(Panel):
         self.compared = simple.CompareDirectionFields(Input=one, Other=other)
         display = simple.Show(self.compared, self.view)
         simple.ColorBy(display, ("POINTS", "AngleDifference"))
-        display.LookupTable.ApplyPreset("Viridis (matplotlib)", True)
+        # ParaView 6 has another name for the same colors.
+        presets = servermanager.vtkSMTransferFunctionPresets()
+        old, new = "Viridis (matplotlib)", "Viridis"
+        display.LookupTable.ApplyPreset(old if presets.HasPreset(old) else new, True)
         display.LookupTable.RescaleTransferFunction(0.0, 45.0)
         lines = simple.Tube(Input=simple.OutputPort(self.compared, 1), Radius=0.07)
         matches = simple.Show(lines, self.view)
