@@ -234,7 +234,8 @@ void vtkDirectionFieldSingularities::Edit(
       vtkCompositeDataSet::SafeDownCast(output), vtkCompositeDataSet::SafeDownCast(singularities));
   }
   this->Last->End();
-  this->UpdateProgress(1.0);
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  DirectionFields::Progress(report).Report(1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
+#include "vtkDirectionFieldSingularities.h"
 
 #include "vtkCallbackCommand.h"
 
@@ -134,5 +135,14 @@ int TestDirectionFieldAbort(int, char*[])
       return filter;
     },
     10);
+  TestEveryReport(
+    [&source]
+    {
+      auto filter = vtkSmartPointer<vtkDirectionFieldSingularities>::New();
+      filter->SetInputConnection(source->GetOutputPort());
+      filter->SetSingularitiesConnection(source->GetOutputPort(1));
+      return filter;
+    },
+    5);
   return Result();
 }
