@@ -42,6 +42,32 @@ inline double Special(unsigned byte)
   return values[byte % 16];
 }
 
+/// Bytes from here on stand for what no option may be.
+constexpr unsigned FirstInvalid = 250;
+
+/// 0 is the default, the next go through the range, the last are out of it or nearly so.
+inline double Real(unsigned byte, double standard, double least, double most)
+{
+  if (byte >= FirstInvalid)
+  {
+    const double values[] = { least - 1e-9, most + 1e-9, Special(0), Special(1), Special(2),
+      Special(3) };
+    return values[byte - FirstInvalid];
+  }
+  return byte == 0 ? standard : least + (most - least) * (byte - 1) / (FirstInvalid - 2);
+}
+
+inline int Whole(unsigned byte, int standard, int least, int most)
+{
+  if (byte >= FirstInvalid)
+  {
+    const int values[] = { least - 1, most + 1, std::numeric_limits<int>::min(),
+      std::numeric_limits<int>::max(), least, most };
+    return values[byte - FirstInvalid];
+  }
+  return byte == 0 ? standard : least + static_cast<int>(byte - 1) % (most - least + 1);
+}
+
 /// Mostly small numbers, so that points meet.
 inline double ReadNumber(Bytes& bytes)
 {

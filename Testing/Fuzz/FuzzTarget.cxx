@@ -7,6 +7,8 @@
 #include "FuzzedPolyData.h"
 #elif defined(DIRECTIONFIELDS_FUZZ_FILE)
 #include "FuzzedFile.h"
+#elif defined(DIRECTIONFIELDS_FUZZ_REMESH)
+#include "FuzzedRemesh.h"
 #else
 #include "FuzzedField.h"
 #endif
@@ -20,6 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string flaw = FuzzedPolyData(data, size);
 #elif defined(DIRECTIONFIELDS_FUZZ_FILE)
   const std::string flaw = FuzzedFile(data, size);
+#elif defined(DIRECTIONFIELDS_FUZZ_REMESH)
+  const std::string flaw = FuzzedRemesh(data, size);
 #else
   const std::string flaw = FuzzedField(data, size);
 #endif

@@ -5,6 +5,7 @@
 
 #include "FuzzedField.h"
 #include "FuzzedFile.h"
+#include "FuzzedRemesh.h"
 
 #include <gtest/gtest.h>
 
@@ -40,4 +41,9 @@ TEST(Fuzz, CorpusHasNoFlaws)
 TEST(Fuzz, FilesHaveNoFlaws)
 {
   ExpectNoFlaws(DIRECTIONFIELDS_FILE_CORPUS, FuzzedFile);
+}
+
+TEST(Fuzz, MeshesHaveNoFlaws)
+{
+  ExpectNoFlaws(DIRECTIONFIELDS_REMESH_CORPUS, FuzzedRemesh);
 }

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FuzzedRemesh.h"
+
+#include "FuzzedSurface.h"
+#include "Mesh/TriangleMesh.h"
+#include "Meshes/Remeshed.h"
+#include "Remesh.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+using namespace DirectionFields;
+
+namespace
+{
+constexpr std::size_t OptionsSize = 16;
+
+RemeshOptions ReadOptions(const Bytes& bytes)
+{
+  RemeshOptions options;
+  options.Element = bytes.At(0) % 3 == 2 ? Element::Triangles : Element::Quads;
+  // The default takes long for so many inputs.
+  options.NumberOfFaces = Whole(bytes.At(1), 100, 1, 240) * (bytes.At(2) % 4 == 3 ? 10 : 1);
+  options.UseEdgeLength = bytes.At(3) % 4 == 1;
+  options.EdgeLength = Real(bytes.At(4), 0.5, 0.05, 4.0);
+  options.PureQuads = bytes.At(5) % 2 != 0;
+  options.KeepFeatures = bytes.At(6) % 2 == 0;
+  options.FeatureAngle = Real(bytes.At(7), options.FeatureAngle, 0.0, 180.0);
+  options.MinimumFeatureLength = Real(bytes.At(8), options.MinimumFeatureLength, 0.0, 1.0);
+  options.SmoothingIterations = Whole(bytes.At(9), 3, 0, 12);
+  options.NumberOfThreads = bytes.At(10) < FirstInvalid ? static_cast<int>(bytes.At(10) % 4) : -1;
+  return options;
+}
+
+bool AreValid(const RemeshOptions& options, std::size_t points)
+{
+  try
+  {
+    Check(options, points);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+  return true;
+}
+
+/// Whether a surface may be refused: for ids, and for coordinates of which there are no lengths.
+bool MayBeRefused(const Surface& surface)
+{
+  constexpr double large = 1e150;
+  const bool isFar = std::any_of(surface.Points.begin(), surface.Points.end(),
+    [](const Vector3& p) { return !p.allFinite() || p.lpNorm<Eigen::Infinity>() > large; });
+  return isFar ||
+    std::any_of(surface.Triangles.begin(), surface.Triangles.end(),
+      [&](const Triangle& t) {
+        return std::any_of(
+          t.begin(), t.end(), [&](Index point) { return !Exists(point, surface); });
+      });
+}
+
+/// The triangles of what has one side only have no common winding.
+bool HasOneSide(const Surface& surface)
+{
+  const TriangleMesh mesh(surface);
+  return std::any_of(mesh.GetComponents().begin(), mesh.GetComponents().end(),
+    [](const TriangleMesh::Component& component) { return component.IsCover; });
+}
+}
+
+std::string FuzzedRemesh(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  RemeshOptions options = ReadOptions(bytes);
+  const unsigned again = bytes.At(11);
+  const unsigned sizing = bytes.At(12);
+  bytes.Skip(OptionsSize);
+  const auto surface = std::make_shared<Surface>(ReadSurface(bytes));
+  for (std::size_t p = 0; sizing % 2 != 0 && p < surface->Points.size(); ++p)
+  {
+    options.Sizing.push_back(ReadNumber(bytes));
+  }
+  const bool isValid = AreValid(options, surface->Points.size());
+  Remesh remesh(surface);
+  RemeshResult mesh;
+  try
+  {
+    mesh = remesh.Compute(options);
+    if (again % 2 != 0)
+    {
+      const std::vector<Vector3> points = mesh.Points;
+      RemeshOptions other = options;
+      other.NumberOfFaces = options.NumberOfFaces / 2 + 1;
+      remesh.Compute(other);
+      mesh = remesh.Compute(options);
+      if (mesh.Points != points)
+      {
+        return "another mesh after one of another size";
+      }
+    }
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return isValid ? std::string("refused: ") + error.what() : "";
+  }
+  catch (const MeshError& error)
+  {
+    return MayBeRefused(*surface) ? "" : std::string("refused: ") + error.what();
+  }
+  if (!isValid)
+  {
+    return "invalid options were taken";
+  }
+  return HasOneSide(*surface) ? "" : Meshes::FlawOf(mesh);
+}
