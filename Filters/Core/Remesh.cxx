@@ -10,9 +10,11 @@
 #include "LatticeMap/FeatureLines.h"
 #include "Quads/ComponentCells.h"
 #include "Quads/FaceSmoothing.h"
+#include "Quads/FoldedQuads.h"
 #include "Quads/PreparedSurface.h"
 #include "Quads/QuadSplit.h"
 #include "Quads/SizeAdvice.h"
+#include "Quads/Seams.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -122,6 +124,7 @@ struct Remesh::Kept
     }
     this->Charts.emplace(geometry, degree, this->Section);
     this->IsFrameless = FramelessVertices(geometry, degree, this->IsFeature);
+    this->Joints.emplace(geometry.Mesh, this->Prepared.GetOriginals());
     progress.Report(1.0);
   }
 
@@ -160,6 +163,7 @@ struct Remesh::Kept
   std::optional<FieldCharts> Charts;
   std::vector<char> IsFeature;
   std::vector<char> IsFrameless;
+  std::optional<Seams> Joints;
   ClosestPoints Original;
 };
 
@@ -234,58 +238,91 @@ std::vector<double> LongestEdges(
   return lengths;
 }
 
-/// The segments of each feature, as triangles without area.
-std::vector<ClosestPoints> LinesOf(
-  const PreparedSurface& prepared, const SurfaceGeometry& geometry, const FeatureLines& features)
+/// The cells of all components, with the same vertices on all sides of seams.
+std::vector<ComponentCells> CellsOf(const CellInput& input, const Seams& seams,
+  const RemeshOptions& options, const Progress& progress, RemeshResult& result)
 {
-  const std::vector<Vector3>& points = prepared.GetSurface()->Points;
-  std::vector<ClosestPoints> lines;
-  for (const FeatureLines::Chain& chain : features.Chains)
+  const std::vector<TriangleMesh::Component>& components = input.Geometry.Mesh.GetComponents();
+  std::vector<ComponentCells> all;
+  const auto count = static_cast<double>(components.size());
+  for (const TriangleMesh::Component& component : components)
   {
-    std::vector<ClosestPoints::Corners> segments;
-    for (const FeatureLines::Step& step : chain.Steps)
+    const auto done = static_cast<double>(all.size());
+    all.push_back(MakeCells(input, component, progress.Part(done / count, (done + 1.0) / count)));
+    if (all.back().Failure != nullptr)
     {
-      const std::vector<Index> path =
-        prepared.PathAlong(geometry.Mesh.Point(FeatureLines::Start(geometry.Mesh, step)),
-          geometry.Mesh.Point(FeatureLines::End(geometry.Mesh, step)));
-      for (std::size_t k = 0; k + 1 < path.size(); ++k)
-      {
-        segments.push_back({ points[path[k]], points[path[k + 1]], points[path[k + 1]] });
-      }
+      result.Notes.push_back("Component " + std::to_string(all.size() - 1) +
+        " could not be remeshed, since " + all.back().Failure + ". It is as it was.");
     }
-    lines.emplace_back(std::move(segments));
   }
-  return lines;
+  seams.Equalize(all);
+  if (options.PureQuads && options.Element == Element::Quads)
+  {
+    for (ComponentCells& cells : all)
+    {
+      SplitIntoQuads(cells);
+    }
+  }
+  return all;
 }
 
-/// Appends the cells of a component to the mesh.
-void Append(const ComponentCells& cells, RemeshResult& result, std::vector<Index>& line)
+/// Puts the cells of all components into one mesh, in which the sides of seams share their vertices.
+/// @param line       the feature that each vertex stays on, 0 for the surface, -1 for those that stay
+/// @param isBoundary of each vertex; seams count
+void AppendAll(const std::vector<ComponentCells>& components, const Seams& seams,
+  RemeshResult& result, std::vector<Index>& line, std::vector<char>& isBoundary)
 {
-  const auto first = static_cast<Index>(result.Points.size());
-  for (const ComponentCells::Vertex& vertex : cells.Vertices)
+  Index open = 0;
+  const std::vector<Index> joined = seams.Joined(components, open);
+  if (open > 0)
   {
-    result.Points.push_back(vertex.Position);
-    result.FieldIndex.push_back(vertex.SingularityIndex);
-    result.Kind.push_back(vertex.IsCorner ? VertexKind::Corner
-        : vertex.IsBoundary               ? VertexKind::Boundary
-        : vertex.Line > 0                 ? VertexKind::Feature
-        : vertex.IsCone                   ? VertexKind::Cone
-                                          : VertexKind::Surface);
-    line.push_back(vertex.IsCorner ? -1 : vertex.Line);
+    result.Notes.push_back(std::to_string(open) +
+      " seams between sheets of the surface are open in the mesh, since the faces there are too few. More faces, or "
+      "shorter edges, would join them.");
   }
-  for (const Faces::Face& face : cells.Cells.Corners)
+  std::vector<Index> number(joined.size(), None);
+  std::size_t k = 0;
+  for (const ComponentCells& cells : components)
   {
-    std::array<Index, 4> corners{};
-    for (int c = 0; c < 4; ++c)
+    for (const ComponentCells::Vertex& vertex : cells.Vertices)
     {
-      corners[c] = face[c] == None ? None : face[c] + first;
+      const auto own = static_cast<Index>(k++);
+      if (joined[own] != own)
+      {
+        number[own] = number[joined[own]];
+        line[number[own]] = vertex.IsCorner ? -1 : line[number[own]];
+        continue;
+      }
+      number[own] = static_cast<Index>(result.Points.size());
+      result.Points.push_back(vertex.Position);
+      result.FieldIndex.push_back(vertex.SingularityIndex);
+      result.Kind.push_back(vertex.IsCorner ? VertexKind::Corner
+          : vertex.IsBoundary               ? VertexKind::Boundary
+          : vertex.Line > 0                 ? VertexKind::Feature
+          : vertex.IsCone                   ? VertexKind::Cone
+                                            : VertexKind::Surface);
+      line.push_back(vertex.IsCorner ? -1 : vertex.Line);
+      isBoundary.push_back(vertex.IsBoundary ? 1 : 0);
     }
-    result.Faces.push_back(corners);
   }
-  result.Regular.insert(
-    result.Regular.end(), cells.Cells.IsRegular.begin(), cells.Cells.IsRegular.end());
-  result.KeptVertices += cells.KeptVertices;
-  result.FlippedTriangles += cells.FlippedTriangles;
+  k = 0;
+  for (const ComponentCells& cells : components)
+  {
+    for (const Faces::Face& face : cells.Cells.Corners)
+    {
+      std::array<Index, 4> corners{};
+      for (int c = 0; c < 4; ++c)
+      {
+        corners[c] = face[c] == None ? None : number[face[c] + k];
+      }
+      result.Faces.push_back(corners);
+    }
+    k += cells.Vertices.size();
+    result.Regular.insert(
+      result.Regular.end(), cells.Cells.IsRegular.begin(), cells.Cells.IsRegular.end());
+    result.KeptVertices += cells.KeptVertices;
+    result.FlippedTriangles += cells.FlippedTriangles;
+  }
 }
 
 /// Finds where the points and the middles of the faces are on the surface given.
@@ -430,41 +467,33 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
       std::vector<double>(mesh.GetComponents().size(), coarse));
     const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength };
+    features.IsEnd.assign(mesh.GetNumberOfVertices(), 0);
+    for (const Index v : kept.Joints->GetEnds())
+    {
+      features.IsEnd[v] = 1;
+    }
     std::vector<Index> line;
     std::vector<char> isBoundary;
     SizeAdvice advice(result.EdgeLength, DegreeOf(options.Element));
-    const auto components = static_cast<double>(mesh.GetComponents().size());
-    for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+    for (const TriangleMesh::Component& component : mesh.GetComponents())
     {
-      const TriangleMesh::Component& component = mesh.GetComponents()[c];
-      ComponentCells cells = MakeCells(input, component,
-        progress.Part(AfterField, AfterCells)
-          .Part(static_cast<double>(c) / components, static_cast<double>(c + 1) / components));
       advice.AddComponent(geometry, component, perLength);
-      if (options.PureQuads && options.Element == Element::Quads)
-      {
-        SplitIntoQuads(cells);
-      }
-      if (cells.Failure != nullptr)
-      {
-        result.Notes.push_back("Component " + std::to_string(c) + " could not be remeshed, since " +
-          cells.Failure + ". It is as it was.");
-      }
-      for (const ComponentCells::Vertex& vertex : cells.Vertices)
-      {
-        isBoundary.push_back(vertex.IsBoundary ? 1 : 0);
-      }
-      Append(cells, result, line);
-      result.EulerCharacteristicBefore +=
-        (component.Vertices() - component.Edges() + component.Triangles()) /
-        (component.IsCover ? 2 : 1);
     }
+    AppendAll(
+      CellsOf(input, *kept.Joints, options, progress.Part(AfterField, AfterCells), result),
+      *kept.Joints, result, line, isBoundary);
+    result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
     Faces faces{ result.Faces, result.Regular };
-    const std::vector<ClosestPoints> lines = LinesOf(kept.Prepared, geometry, features);
+    const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
     const SmoothingDomain domain{ kept.Original, lines, std::move(line),
       WantedLengths(options, *this->Input, kept.Prepared, kept.Original, result) };
     SmoothFaces(
       faces, domain, options.SmoothingIterations, result.Points, progress.Part(AfterCells, 0.97));
+    if (!options.PureQuads && CutFoldedQuads(faces, result.Points) > 0)
+    {
+      result.Faces = faces.Corners;
+      result.Regular = faces.IsRegular;
+    }
     FindSources(kept.Prepared, kept.Original, result);
     advice.AddMesh(result.Points, faces, result.KeptVertices);
     const std::vector<std::string> sentences = advice.GetSentences();

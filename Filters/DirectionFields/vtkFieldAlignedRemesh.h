@@ -40,7 +40,9 @@
  * The same input gives the same bytes, whatever the number of threads.
  *
  * @warning
- * A component with one side only, like a Moebius strip, comes back as it is, with a warning.
+ * A component with one side only, like a Moebius strip, is cut open along a line of the new mesh and joined again
+ * there; polygons are wound the other way on the other side of that line. Sheets that meet in edges of more than two
+ * triangles share their vertices there.
  *
  * @sa
  * vtkDirectionField

@@ -145,8 +145,8 @@ void TestErrorsAndUnusualInput()
 
   filter->SetInputData(Meshes::ToPolyData(Meshes::MoebiusStrip(20)));
   filter->Update();
-  CHECK(messages->Warnings.size() == 1);
-  CHECK(filter->GetOutput()->GetNumberOfCells() == 40);
+  CHECK(messages->Warnings.empty());
+  CHECK(filter->GetOutput()->GetNumberOfCells() > 60);
 }
 
 /// The same mesh with and without what is kept.

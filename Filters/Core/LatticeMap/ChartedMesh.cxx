@@ -281,8 +281,10 @@ struct ChartedMesh::Builder
     }
     for (Index v = 0; v < this->Part.Vertices(); ++v)
     {
+      const bool isEnd =
+        !this->Features.IsEnd.empty() && this->Features.IsEnd[this->Part.FirstVertex + v] != 0;
       this->Out.IsChainEnd[v] =
-        valence[v] == 1 || valence[v] > 2 || this->Out.IsChainEnd[v] != 0 ? 1 : 0;
+        isEnd || valence[v] == 1 || valence[v] > 2 || this->Out.IsChainEnd[v] != 0 ? 1 : 0;
     }
   }
 };

@@ -56,6 +56,8 @@ struct FeatureLines
   std::vector<int> Axis;
   /// That end of a feature edge whose chart the axis is of: its tail unless that is frameless.
   std::vector<Index> Base;
+  /// Not 0 for vertices of features that are to be lattice points whatever the features do there; empty for none.
+  std::vector<char> IsEnd;
   /// They end where features end, meet, or have no frame.
   std::vector<Chain> Chains;
 

@@ -20,44 +20,27 @@ namespace
 /// Maps that are made of a component, each with fewer features than the one before.
 constexpr int MostAttempts = 3;
 
-/// The triangles of a component as they are, those of the front where there are two sides.
+/// The triangles of a component as they are.
 ComponentCells Unchanged(
   const CellInput& input, const TriangleMesh::Component& component, const char* failure)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;
   ComponentCells out;
   out.Failure = failure;
-  std::vector<Index> number(component.Vertices(), None);
-  // A vertex and its mirror are one point.
-  const auto numberOf = [&](Index v) -> Index&
+  for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
   {
-    const Index mirror = mesh.MirrorVertex(v);
-    return number[(mirror != None && !mesh.IsFrontVertex(v) ? mirror : v) - component.FirstVertex];
-  };
-  for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+    ComponentCells::Vertex vertex;
+    vertex.Position = input.Geometry.Positions[v];
+    vertex.Origin = v;
+    vertex.IsBoundary = mesh.IsBoundary(v);
+    // Nothing is to move.
+    vertex.IsCorner = true;
+    out.Vertices.push_back(vertex);
+  }
+  for (Index h = 3 * component.FirstTriangle; h < 3 * component.EndTriangle; h += 3)
   {
-    if (!mesh.IsFront(t))
-    {
-      continue;
-    }
-    Faces::Face face{ 0, 0, 0, None };
-    for (int c = 0; c < 3; ++c)
-    {
-      const Index v = mesh.Tail(3 * t + c);
-      Index& id = numberOf(v);
-      if (id == None)
-      {
-        id = static_cast<Index>(out.Vertices.size());
-        ComponentCells::Vertex vertex;
-        vertex.Position = input.Geometry.Positions[v];
-        vertex.IsBoundary = mesh.IsBoundary(v);
-        // Nothing is to move.
-        vertex.IsCorner = true;
-        out.Vertices.push_back(vertex);
-      }
-      face[c] = id;
-    }
-    out.Cells.Corners.push_back(face);
+    out.Cells.Corners.push_back({ mesh.Tail(h) - component.FirstVertex,
+      mesh.Tail(h + 1) - component.FirstVertex, mesh.Tail(h + 2) - component.FirstVertex, None });
     out.Cells.IsRegular.push_back(0);
   }
   return out;
@@ -99,7 +82,8 @@ Index Reduce(CellMesh& cells, const Progress& progress)
 }
 
 /// The vertices that are left, numbered anew.
-void Collect(const CellMesh& cells, const ChartedMesh& charted, ComponentCells& out)
+void Collect(const CellMesh& cells, const ChartedMesh& charted,
+  const TriangleMesh::Component& component, ComponentCells& out)
 {
   std::vector<Index> number(cells.GetNumberOfVertices(), None);
   std::vector<Index> star;
@@ -112,6 +96,7 @@ void Collect(const CellMesh& cells, const ChartedMesh& charted, ComponentCells& 
     number[v] = static_cast<Index>(out.Vertices.size());
     ComponentCells::Vertex vertex;
     vertex.Position = cells.Position(v);
+    vertex.Origin = v < component.Vertices() ? component.FirstVertex + v : None;
     vertex.IsBoundary = cells.GetStar(v, star);
     vertex.IsCorner = cells.GetRole(v).IsCorner;
     vertex.IsCone = cells.GetRole(v).IsCone;
@@ -184,8 +169,8 @@ bool DropFeatures(
 }
 
 /// The cells of a map.
-void Extract(
-  const ChartedMesh& charted, const LatticeMap& map, const Progress& progress, ComponentCells& out)
+void Extract(const TriangleMesh::Component& component, const ChartedMesh& charted,
+  const LatticeMap& map, const Progress& progress, ComponentCells& out)
 {
   CellMesh cells(charted, map);
   InsertLatticePoints(cells);
@@ -195,7 +180,7 @@ void Extract(
   out.Integers = map.GetNumberOfIntegers();
   out.Cones = static_cast<Index>(std::count_if(charted.Cones.begin(), charted.Cones.end(),
     [](const ChartedMesh::Cone& cone) { return cone.Holonomy.Turn != 0; }));
-  Collect(cells, charted, out);
+  Collect(cells, charted, component, out);
   progress.Report(1.0);
 }
 }
@@ -203,10 +188,6 @@ void Extract(
 ComponentCells MakeCells(
   const CellInput& input, const TriangleMesh::Component& component, const Progress& progress)
 {
-  if (component.IsCover)
-  {
-    return Unchanged(input, component, "it has one side only");
-  }
   DropFeatures(input, component,
     EdgesInNarrowCorners(
       input.Geometry, component, input.Charts, input.Features, input.IsFrameless, input.PerLength));
@@ -226,7 +207,7 @@ ComponentCells MakeCells(
     {
       continue;
     }
-    Extract(charted, map, progress.Part(0.7, 1.0), out);
+    Extract(component, charted, map, progress.Part(0.7, 1.0), out);
     break;
   }
   return out;

@@ -21,6 +21,8 @@ struct ComponentCells
     Vector3 Position;
     /// The number of the feature that it lies on, from 1 on; 0 elsewhere.
     Index Line = 0;
+    /// The vertex of the surface's mesh that it is, or None.
+    Index Origin = None;
     bool IsBoundary = false;
     /// Features end, meet or turn here.
     bool IsCorner = false;

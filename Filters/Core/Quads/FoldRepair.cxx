@@ -85,9 +85,9 @@ bool CollapseZeroEdges(CellMesh& mesh)
     { return k != None && MayMove(mesh, k) && mesh.MayCollapse(k); };
     if (!isPossible(edge))
     {
-      // A cone beside a feature moves onto it.
+      // A cone beside a feature moves onto it, but not onto the boundary, where faces would get worse.
       edge = edge == h ? twin : h;
-      if (!isPossible(edge))
+      if (!isPossible(edge) || mesh.IsBoundary(mesh.Head(edge)))
       {
         continue;
       }

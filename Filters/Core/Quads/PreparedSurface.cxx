@@ -7,9 +7,55 @@
 #include "Mesh/MergePoints.h"
 
 #include <map>
+#include <numeric>
 
 namespace DirectionFields::Internal
 {
+namespace
+{
+/// Which triangles of a mesh a surface is made of: all, but of a cover those of one side, such that the line that
+/// divides the two sides is short. That of the front may be jagged.
+std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+{
+  constexpr int mostSweeps = 200;
+  std::vector<char> isChosen(mesh.GetNumberOfTriangles());
+  std::vector<Index> covered;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    isChosen[t] = mesh.IsFront(t) ? 1 : 0;
+    if (mesh.IsFront(t) && mesh.Mirror(3 * t) != None)
+    {
+      covered.push_back(t);
+    }
+  }
+  bool hasChanged = true;
+  for (int k = 0; k < mostSweeps && hasChanged; ++k)
+  {
+    hasChanged = false;
+    for (const Index front : covered)
+    {
+      const Index back = mesh.Mirror(3 * front) / 3;
+      const Index t = isChosen[front] != 0 ? front : back;
+      // By how much the line becomes shorter if the triangle is taken from the other side.
+      double shorter = 0.0;
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index twin = mesh.Twin(h);
+        const double length =
+          (points[mesh.Point(mesh.Head(h))] - points[mesh.Point(mesh.Tail(h))]).norm();
+        shorter += twin == None ? 0.0 : (isChosen[twin / 3] != 0 ? -length : length);
+      }
+      if (shorter > 0.0)
+      {
+        std::swap(isChosen[front], isChosen[back]);
+        hasChanged = true;
+      }
+    }
+  }
+  return isChosen;
+}
+}
+
 PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
   const std::vector<double>& edgeLength, const Progress& progress)
   : IsDecimated(!edgeLength.empty())
@@ -26,9 +72,29 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
   }
   auto surface = std::make_shared<Surface>();
   surface->Points = input.Points;
+  // What has one side only is cut open where the triangles are taken from different sides of its cover: its points
+  // are there twice on that line.
+  std::vector<Index> otherSide;
+  const auto pointOf = [&](Index v)
+  {
+    const Index p = mesh.Point(v);
+    if (mesh.IsFrontVertex(v))
+    {
+      return p;
+    }
+    otherSide.resize(input.Points.size(), None);
+    if (otherSide[p] == None)
+    {
+      otherSide[p] = static_cast<Index>(surface->Points.size());
+      surface->Points.push_back(input.Points[p]);
+      this->Middles.push_back({ p, p });
+    }
+    return otherSide[p];
+  };
+  const std::vector<char> isChosen = ChosenSide(mesh, input.Points);
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
-    if (!mesh.IsFront(t))
+    if (isChosen[t] == 0)
     {
       continue;
     }
@@ -44,14 +110,19 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
         }
       }
     }
-    surface->Triangles.push_back(used.Points);
+    surface->Triangles.push_back(
+      { pointOf(mesh.Tail(3 * t)), pointOf(mesh.Tail(3 * t + 1)), pointOf(mesh.Tail(3 * t + 2)) });
     this->Used.push_back(used);
   }
   this->Prepared = surface;
   if (this->IsDecimated)
   {
-    surface->Triangles =
-      this->Decimated(input, std::move(merged), settings, edgeLength, progress.Part(0.2, 0.9));
+    if (!otherSide.empty())
+    {
+      merged = MergedMesh{ {}, TriangleMesh(*surface) };
+    }
+    surface->Triangles = this->Decimated(
+      *surface, std::move(merged), settings, this->Continued(edgeLength), progress.Part(0.2, 0.9));
   }
   constexpr int mostRounds = 4;
   bool isSplit = true;
@@ -112,6 +183,21 @@ std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings)
   return isFeature;
 }
 
+std::vector<Index> PreparedSurface::GetOriginals() const
+{
+  std::vector<Index> original(this->Prepared->Points.size());
+  std::iota(original.begin(), original.end(), 0);
+  const std::size_t first = original.size() - this->Middles.size();
+  for (std::size_t k = 0; k < this->Middles.size(); ++k)
+  {
+    if (this->Middles[k][0] == this->Middles[k][1])
+    {
+      original[first + k] = this->Middles[k][0];
+    }
+  }
+  return original;
+}
+
 std::vector<Index> PreparedSurface::PathAlong(Index p, Index q) const
 {
   const FeaturePaths::Path* path = this->Paths.Find(p, q);
@@ -121,6 +207,29 @@ std::vector<Index> PreparedSurface::PathAlong(Index p, Index q) const
   }
   return path->Points.front() == p ? path->Points
                                    : std::vector<Index>(path->Points.rbegin(), path->Points.rend());
+}
+
+std::vector<ClosestPoints> PreparedSurface::LinesOf(
+  const SurfaceGeometry& geometry, const FeatureLines& features) const
+{
+  const std::vector<Vector3>& points = this->Prepared->Points;
+  std::vector<ClosestPoints> lines;
+  for (const FeatureLines::Chain& chain : features.Chains)
+  {
+    std::vector<ClosestPoints::Corners> segments;
+    for (const FeatureLines::Step& step : chain.Steps)
+    {
+      const std::vector<Index> path =
+        this->PathAlong(geometry.Mesh.Point(FeatureLines::Start(geometry.Mesh, step)),
+          geometry.Mesh.Point(FeatureLines::End(geometry.Mesh, step)));
+      for (std::size_t k = 0; k + 1 < path.size(); ++k)
+      {
+        segments.push_back({ points[path[k]], points[path[k + 1]], points[path[k + 1]] });
+      }
+    }
+    lines.emplace_back(std::move(segments));
+  }
+  return lines;
 }
 
 std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const

@@ -6,6 +6,7 @@
 
 #include "Geometry/ClosestPoints.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "LatticeMap/FeatureLines.h"
 #include "Mesh/MergePoints.h"
 #include "Progress.h"
 #include "Quads/FeaturePaths.h"
@@ -18,7 +19,7 @@
 
 namespace DirectionFields::Internal
 {
-/// A surface as it can be mapped: connected across seams, wound consistently, with a point in the middle
+/// A surface as it can be mapped: connected across seams, cut open where it has one side only, wound consistently, with a point in the middle
 /// of each edge both ends of which have no frame (FramelessVertices), and with fewer triangles where they are
 /// much smaller than the faces to come.
 class PreparedSurface
@@ -29,15 +30,22 @@ public:
   PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
     const std::vector<double>& edgeLength = {}, const Progress& progress = {});
 
-  /// Its points are the input's, then the middles.
+  /// Its points are the input's, then copies of those where a surface that has one side only was cut open, and the
+  /// middles.
   const std::shared_ptr<const Surface>& GetSurface() const { return this->Prepared; }
   const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
+  /// Of each of its points the one that it is a copy of, or itself.
+  std::vector<Index> GetOriginals() const;
   const Repairs& GetRepairs() const { return this->Repaired; }
 
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
   /// The points of the prepared surface that an edge of a feature or the boundary runs through, from end to end.
   std::vector<Index> PathAlong(Index p, Index q) const;
+
+  /// The segments of each feature, as triangles without area.
+  std::vector<ClosestPoints> LinesOf(
+    const SurfaceGeometry& geometry, const FeatureLines& features) const;
 
   /// Values at the input's points continued to the middles.
   template <typename T>
