@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace DirectionFields;
 
@@ -58,6 +59,59 @@ TEST(Remesh, CubeIsCutIntoSquaresOfEachSide)
     // The corners have three edges each, which sums up to 4 chi = 8 quarters.
     EXPECT_EQ(mesh.IrregularVertices, 8);
     EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+  }
+}
+
+TEST(Remesh, PrismIsCutIntoSquaresOfEachSide)
+{
+  // A box of 2 x 1 x 1, with edges of 1 / 6.
+  const Surface box =
+    Meshes::Transformed(Meshes::Cube(), Vector3(2.0, 1.0, 1.0).asDiagonal(), Vector3::Zero());
+  const RemeshResult mesh = Remeshed(box, 10 * 6 * 6);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.Quads, 10 * 6 * 6);
+  EXPECT_EQ(mesh.Triangles, 0);
+  EXPECT_EQ(mesh.IrregularVertices, 8);
+  EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+}
+
+TEST(Remesh, HexagonIsCutIntoEquilateralTriangles)
+{
+  // The lattice fits the boundary, so that all edges have the same length.
+  constexpr int cells = 8;
+  Surface hexagon;
+  hexagon.Points = { Vector3::Zero() };
+  for (int k = 0; k < 6; ++k)
+  {
+    hexagon.Points.emplace_back(std::cos(k * Pi / 3.0), std::sin(k * Pi / 3.0), 0.0);
+    hexagon.Triangles.push_back({ 0, 1 + k, 1 + (k + 1) % 6 });
+  }
+  const RemeshResult mesh =
+    Remeshed(Meshes::FlatlySubdivided(hexagon, 3), 6 * cells * cells, Element::Triangles, 0);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.Triangles, 6 * cells * cells);
+  EXPECT_EQ(mesh.IrregularVertices, 0);
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(
+        (mesh.Points[face[c]] - mesh.Points[face[(c + 1) % 3]]).norm(), 1.0 / cells, 1e-9);
+    }
+  }
+}
+
+TEST(Remesh, MovesWithTheSurface)
+{
+  const Surface surface = Meshes::Potato(4);
+  const Vector3 shift(8.0, -4.0, 2.0);
+  const RemeshResult mesh = Remeshed(surface, 500);
+  const RemeshResult moved =
+    Remeshed(Meshes::Transformed(surface, Eigen::Matrix3d::Identity(), shift), 500);
+  ASSERT_EQ(mesh.Faces, moved.Faces);
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    EXPECT_LT((mesh.Points[v] + shift - moved.Points[v]).norm(), 1e-4);
   }
 }
 
