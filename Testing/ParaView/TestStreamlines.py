@@ -93,6 +93,27 @@ def test_blocks():
     assert bounds[0] < -0.4 and bounds[1] > 3.4, bounds
 
 
+def test_time_steps():
+    """Each time step of a surface that grows has the lines of that step, at a spacing that grows with it."""
+    folder = os.path.dirname(os.path.abspath(sys.argv[3]))
+    files = []
+    for i, radius in enumerate((0.5, 1.0)):
+        files.append(os.path.join(folder, f"growing{i}.vtp"))
+        SaveData(files[-1], proxy=Sphere(Radius=radius, ThetaResolution=24, PhiResolution=16),
+                 DataMode="Binary")
+    field = DirectionField(Input=XMLPolyDataReader(FileName=files), Degree=2)
+    lines = DirectionFieldStreamlines(Input=field)
+    found = []
+    for time in (0.0, 1.0, 0.0):
+        lines.UpdatePipeline(time)
+        data = servermanager.Fetch(lines)
+        found.append((data.GetNumberOfLines(), data.GetNumberOfPoints(), data.GetBounds()[1],
+                      data.GetFieldData().GetArray("SeparatingDistance").GetTuple1(0)))
+    assert found[0] == found[2], found
+    assert abs(found[1][3] - 2.0 * found[0][3]) < 1e-6 * found[1][3], found
+    assert abs(found[1][2] - 2.0 * found[0][2]) < 1e-2, found
+
+
 def test_first_look():
     """Shown without any setting, the lines have one quiet colour, on the surface."""
     field, lines = make()
@@ -131,6 +152,7 @@ test_menu()
 test_lines()
 test_points()
 test_blocks()
+test_time_steps()
 test_first_look()
 test_state()
 print("passed")

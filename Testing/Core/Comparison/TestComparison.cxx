@@ -150,6 +150,46 @@ TEST(Comparison, AFieldMatchesItself)
   }
 }
 
+TEST(Comparison, AnySurfaceAgreesWithItself)
+{
+  Surface broken = Potato(1);
+  broken.Points[5].x() = std::nan("");
+  broken.Triangles[3] = { 1, 1, 2 };
+  Surface fins;
+  fins.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 }, { 0.3, -1, 0 }, { 0.3, 0, 1 } };
+  fins.Triangles = { { 0, 1, 2 }, { 0, 1, 3 }, { 1, 0, 4 } };
+  Surface ghosts = Potato(2);
+  ghosts.Ghost.assign(ghosts.Triangles.size(), 1);
+  for (const Surface& surface : { MoebiusStrip(30, 3), KleinBottle(20, 12), BadSphere(2, 0.6, 1),
+         Soup(Potato(1)), broken, fins, ghosts, Surface() })
+  {
+    for (const int degree : { 1, 2, 4 })
+    {
+      PointDirections directions;
+      directions.Degree = degree;
+      directions.Direction = [degree](Index point, int k)
+      {
+        const double angle = 0.3 * point + 2.0 * Pi * k / degree;
+        return Vector3(std::cos(angle), std::sin(angle), 0.1 * (point % 7)).normalized();
+      };
+      directions.Magnitude = [](Index point) { return 1.0 + point % 3; };
+      const GivenField field(surface, directions);
+      const FieldDifference difference = Compare(field, directions);
+      for (const double angle : difference.Angle)
+      {
+        EXPECT_FALSE(angle > 1e-9) << angle;
+      }
+      EXPECT_FALSE(difference.Mean > 1e-9) << difference.Mean;
+      const std::vector<ComparedSingularity> list = MatchSingularities(field, field);
+      for (const ComparedSingularity& singularity : list)
+      {
+        EXPECT_NE(singularity.Match, None);
+        EXPECT_EQ(singularity.Distance, 0.0);
+      }
+    }
+  }
+}
+
 TEST(Comparison, WhatHasNoPartnerStaysAlone)
 {
   const Surface surface = Disk(30);
