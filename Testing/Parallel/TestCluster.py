@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The example for clusters, run as it says: TestCluster.py MPIEXEC PVBATCH PLUGIN SOURCE OUTPUT
 
-A process that dies in the midst of it must end all of them, soon."""
+By plain Python: pvpython is a process of MPI itself, which cannot start others. A process that dies in the midst
+of it must end all of them, soon."""
 import os
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import time
+import zlib
 
 mpiexec, pvbatch, plugin, source, output = sys.argv[1:]
 example = os.path.join(source, "Examples", "cluster", "contour.py")
@@ -24,13 +27,15 @@ for name in ("field.pvtp", "singularities.pvtp"):
     pieces = os.path.splitext(name)[0]
     assert os.path.exists(os.path.join(output, name)), name
     assert len(os.listdir(os.path.join(output, pieces))) == 2, pieces
-from vtkmodules.vtkIOImage import vtkPNGReader
-reader = vtkPNGReader()
-reader.SetFileName(os.path.join(output, "field.png"))
-reader.Update()
-scalars = reader.GetOutput().GetPointData().GetScalars()
-low, high = scalars.GetRange()
-assert high - low > 60, "an empty picture"
+with open(os.path.join(output, "field.png"), "rb") as picture:
+    data = picture.read()
+# What is compressed of the rows of pixels is not the same everywhere.
+begin, pixels = 8, b""
+while begin < len(data):
+    size, kind = struct.unpack(">I4s", data[begin:begin + 8])
+    pixels += data[begin + 8:begin + 8 + size] if kind == b"IDAT" else b""
+    begin += size + 12
+assert len(set(zlib.decompress(pixels))) > 60, "an empty picture"
 
 # Each process says its number, waits until all have, and goes on to the field; the second one is killed.
 script = os.path.join(output, "killed.py")

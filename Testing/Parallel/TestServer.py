@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A client and a server of two processes: TestServer.py PLUGIN MPIEXEC PVSERVER PVPYTHON, TestServer.py PLUGIN PORT
 
-The client compares what the server gives of a surface in two pieces with what it has computed itself."""
+By plain Python: pvpython is a process of MPI itself, which cannot start others. The client compares what the
+server gives of a surface in two pieces with what it has computed itself."""
 import os
 import subprocess
 import sys
