@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The field of a surface in pieces is that of the whole: mpiexec -n 3 pvbatch --symmetric TestPieces.py PACKAGES
+"""The field of a surface in pieces is that of the whole: mpiexec -n 3 pvbatch --symmetric TestPieces.py PACKAGES [SURFACE...]
 
 Every process computes the field of the whole surface by itself, too, and compares its own piece with it."""
 import sys
