@@ -15,6 +15,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import meshes
 from gallery import PANEL, Field, Panel, producer, turned
+from remeshed import RemeshedPanel
 
 BUNNY_CAMERA = ([-0.35, 0.25, 1.0], [0.0, 1.0, 0.0], 1.25)
 OBLIQUE = ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 1.1)
@@ -482,9 +483,37 @@ def graph(directory):
     return panels
 
 
+def remeshed(directory):
+    """Meshes of a scan, of a part with its features, of triangles, and of faces smaller on one side."""
+    part = simple.STLReader(FileNames=[os.path.join(directory, "bracket.stl")])
+    scan = RemeshedPanel(bunny(directory), BUNNY_CAMERA, NumberOfFaces=2500)
+    scan.check(4, 0.98)
+    bracket = RemeshedPanel(
+        part, ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 0.85), NumberOfFaces=1500)
+    kind = bracket.check(4, 0.99)
+    assert np.count_nonzero(kind == 2) > 100 and np.count_nonzero(kind == 3) >= 8, kind
+    hexagonal = RemeshedPanel(producer(meshes.torus()), OBLIQUE, Element="Triangles",
+                              NumberOfFaces=3000)
+    hexagonal.check(3, 1.0)
+    for panel in (scan, bracket, hexagonal):
+        panel.check_irregular()
+    _, lengths = hexagonal.edges()
+    assert np.std(lengths) < 0.2 * np.mean(lengths), np.std(lengths) / np.mean(lengths)
+    sized = simple.Calculator(Input=bunny(directory), ResultArrayName="Size",
+                              Function="2^(-coordsY/9.66)")
+    sizing = RemeshedPanel(sized, BUNNY_CAMERA, SizingArray="Size", NumberOfFaces=2500)
+    sizing.check(4, 0.97)
+    middles, lengths = sizing.edges()
+    # Edges are as long as they are asked to be, but lines that do not end even that out a little.
+    slope = np.polyfit(-middles[:, 1] / 9.66, np.log2(lengths), 1)[0]
+    assert 0.6 < slope < 1.1, slope
+    return [scan, bracket, hexagonal, sizing]
+
+
 FIGURES = {
     "Stripes": stripes,
     "WhatItDoes": what_it_does,
+    "Remeshed": remeshed,
     "Symmetries": symmetries,
     "Energies": energies,
     "UnitLength": unit_length,
