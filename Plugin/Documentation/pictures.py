@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of the help pages: pvbatch pictures.py PLUGIN MESH"""
+"""Draws the pictures of the help pages: pvbatch pictures.py PLUGIN MESH
+
+remesh.png alone is not among them: it is three parts of the gallery's figure Remeshed."""
 import os
 import sys
 import tempfile
