@@ -15,6 +15,13 @@ namespace Placements
 {
 using namespace DirectionFields;
 
+inline EditOptions With(RotationObjective objective)
+{
+  EditOptions options;
+  options.Objective = objective;
+  return options;
+}
+
 inline Vector3 Middle(const Surface& surface, std::size_t t)
 {
   const Triangle& triangle = surface.Triangles[t];
