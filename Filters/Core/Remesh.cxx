@@ -13,8 +13,8 @@
 #include "Quads/FoldedQuads.h"
 #include "Quads/PreparedSurface.h"
 #include "Quads/QuadSplit.h"
-#include "Quads/SizeAdvice.h"
 #include "Quads/Seams.h"
+#include "Quads/SizeAdvice.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -479,8 +479,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     {
       advice.AddComponent(geometry, component, perLength);
     }
-    AppendAll(
-      CellsOf(input, *kept.Joints, options, progress.Part(AfterField, AfterCells), result),
+    AppendAll(CellsOf(input, *kept.Joints, options, progress.Part(AfterField, AfterCells), result),
       *kept.Joints, result, line, isBoundary);
     result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
     Faces faces{ result.Faces, result.Regular };
