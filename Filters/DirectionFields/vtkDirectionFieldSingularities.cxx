@@ -188,6 +188,12 @@ void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
     edited = this->EditField(
       surface, *refined.Editor, wanted, progress.Part(ProgressEdited, ProgressEdited), warnings);
   }
+  if (!edits->Surface->Mesh.Ghost.empty())
+  {
+    warnings.emplace_back(
+      "The surface is one of several pieces, and singularities of each are edited by themselves: fields do "
+      "not fit together at the seams. Edit the whole surface before it is distributed.");
+  }
   for (const std::string& warning : warnings)
   {
     vtkWarningMacro(<< warning);
