@@ -37,7 +37,8 @@ while begin < len(data):
     begin += size + 12
 assert len(set(zlib.decompress(pixels))) > 60, "an empty picture"
 
-# Each process says its number, waits until all have, and goes on to the field; the second one is killed.
+# Each process writes down its number, waits until all have, and goes on to the field; the second one is
+# killed. Their outputs would run into one another.
 script = os.path.join(output, "killed.py")
 with open(script, "w", encoding="utf-8") as text:
     text.write("""
@@ -45,27 +46,28 @@ import os, time
 from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 controller = vtkMultiProcessController.GetGlobalController()
-print("process", controller.GetLocalProcessId(), os.getpid(), flush=True)
 simple.LoadPlugin(%r, remote=False, ns=vars(simple))
+name = os.path.join(%r, "process%%d" %% controller.GetLocalProcessId())
+with open(name + ".new", "w") as file:
+    file.write(str(os.getpid()))
+os.rename(name + ".new", name)
 controller.Barrier()
 if controller.GetLocalProcessId() == 1:
     time.sleep(3600)
 field = simple.DirectionField(Input=simple.Sphere(ThetaResolution=100, PhiResolution=100))
 field.UpdatePipeline()
 print("a field without one of its pieces", flush=True)
-""" % plugin)
+""" % (plugin, output))
 running = subprocess.Popen([*batch, "--symmetric", script], text=True, stdout=subprocess.PIPE,
                            stderr=subprocess.STDOUT)
-pids = {}
-lines = []
-for line in running.stdout:
-    lines.append(line)
-    words = line.split()
-    if words[:1] == ["process"] and len(words) == 3:
-        pids[int(words[1])] = int(words[2])
-    if len(pids) == 2:
-        break
-assert len(pids) == 2, lines
+names = [os.path.join(output, "process%d" % k) for k in range(2)]
+began = time.time()
+while not all(map(os.path.exists, names)) and time.time() - began < 120.0:
+    time.sleep(0.1)
+pids = []
+for name in names:
+    with open(name, encoding="utf-8") as file:
+        pids.append(int(file.read()))
 time.sleep(3.0)
 began = time.time()
 os.kill(pids[1], signal.SIGKILL)

@@ -129,7 +129,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
   for (int k = 0; k <= mostRounds && isSplit; ++k)
   {
     this->Geometry.reset();
-    this->Geometry.emplace(*surface);
+    this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
     isSplit = k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings);
   }
 }

@@ -14,7 +14,6 @@
 #include "Surface.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -92,7 +91,7 @@ private:
   std::vector<UsedTriangle> Used;
   std::vector<std::array<Index, 2>> Middles;
   std::shared_ptr<const Surface> Prepared;
-  std::optional<SurfaceGeometry> Geometry;
+  std::unique_ptr<const SurfaceGeometry> Geometry;
   Repairs Repaired;
 };
 }
