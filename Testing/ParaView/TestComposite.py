@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Blocks, each with a field of its own: TestComposite.py PLUGIN"""
+"""Blocks, each with a field of its own and what is made of it: TestComposite.py PLUGIN"""
 import sys
 
 from paraview import servermanager
@@ -41,4 +41,41 @@ field = DirectionField(Input=GroupDatasets(Input=[blocks[0], ExtractSurface(Inpu
                        Degree=2)
 surfaces = servermanager.Fetch(field)
 assert figures(surfaces.GetBlock(0), servermanager.Fetch(field, idx=1).GetBlock(0)) == alone[0]
+
+
+def line_field(mesh):
+    return DirectionField(Input=mesh, Degree=2)
+
+
+def lines(mesh):
+    return DirectionFieldStreamlines(Input=line_field(mesh))
+
+
+def stripes(mesh):
+    return StripePattern(Input=line_field(mesh), Spacing=0.1)
+
+
+def remesh(mesh):
+    return FieldAlignedRemesh(Input=mesh, NumberOfFaces=300)
+
+
+def edit(mesh):
+    field = line_field(mesh)
+    return EditSingularities(Input=field, Singularities=OutputPort(field, 1))
+
+
+def sizes(data):
+    return data.GetNumberOfPoints(), data.GetNumberOfCells()
+
+
+# What one does with the fields gives of each block what it gives of it alone.
+for tool, ports in ((lines, 2), (stripes, 3), (remesh, 2), (edit, 2)):
+    singles = [tool(block) for block in blocks]
+    together = tool(GroupDatasets(Input=blocks))
+    for port in range(ports):
+        expected = [sizes(servermanager.Fetch(single, idx=port)) for single in singles]
+        assert port > 0 or all(cells > 0 for _, cells in expected), (tool.__name__, expected)
+        result = servermanager.Fetch(together, idx=port)
+        found = [sizes(result.GetBlock(k)) for k in range(len(blocks))]
+        assert found == expected, (tool.__name__, port, found, expected)
 print("passed")

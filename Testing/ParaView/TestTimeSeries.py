@@ -34,6 +34,20 @@ assert [f["Total"] for f in found] == [8, 8, 16, 8], found
 assert abs(found[0]["Eigenvalue"][0] / found[1]["Eigenvalue"][0] - 4.0) < 1e-4, found
 assert found[3] == found[0]
 
+# What one does with the field has the step that is asked for, also when time goes back.
+tools = (DirectionFieldStreamlines(Input=field), FieldAlignedRemesh(Input=field, NumberOfFaces=200),
+         StripePattern(Input=DirectionField(Input=series, Degree=2), Spacing=0.1),
+         EditSingularities(Input=field, Singularities=OutputPort(field, 1)))
+for tool in tools:
+    bounds = []
+    for time in (0.0, 1.0, 2.0, 0.0):
+        tool.UpdatePipeline(time)
+        bounds.append(servermanager.Fetch(tool).GetBounds())
+    ends = [bound[1] for bound in bounds]
+    assert all(abs(end - expected) < 0.05 * expected for end, expected in
+               zip(ends, (0.5, 1.0, 3.5, 0.5))), (tool, ends)
+    assert bounds[0] == bounds[3], (tool, bounds)
+
 # The animation asks for each of them, too.
 view = CreateRenderView()
 Show(field, view)
