@@ -1,9 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether the properties of a proxy are those of the C++ filter behind it."""
+import json
+import subprocess
 
 # A range that ends beyond this has no upper limit in C++, where it ends at VTK_DOUBLE_MAX.
 UNLIMITED = 1e299
+
+
+def printed(program, *filters):
+    """From name to the figures of each property, as the program prints them, for each of the filters."""
+    figures = json.loads(subprocess.check_output([program], text=True))
+    return [figures[name] for name in filters]
 
 
 def check_property(property, name, figures, enumerations):

@@ -2,17 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Edit Singularities in Python: TestEditSingularities.py PLUGIN PRINT_PROPERTIES DIRECTORY
 
-PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ class."""
-import json
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ classes."""
 import math
 import os
-import subprocess
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties
+from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 FOLDER = os.path.join(sys.argv[3], "EditSingularities")
@@ -38,7 +36,7 @@ def numbers(data, name):
 
 
 def test_properties():
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    [expected] = printed(sys.argv[2], "EditSingularities")
     edit = EditSingularities(Input=field(), Singularities=Sphere())
     check_properties(edit, expected, ENUMERATIONS, ["KeepStages"], others=("Input", "Singularities"))
     assert edit.SMProxy.GetXMLLabel() == "Edit Singularities"

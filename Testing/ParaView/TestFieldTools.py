@@ -3,16 +3,14 @@
 """Files, guidance from curves and comparison in Python: TestFieldTools.py PLUGIN PRINT_PROPERTIES DIRECTORY
 
 PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ classes."""
-import json
 import math
 import os
-import subprocess
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties, check_property
+from Properties import check_properties, check_property, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 FOLDER = os.path.join(sys.argv[3], "FieldTools")
@@ -51,8 +49,9 @@ def make(name):
 
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
-    for name, figures in expected.items():
+    names = ("ReadDirectionField", "DirectionFieldWriter", "GuidanceFromCurves",
+             "CompareDirectionFields")
+    for name, figures in zip(names, printed(sys.argv[2], *names)):
         proxy = make(name)
         enumerations = {"FieldOn": ENUMERATIONS.get(name)}
         if name == "DirectionFieldWriter":

@@ -2,16 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The glyph filter in Python: TestGlyphs.py PLUGIN PRINT_PROPERTIES STATE_FILE
 
-PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filter."""
-import json
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filters."""
 import os
-import subprocess
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties
+from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
@@ -35,7 +33,7 @@ def field_data(data, name):
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     _, glyphs = make()
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    [expected] = printed(sys.argv[2], "DirectionFieldGlyphs")
     check_properties(glyphs, expected, ENUMERATIONS, ADVANCED)
 
 

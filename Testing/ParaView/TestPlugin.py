@@ -2,15 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The plugin in Python: TestPlugin.py PLUGIN PRINT_PROPERTIES
 
-PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filter."""
-import json
-import subprocess
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filters."""
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties
+from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
@@ -39,7 +37,7 @@ ENUMERATIONS = {
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     field = DirectionField(Input=Sphere())
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    [expected] = printed(sys.argv[2], "DirectionField")
     check_properties(field, expected, ENUMERATIONS, ADVANCED)
     Delete(field)
 

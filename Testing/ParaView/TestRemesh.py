@@ -2,15 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The remesher in ParaView's Python: TestRemesh.py PLUGIN PRINT_PROPERTIES MESH
 
-PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filter."""
-import json
-import subprocess
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filters."""
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties
+from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
@@ -28,7 +26,7 @@ def number(data, name):
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     remesh = FieldAlignedRemesh(Input=Sphere())
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    [expected] = printed(sys.argv[2], "FieldAlignedRemesh")
     check_properties(remesh, expected, ENUMERATIONS, ADVANCED)
 
 

@@ -2,16 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filter for lines in Python: TestStreamlines.py PLUGIN PRINT_PROPERTIES STATE_FILE
 
-PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filter."""
-import json
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filters."""
 import os
-import subprocess
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties
+from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
@@ -34,7 +32,7 @@ def make(degree=4, **properties):
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     _, lines = make()
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    [expected] = printed(sys.argv[2], "DirectionFieldStreamlines")
     check_properties(lines, expected, ENUMERATIONS, ADVANCED, others=("Input", "SeedSource"))
     for name, seeds in SHOWN_FOR.items():
         decorator = lines.SMProxy.GetProperty(name).GetHints().FindNestedElementByName(

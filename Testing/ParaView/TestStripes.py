@@ -2,16 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stripes in ParaView's Python: TestStripes.py PLUGIN PRINT_PROPERTIES MESH OUTPUT
 
-PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filter."""
-import json
+PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ filters."""
 import os
-import subprocess
 import sys
 
 from paraview import servermanager
 from paraview.simple import *
 
-from Properties import check_properties
+from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
@@ -31,7 +29,7 @@ def length(lines):
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     stripes = StripePattern(Input=DirectionField(Input=Sphere(), Degree=2))
-    expected = json.loads(subprocess.check_output([sys.argv[2]], text=True))
+    [expected] = printed(sys.argv[2], "StripePattern")
     check_properties(stripes, expected, ENUMERATIONS, ADVANCED)
 
 

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Prints defaults and ranges of the filters' properties as JSON, by the names that the filters have in
+// ParaView, for comparison with the server manager's. Switches and names of arrays have no range, names that
+// are not set are null.
+
+#include "vtkCompareDirectionFields.h"
+#include "vtkDirectionFieldGlyphs.h"
+#include "vtkDirectionFieldReader.h"
+#include "vtkDirectionFieldSingularities.h"
+#include "vtkDirectionFieldStreamlines.h"
+#include "vtkDirectionFieldWriter.h"
+#include "vtkFieldAlignedRemesh.h"
+#include "vtkGuidanceCurves.h"
+#include "vtkPDirectionField.h"
+#include "vtkStripePattern.h"
+
+#include "vtkNew.h"
+
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <string>
+
+namespace
+{
+void PrintValue(double value)
+{
+  std::cout << value;
+}
+
+void PrintValue(const char* value)
+{
+  std::cout << (value ? '"' + std::string(value) + '"' : "null");
+}
+
+/// The properties of one filter.
+class Properties
+{
+public:
+  explicit Properties(const char* filter)
+  {
+    std::cout << (AnyFilter ? ",\n" : "{\n") << "\"" << filter << "\": ";
+    AnyFilter = true;
+  }
+  ~Properties() { std::cout << "}"; }
+  Properties(const Properties&) = delete;
+  Properties& operator=(const Properties&) = delete;
+
+  template <class Value>
+  void Print(const char* name, Value value)
+  {
+    this->Begin(name);
+    PrintValue(value);
+    std::cout << "}";
+  }
+
+  void Print(const char* name, double value, double least, double most)
+  {
+    this->Begin(name);
+    std::cout << value << ", \"min\": " << least << ", \"max\": " << most << "}";
+  }
+
+private:
+  void Begin(const char* name)
+  {
+    std::cout << (this->Any ? ",\n  \"" : "{\n  \"") << name << "\": {\"default\": ";
+    this->Any = true;
+  }
+
+  bool Any = false;
+  static bool AnyFilter;
+};
+bool Properties::AnyFilter = false;
+}
+
+#define VALUE(name) properties.Print(#name, filter->Get##name())
+#define RANGE(name)                                                                                \
+  properties.Print(                                                                                \
+    #name, filter->Get##name(), filter->Get##name##MinValue(), filter->Get##name##MaxValue())
+
+namespace
+{
+void PrintDirectionField()
+{
+  Properties properties("DirectionField");
+  vtkNew<vtkPDirectionField> filter;
+  RANGE(Degree);
+  RANGE(EnergyBias);
+  RANGE(Tolerance);
+  RANGE(MaximumIterations);
+  RANGE(Solver);
+  RANGE(NumberOfThreads);
+  VALUE(KeepStages);
+  RANGE(GatherLimit);
+  RANGE(MergePoints);
+  VALUE(IntrinsicDelaunay);
+  VALUE(CellDirections);
+  VALUE(UnitLength);
+  RANGE(SingularityCost);
+  RANGE(Alignment);
+  RANGE(CurvatureDirection);
+  RANGE(CurvatureScale);
+  RANGE(AlignmentStrength);
+  VALUE(UseShift);
+  RANGE(Shift);
+  VALUE(GuidanceVectors);
+  VALUE(GuidanceWeights);
+  VALUE(ConstrainBoundary);
+  VALUE(ConstrainSharpEdges);
+  RANGE(FeatureAngle);
+  RANGE(MinimumFeatureLength);
+  VALUE(ConstrainCurvature);
+  RANGE(CurvatureTolerance);
+  RANGE(ConsistencyAngle);
+  VALUE(DropConstraintsAtSingularities);
+  VALUE(ConstrainGuidance);
+  RANGE(ConstraintSolver);
+}
+
+void PrintGlyphs()
+{
+  Properties properties("DirectionFieldGlyphs");
+  vtkNew<vtkDirectionFieldGlyphs> filter;
+  RANGE(GlyphType);
+  RANGE(GlyphMode);
+  RANGE(Side);
+  RANGE(Spacing);
+  RANGE(MaximumNumberOfGlyphs);
+  RANGE(Scale);
+  RANGE(Offset);
+  VALUE(FollowSurface);
+}
+
+void PrintStreamlines()
+{
+  Properties properties("DirectionFieldStreamlines");
+  vtkNew<vtkDirectionFieldStreamlines> filter;
+  RANGE(SeedType);
+  RANGE(SeparatingDistance);
+  RANGE(SeparatingDistanceRatio);
+  RANGE(MaximumStreamlineLength);
+  RANGE(MinimumStreamlineLength);
+  RANGE(IntegrationDirection);
+  RANGE(MaximumNumberOfLines);
+  RANGE(Offset);
+  VALUE(StopAtCrossings);
+}
+
+void PrintRemesh()
+{
+  Properties properties("FieldAlignedRemesh");
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  RANGE(Element);
+  VALUE(PureQuads);
+  RANGE(SizeMode);
+  RANGE(NumberOfFaces);
+  RANGE(EdgeLength);
+  VALUE(KeepFeatures);
+  RANGE(FeatureAngle);
+  RANGE(SmoothingIterations);
+  VALUE(KeepStages);
+  RANGE(NumberOfThreads);
+  VALUE(SizingArray);
+}
+
+void PrintStripes()
+{
+  Properties properties("StripePattern");
+  vtkNew<vtkStripePattern> filter;
+  RANGE(StripeDirection);
+  RANGE(Spacing);
+  RANGE(LineOffset);
+  VALUE(Bands);
+  VALUE(TextureCoordinates);
+  VALUE(SpacingArray);
+}
+
+void PrintEdit()
+{
+  Properties properties("EditSingularities");
+  vtkNew<vtkDirectionFieldSingularities> filter;
+  RANGE(SingularityMode);
+  RANGE(Objective);
+  VALUE(BalanceAutomatically);
+  VALUE(RefineWhereNeeded);
+  VALUE(KeepConstraints);
+  RANGE(Alignment);
+  RANGE(AlignmentStrength);
+  VALUE(KeepStages);
+  VALUE(GuidanceVectors);
+  VALUE(GuidanceWeights);
+}
+
+void PrintReader()
+{
+  Properties properties("ReadDirectionField");
+  vtkNew<vtkDirectionFieldReader> filter;
+  RANGE(FieldOn);
+}
+
+void PrintWriter()
+{
+  Properties properties("DirectionFieldWriter");
+  vtkNew<vtkDirectionFieldWriter> filter;
+  RANGE(FieldOn);
+  RANGE(FeatureAngle);
+  RANGE(MinimumFeatureLength);
+}
+
+void PrintCurves()
+{
+  Properties properties("GuidanceFromCurves");
+  vtkNew<vtkGuidanceCurves> filter;
+  RANGE(Degree);
+  RANGE(Radius);
+  RANGE(Falloff);
+  RANGE(MaximumDistance);
+}
+
+void PrintComparison()
+{
+  Properties properties("CompareDirectionFields");
+  vtkNew<vtkCompareDirectionFields> filter;
+  VALUE(MatchSingularities);
+  VALUE(DivergenceAndCurl);
+}
+}
+
+int main()
+{
+  std::cout << std::setprecision(std::numeric_limits<double>::max_digits10);
+  PrintDirectionField();
+  PrintGlyphs();
+  PrintStreamlines();
+  PrintRemesh();
+  PrintStripes();
+  PrintEdit();
+  PrintReader();
+  PrintWriter();
+  PrintCurves();
+  PrintComparison();
+  std::cout << "\n}\n";
+  return 0;
+}
