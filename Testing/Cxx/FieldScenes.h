@@ -8,11 +8,16 @@
 
 #include "Checks.h"
 
+#include "vtkDirectionField.h"
+
 #include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -59,6 +64,46 @@ inline void Turn(vtkPolyData* field, int degree, double angle)
   }
 }
 
+/// A field to the given tolerance, turned by 10 degrees where a picture is to differ.
+inline vtkSmartPointer<vtkPolyData> TurnedField(
+  vtkPolyData* mesh, int degree, double tolerance, bool turned)
+{
+  vtkNew<vtkDirectionField> filter;
+  filter->SetInputData(mesh);
+  filter->SetDegree(degree);
+  filter->SetTolerance(tolerance);
+  filter->SetMaximumIterations(2000);
+  filter->Update();
+  auto field = vtkSmartPointer<vtkPolyData>::New();
+  field->DeepCopy(filter->GetOutput());
+  Turn(field, degree, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
+  return field;
+}
+
+/// The sum of the lengths that lines have as cell data.
+inline double TotalLength(vtkPolyData* lines)
+{
+  vtkDataArray* lengths = lines->GetCellData()->GetArray("Length");
+  double total = 0.0;
+  for (vtkIdType i = 0; lengths && i < lengths->GetNumberOfTuples(); ++i)
+  {
+    total += lengths->GetTuple1(i);
+  }
+  return total;
+}
+
+/// Where a surface is seen from.
+struct View
+{
+  double Position[3];
+  double FocalPoint[3];
+  double ViewUp[3];
+  /// Half the height of the view.
+  double Scale;
+};
+
+constexpr View ViewOfBumpySphere{ { 4.0, -6.0, 3.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 1.13 };
+
 /// Adds a shape without colors.
 inline vtkSmartPointer<vtkActor> Add(vtkRenderer* renderer, vtkPolyData* shape)
 {
@@ -69,6 +114,19 @@ inline vtkSmartPointer<vtkActor> Add(vtkRenderer* renderer, vtkPolyData* shape)
   actor->SetMapper(mapper);
   renderer->AddActor(actor);
   return actor;
+}
+
+/// Adds a quiet surface that what is drawn on it stands out from.
+inline void AddSurface(vtkRenderer* renderer, vtkPolyData* mesh)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(mesh);
+  normals->SetFeatureAngle(40.0);
+  normals->Update();
+  auto surface = Add(renderer, normals->GetOutput());
+  surface->GetProperty()->SetColor(0.93, 0.91, 0.87);
+  surface->GetProperty()->SetAmbient(0.15);
+  surface->GetProperty()->SetDiffuse(0.85);
 }
 }
 

@@ -13,14 +13,12 @@
 #include "FieldScenes.h"
 #include "Pictures.h"
 
-#include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkPLYReader.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
@@ -39,11 +37,7 @@ struct Scene
 {
   PolyMeshes::Mesh Mesh;
   int Glyphs;
-  double Position[3];
-  double FocalPoint[3];
-  double ViewUp[3];
-  /// Half the height of the view.
-  double Scale;
+  FieldScenes::View View;
 };
 
 /// A coarse surface with a sharp valley and a sharp ridge.
@@ -60,28 +54,29 @@ Scene MakeScene(const std::string& mesh)
 {
   if (mesh == "bumpy")
   {
-    return { BumpySphere(), 320, { 4.0, -6.0, 3.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 1.13 };
+    return { BumpySphere(), 320, ViewOfBumpySphere };
   }
   if (mesh == "valley")
   {
-    return { Valley(), 90, { 0.5, -3.0, 5.0 }, { 0.0, 0.0, 0.35 }, { 0.0, 1.0, 0.0 }, 1.75 };
+    return { Valley(), 90, { { 0.5, -3.0, 5.0 }, { 0.0, 0.0, 0.35 }, { 0.0, 1.0, 0.0 }, 1.75 } };
   }
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(mesh.c_str());
   reader->Update();
-  Scene scene = { reader->GetOutput(), 800, {}, {}, { 0.0, 1.0, 0.0 }, 0.0 };
+  Scene scene = { reader->GetOutput(), 800, { {}, {}, { 0.0, 1.0, 0.0 }, 0.0 } };
+  View& view = scene.View;
   double bounds[6];
   scene.Mesh->GetBounds(bounds);
   const double height = bounds[3] - bounds[2];
   for (int c = 0; c < 3; ++c)
   {
-    scene.FocalPoint[c] = (bounds[2 * c] + bounds[2 * c + 1]) / 2.0;
-    scene.Position[c] = scene.FocalPoint[c];
+    view.FocalPoint[c] = (bounds[2 * c] + bounds[2 * c + 1]) / 2.0;
+    view.Position[c] = view.FocalPoint[c];
   }
-  scene.Position[2] += 5.0 * height;
-  scene.Position[0] += 0.6 * height;
-  scene.Position[1] += 1.0 * height;
-  scene.Scale = 0.56 * height;
+  view.Position[2] += 5.0 * height;
+  view.Position[0] += 0.6 * height;
+  view.Position[1] += 1.0 * height;
+  view.Scale = 0.56 * height;
   return scene;
 }
 
@@ -95,19 +90,12 @@ vtkSmartPointer<vtkImageData> Draw(const Scene& scene, vtkPolyData* glyphs)
 {
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(scene.Mesh);
-  normals->SetFeatureAngle(40.0);
-  normals->Update();
-  auto surface = Add(renderer, normals->GetOutput());
-  surface->GetProperty()->SetColor(0.93, 0.91, 0.87);
-  surface->GetProperty()->SetAmbient(0.15);
-  surface->GetProperty()->SetDiffuse(0.85);
+  AddSurface(renderer, scene.Mesh);
   auto shapes = Add(renderer, glyphs);
   shapes->GetProperty()->SetColor(0.0, 0.30, 0.40);
   shapes->GetProperty()->SetAmbient(0.3);
   shapes->GetProperty()->SetLineWidth(3.0);
-  return Pictures::Draw(renderer.GetPointer(), scene, WindowSize);
+  return Pictures::Draw(renderer.GetPointer(), scene.View, WindowSize);
 }
 }
 
@@ -124,15 +112,7 @@ int TestDirectionFieldGlyphsImage(int argc, char* argv[])
   const std::string output = argv[5];
   const bool turned = argc > 6 && std::string(argv[6]) == "turned";
 
-  vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(scene.Mesh);
-  filter->SetDegree(degree);
-  filter->SetTolerance(1e-8);
-  filter->SetMaximumIterations(2000);
-  filter->Update();
-  vtkNew<vtkPolyData> field;
-  field->DeepCopy(filter->GetOutput());
-  Turn(field, degree, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
+  const auto field = TurnedField(scene.Mesh, degree, 1e-8, turned);
 
   vtkNew<vtkDirectionFieldGlyphs> glyphs;
   glyphs->SetInputData(field);

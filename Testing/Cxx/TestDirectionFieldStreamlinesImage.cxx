@@ -12,11 +12,9 @@
 #include "FieldScenes.h"
 #include "Pictures.h"
 
-#include "vtkDirectionField.h"
 #include "vtkDirectionFieldStreamlines.h"
 
 #include "vtkImageData.h"
-#include "vtkPolyDataNormals.h"
 
 #include <cstdlib>
 
@@ -28,32 +26,16 @@ namespace
 constexpr int WindowSize = 600;
 constexpr Pictures::Limits Limits{ 0.25, 0.5 };
 
-struct Scene
-{
-  double Position[3];
-  double FocalPoint[3];
-  double ViewUp[3];
-  /// Half the height of the view.
-  double Scale;
-};
-
 vtkSmartPointer<vtkImageData> Draw(vtkPolyData* mesh, vtkPolyData* lines)
 {
-  const Scene scene = { { 4.0, -6.0, 3.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 1.13 };
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->Update();
-  auto surface = Add(renderer, normals->GetOutput());
-  surface->GetProperty()->SetColor(0.93, 0.91, 0.87);
-  surface->GetProperty()->SetAmbient(0.15);
-  surface->GetProperty()->SetDiffuse(0.85);
+  AddSurface(renderer, mesh);
   auto drawn = Add(renderer, lines);
   drawn->GetProperty()->SetColor(0.0, 0.30, 0.40);
   drawn->GetProperty()->LightingOff();
   drawn->GetProperty()->SetLineWidth(2.0);
-  return Pictures::Draw(renderer.GetPointer(), scene, WindowSize);
+  return Pictures::Draw(renderer.GetPointer(), ViewOfBumpySphere, WindowSize);
 }
 }
 
@@ -68,15 +50,7 @@ int TestDirectionFieldStreamlinesImage(int argc, char* argv[])
   const std::string seeds = argv[2];
   const bool turned = argc > 5 && std::string(argv[5]) == "turned";
   const auto mesh = BumpySphere();
-  vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(mesh);
-  filter->SetDegree(degree);
-  filter->SetTolerance(1e-10);
-  filter->SetMaximumIterations(2000);
-  filter->Update();
-  vtkNew<vtkPolyData> field;
-  field->DeepCopy(filter->GetOutput());
-  Turn(field, degree, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
+  const auto field = TurnedField(mesh, degree, 1e-10, turned);
 
   vtkNew<vtkDirectionFieldStreamlines> lines;
   lines->SetInputData(field);
@@ -86,12 +60,7 @@ int TestDirectionFieldStreamlinesImage(int argc, char* argv[])
   lines->SetMaximumStreamlineLength(seeds == "Singularities" ? 4.0 : 0.0);
   lines->Update();
   vtkPolyData* output = lines->GetOutput(0);
-  double length = 0.0;
-  vtkDataArray* lengths = output->GetCellData()->GetArray("Length");
-  for (vtkIdType i = 0; i < lengths->GetNumberOfTuples(); ++i)
-  {
-    length += lengths->GetTuple1(i);
-  }
+  const double length = TotalLength(output);
   std::cout << output->GetNumberOfLines() << " lines of length " << length << std::endl;
   if (seeds == "Evenly")
   {

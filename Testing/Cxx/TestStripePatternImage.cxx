@@ -12,7 +12,6 @@
 #include "FieldScenes.h"
 #include "Pictures.h"
 
-#include "vtkDirectionField.h"
 #include "vtkStripePattern.h"
 
 #include "vtkImageData.h"
@@ -31,18 +30,8 @@ namespace
 constexpr int WindowSize = 600;
 constexpr Pictures::Limits Limits{ 0.5, 3.0 };
 
-struct Scene
-{
-  double Position[3];
-  double FocalPoint[3];
-  double ViewUp[3];
-  /// Half the height of the view.
-  double Scale;
-};
-
 vtkSmartPointer<vtkImageData> Draw(vtkPolyData* bands, vtkPolyData* lines)
 {
-  const Scene scene = { { 4.0, -6.0, 3.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 1.13 };
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
   vtkNew<vtkLookupTable> colors;
@@ -60,7 +49,7 @@ vtkSmartPointer<vtkImageData> Draw(vtkPolyData* bands, vtkPolyData* lines)
   drawn->GetProperty()->SetColor(0.0, 0.24, 0.30);
   drawn->GetProperty()->SetLineWidth(3.0);
   drawn->GetProperty()->RenderLinesAsTubesOn();
-  return Pictures::Draw(renderer.GetPointer(), scene, WindowSize);
+  return Pictures::Draw(renderer.GetPointer(), ViewOfBumpySphere, WindowSize);
 }
 }
 
@@ -73,15 +62,7 @@ int TestStripePatternImage(int argc, char* argv[])
   }
   const int degree = std::atoi(argv[1]);
   const bool turned = argc > 5 && std::string(argv[5]) == "turned";
-  vtkNew<vtkDirectionField> filter;
-  filter->SetInputData(BumpySphere());
-  filter->SetDegree(degree);
-  filter->SetTolerance(1e-10);
-  filter->SetMaximumIterations(2000);
-  filter->Update();
-  vtkNew<vtkPolyData> field;
-  field->DeepCopy(filter->GetOutput());
-  Turn(field, degree, turned ? vtkMath::RadiansFromDegrees(10.0) : 0.0);
+  const auto field = TurnedField(BumpySphere(), degree, 1e-10, turned);
 
   vtkNew<vtkStripePattern> stripes;
   stripes->SetInputData(field);
@@ -89,12 +70,7 @@ int TestStripePatternImage(int argc, char* argv[])
                                                               : vtkStripePattern::ACROSS_FIELD);
   stripes->Update();
   vtkPolyData* lines = stripes->GetOutput(0);
-  double length = 0.0;
-  vtkDataArray* lengths = lines->GetCellData()->GetArray("Length");
-  for (vtkIdType i = 0; i < lengths->GetNumberOfTuples(); ++i)
-  {
-    length += lengths->GetTuple1(i);
-  }
+  const double length = TotalLength(lines);
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(stripes->GetOutput(1));
   vtkNew<vtkMassProperties> properties;
