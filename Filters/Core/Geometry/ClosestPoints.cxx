@@ -11,11 +11,7 @@
 
 namespace DirectionFields::Internal
 {
-namespace
-{
-/// Weights of the point of a triangle that is closest to a place (C. Ericson: Real-Time Collision
-/// Detection, 2005, section 5.1.5).
-std::array<double, 3> ClosestWeights(const Vector3& p, const ClosestPoints::Corners& t)
+std::array<double, 3> ClosestPoints::ClosestWeights(const Vector3& p, const Corners& t)
 {
   const Vector3 ab = t[1] - t[0];
   const Vector3 ac = t[2] - t[0];
@@ -60,7 +56,6 @@ std::array<double, 3> ClosestWeights(const Vector3& p, const ClosestPoints::Corn
   }
   const double sum = va + vb + vc;
   return { va / sum, vb / sum, vc / sum };
-}
 }
 
 ClosestPoints::ClosestPoints(const std::vector<Corners>& triangles)

@@ -38,6 +38,10 @@ public:
   Answer Find(const Vector3& place, const Vector3& normal = Vector3::Zero(),
     double distance = std::numeric_limits<double>::infinity()) const;
 
+  /// Weights of the point of a triangle that is closest to a place (C. Ericson: Real-Time Collision
+  /// Detection, 2005, section 5.1.5). Squares of the coordinates must neither overflow nor vanish.
+  static std::array<double, 3> ClosestWeights(const Vector3& p, const Corners& t);
+
 private:
   static constexpr Index Width = 4;
   /// The boxes of Width nodes of the level below, or triangles.

@@ -74,7 +74,7 @@ const PoissonSolver& ComponentRotation::GetSolver()
 {
   if (!this->Solver)
   {
-    this->Solver.emplace(this->Geometry, this->Component, this->Groups);
+    this->Solver.emplace(this->Forms, this->Groups);
   }
   return *this->Solver;
 }
@@ -368,17 +368,6 @@ TurnedField ComponentRotation::Turn(const RotationTarget& target, const Progress
   field.TurningNumbers =
     TurningNumbersOf(this->Geometry, this->Component, this->Degree, this->Forest, field.Rotation);
   return field;
-}
-
-Eigen::VectorXd ComponentRotation::VertexAreas() const
-{
-  const TriangleMesh& mesh = this->Geometry.Mesh;
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Component.Vertices());
-  for (Index h = 3 * this->Component.FirstTriangle; h < 3 * this->Component.EndTriangle; ++h)
-  {
-    areas[mesh.Tail(h) - this->Component.FirstVertex] += this->Geometry.Lengths.Area[h / 3] / 3.0;
-  }
-  return areas;
 }
 
 ComplexVector ComponentRotation::SectionOf(const TurnedField& field) const

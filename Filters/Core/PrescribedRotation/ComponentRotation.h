@@ -98,8 +98,6 @@ public:
   RigidSets MakeRigid(const RotationTarget& target, const EdgeForm& form,
     const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
     const Eigen::VectorXd* groupValues) const;
-  /// A third of the area of the triangles at each vertex, in unit^2.
-  Eigen::VectorXd VertexAreas() const;
 
   /// More loops than this keep the turning numbers of the base.
   static constexpr std::size_t MostLoops = 64;

@@ -35,6 +35,17 @@ EdgeForms::EdgeForms(const IntrinsicGeometry& geometry, const TriangleMesh::Comp
     });
 }
 
+Eigen::VectorXd EdgeForms::VertexAreas() const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Component.Vertices());
+  for (Index h = 3 * this->Component.FirstTriangle; h < 3 * this->Component.EndTriangle; ++h)
+  {
+    areas[mesh.Tail(h) - this->Component.FirstVertex] += this->Geometry.Lengths.Area[h / 3] / 3.0;
+  }
+  return areas;
+}
+
 double EdgeForms::Product(const EdgeForm& a, const EdgeForm& b) const
 {
   return ParallelSum(this->Component.Edges(), LightPiece, 0.0,

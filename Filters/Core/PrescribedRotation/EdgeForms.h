@@ -47,6 +47,8 @@ public:
       this->Along(form, 3 * triangle + 2);
   }
   double Weight(Index localEdge) const { return this->Weights[localEdge]; }
+  /// A third of the area of the triangles at each vertex, in unit^2.
+  Eigen::VectorXd VertexAreas() const;
   double Product(const EdgeForm& a, const EdgeForm& b) const;
   /// What flows into each vertex: the sum over its edges of weight times form, along those that end in it.
   Eigen::VectorXd Inflow(const EdgeForm& form) const;

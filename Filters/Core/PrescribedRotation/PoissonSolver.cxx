@@ -3,12 +3,11 @@
 
 #include "PrescribedRotation/PoissonSolver.h"
 
-#include "Sections/Assembly.h"
-#include "Solvers/Matrices/SparseProducts.h"
+#include "Solvers/Laplacian/LaplacianCycle.h"
 #include "Solvers/Matrices/VectorOperations.h"
 #include "Solvers/Systems/ConjugateGradientLoop.h"
-#include "Solvers/Systems/CyclePreconditioner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,35 +17,32 @@ namespace
 {
 constexpr int MostSteps = 400;
 
-/// The operators among the unknowns: rows and columns of the vertices of a group are added up.
-Operators Joined(Operators&& operators, const GivenGroups& groups)
+/// The vertices of a group are one row.
+GraphLaplacian LaplacianOf(const EdgeForms& forms, const GivenGroups& groups)
 {
-  if (groups.Unknown.empty())
+  const TriangleMesh& mesh = forms.GetMesh();
+  const TriangleMesh::Component& component = forms.GetComponent();
+  GraphLaplacian laplacian(groups.NumberOfUnknowns, component.Edges(),
+    [&](Index e)
+    {
+      const Index h = mesh.HalfEdge(component.FirstEdge + e);
+      return GraphLaplacian::Edge{ groups.UnknownOf(forms.LocalTail(h)),
+        groups.UnknownOf(forms.LocalHead(h)), forms.Weight(e) };
+    });
+  if (!groups.Unknown.empty())
   {
-    return std::move(operators);
+    laplacian.Merge();
   }
-  std::vector<Eigen::Triplet<Complex, Index>> ones;
-  for (std::size_t v = 0; v < groups.Unknown.size(); ++v)
-  {
-    ones.emplace_back(static_cast<Index>(v), groups.Unknown[v], 1.0);
-  }
-  SparseMatrix toUnknowns(static_cast<Index>(groups.Unknown.size()), groups.NumberOfUnknowns);
-  toUnknowns.setFromTriplets(ones.begin(), ones.end());
-  const SparseMatrix fromVertices = toUnknowns.adjoint();
-  Operators joined;
-  joined.Energy = SparseProduct(fromVertices, SparseProduct(operators.Energy, toUnknowns));
-  joined.Mass = SparseProduct(fromVertices, SparseProduct(operators.Mass, toUnknowns));
-  return joined;
+  return laplacian;
 }
 
-/// A third of the area at each row: each triangle has a sixth of its area at three places of the diagonal.
-Eigen::VectorXd AreasOf(const Operators& operators, const GivenGroups& groups)
+Eigen::VectorXd AreasOf(const EdgeForms& forms, const GivenGroups& groups)
 {
+  const Eigen::VectorXd ofVertices = forms.VertexAreas();
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(groups.NumberOfUnknowns);
-  const Eigen::VectorXcd diagonal = operators.Mass.diagonal();
-  for (Index v = 0; v < static_cast<Index>(diagonal.size()); ++v)
+  for (Index v = 0; v < static_cast<Index>(ofVertices.size()); ++v)
   {
-    areas[groups.UnknownOf(v)] += 2.0 * diagonal[v].real();
+    areas[groups.UnknownOf(v)] += ofVertices[v];
   }
   return areas;
 }
@@ -59,24 +55,17 @@ double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 }
 }
 
-PoissonSolver::PoissonSolver(const IntrinsicGeometry& geometry,
-  const TriangleMesh::Component& component, const GivenGroups& groups)
-  : PoissonSolver(AssembleOperators(geometry, component, 0, 0.0), groups)
-{
-}
-
-PoissonSolver::PoissonSolver(Operators&& operators, const GivenGroups& groups)
+PoissonSolver::PoissonSolver(const EdgeForms& forms, const GivenGroups& groups)
   : Unknown(groups.Unknown)
-  , Areas(AreasOf(operators, groups))
+  , Areas(AreasOf(forms, groups))
   , Area(this->Areas.sum())
-  , Laplacian((operators = Joined(std::move(operators), groups)), 1.0, 0.0)
-  , Hierarchy(operators, 2.0 * Pi / this->Area, LeftOver::Drop)
+  , Hierarchy(LaplacianOf(forms, groups), this->Areas)
 {
 }
 
 /// Conjugate gradients among the values that the sets leave open. Residuals are projected to them before and after
-/// the V-cycle: the few conditions cost a few more steps, and the hierarchy stays the same whatever they are. Directions are
-/// kept in single precision, with the products of what they are then; values and residuals in double precision.
+/// the V-cycle: the few conditions cost a few more steps, and the hierarchy stays the same whatever they are. The cycle is
+/// in single precision, all else in double precision.
 class PoissonSolver::Iteration
 {
 public:
@@ -85,18 +74,17 @@ public:
     , Given(problem)
     , Values(values)
     , Cycles(solver.Hierarchy,
-        problem.Diagonal ? std::max(0.0, problem.Diagonal->sum() / solver.Area) : 0.0, Lowest)
+        problem.Diagonal ? std::max(0.0, problem.Diagonal->sum() / solver.Area) : 0.0)
     , Residual(problem.RightHandSide)
+    , Direction(values.size())
+    , Unit(values.size())
     , Corrected(values.size())
-    , Direction(static_cast<std::size_t>(values.size()))
-    , Compact(static_cast<std::size_t>(values.size()))
+    , Image(values.size())
   {
     if (values.cwiseAbs().maxCoeff() > 0.0)
     {
-      const ComplexVector start = values.cast<Complex>();
-      Resize(this->Image, values.size());
-      solver.Laplacian.Multiply(start, this->Image);
-      this->Residual -= this->Image.real();
+      solver.GetLaplacian().Multiply(values, this->Image);
+      this->Residual -= this->Image;
       if (problem.Diagonal)
       {
         this->Residual -= problem.Diagonal->cwiseProduct(values);
@@ -119,65 +107,57 @@ public:
 
   double Precondition()
   {
-    const double unit = this->Left;
     ForRows(this->Residual,
       [&](Index begin, Index end)
       {
         for (Index v = begin; v < end; ++v)
         {
-          this->Compact[v] = CompactComplex(static_cast<float>(this->Residual[v] / unit), 0.0F);
+          this->Unit[v] = static_cast<float>(this->Residual[v] / this->Left);
         }
       });
-    const CyclePreconditioner::Result result = this->Cycles.Apply(this->Compact);
-    const double product =
-      ParallelSum<double>(static_cast<Index>(this->Corrected.size()), VectorPiece, 0.0,
-        [&](Index begin, Index end)
+    this->Cycles.Apply(this->Unit, this->Corrected);
+    Eigen::Map<Eigen::VectorXf> corrected(
+      this->Corrected.data(), static_cast<Eigen::Index>(this->Corrected.size()));
+    this->Project(corrected);
+    return ParallelSum<double>(static_cast<Index>(this->Corrected.size()), VectorPiece, 0.0,
+      [&](Index begin, Index end)
+      {
+        double sum = 0.0;
+        for (Index v = begin; v < end; ++v)
         {
-          double sum = 0.0;
-          for (Index v = begin; v < end; ++v)
-          {
-            const double z = unit * result(v).real();
-            this->Corrected[v] = z;
-            sum += this->Residual[v] * z;
-          }
-          return sum;
-        });
-    // The residual is projected already, hence its product with the projected vector is the same.
-    this->Project(this->Corrected);
-    return product;
+          sum += this->Residual[v] * static_cast<double>(this->Corrected[v]);
+        }
+        return this->Left * sum;
+      });
   }
 
   void SetDirection(double keep)
   {
-    ForRows(this->Corrected,
+    ForRows(this->Direction,
       [&](Index begin, Index end)
       {
         for (Index v = begin; v < end; ++v)
         {
-          const double next = keep == 0.0
-            ? this->Corrected[v]
-            : this->Corrected[v] + keep * static_cast<double>(this->Direction[v].real());
-          this->Direction[v] = CompactComplex(static_cast<float>(next), 0.0F);
+          const double corrected = this->Left * static_cast<double>(this->Corrected[v]);
+          this->Direction[v] = keep == 0.0 ? corrected : corrected + keep * this->Direction[v];
         }
       });
   }
 
   double FindCurvature()
   {
-    Resize(this->Image, this->Corrected.size());
-    double curvature = this->Solver.Laplacian.Multiply(this->Direction, this->Image);
+    double curvature = this->Solver.GetLaplacian().Multiply(this->Direction, this->Image);
     if (this->Given.Diagonal)
     {
-      curvature += ParallelSum<double>(static_cast<Index>(this->Corrected.size()), VectorPiece, 0.0,
+      curvature += ParallelSum<double>(static_cast<Index>(this->Direction.size()), VectorPiece, 0.0,
         [&](Index begin, Index end)
         {
           double sum = 0.0;
           for (Index v = begin; v < end; ++v)
           {
-            const double x = this->Direction[v].real();
-            const double product = (*this->Given.Diagonal)[v] * x;
+            const double product = (*this->Given.Diagonal)[v] * this->Direction[v];
             this->Image[v] += product;
-            sum += product * x;
+            sum += product * this->Direction[v];
           }
           return sum;
         });
@@ -192,8 +172,8 @@ public:
       {
         for (Index v = begin; v < end; ++v)
         {
-          this->Values[v] += step * static_cast<double>(this->Direction[v].real());
-          this->Residual[v] -= step * this->Image[v].real();
+          this->Values[v] += step * this->Direction[v];
+          this->Residual[v] -= step * this->Image[v];
         }
       });
     this->Project(this->Residual);
@@ -203,7 +183,8 @@ public:
 
 private:
   /// To the residuals and steps that change nothing that is given.
-  void Project(Eigen::VectorXd& x) const
+  template <typename Vector>
+  void Project(Vector&& x) const
   {
     if (this->Given.Rigid)
     {
@@ -213,7 +194,7 @@ private:
     {
       for (const Index unknown : *this->Given.Held)
       {
-        x[unknown] = 0.0;
+        x[unknown] = 0;
       }
     }
   }
@@ -221,15 +202,14 @@ private:
   const PoissonSolver& Solver;
   const Problem& Given;
   Eigen::VectorXd& Values;
-  static inline const LowestSections Lowest = {};
-  CyclePreconditioner Cycles;
+  LaplacianCycle Cycles;
   Eigen::VectorXd Residual;
-  /// What a V-cycle makes of the residual.
-  Eigen::VectorXd Corrected;
-  CompactVector Direction;
-  CompactVector Compact;
+  Eigen::VectorXd Direction;
+  /// The residual over its length, and what a V-cycle makes of it.
+  LargeArray<float> Unit;
+  LargeArray<float> Corrected;
   /// The product of matrix and direction.
-  ComplexVector Image;
+  Eigen::VectorXd Image;
   double Size;
   double Left;
   int Steps = 0;

@@ -4,24 +4,22 @@
 #ifndef DirectionFields_PoissonSolver_h
 #define DirectionFields_PoissonSolver_h
 
-#include "Geometry/IntrinsicGeometry.h"
+#include "PrescribedRotation/EdgeForms.h"
 #include "PrescribedRotation/GivenGroups.h"
 #include "PrescribedRotation/RigidSets.h"
 #include "Progress.h"
-#include "Solvers/Matrices/CombinedMatrix.h"
-#include "Solvers/Multigrid/Hierarchy.h"
+#include "Solvers/Laplacian/LaplacianHierarchy.h"
 
-#include <memory>
+#include <vector>
 
 namespace DirectionFields::Internal
 {
-/// Numbers over the unknowns of one component (see GivenGroups), and the Laplacian of the cotangent weights on them:
-/// the energy of sections of degree 0, whose hierarchy is made once for all right-hand sides.
+/// Numbers over the unknowns of one component (see GivenGroups), and the Laplacian of the edges' weights on them,
+/// whose hierarchy is made once for all right-hand sides.
 class PoissonSolver
 {
 public:
-  PoissonSolver(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
-    const GivenGroups& groups);
+  PoissonSolver(const EdgeForms& forms, const GivenGroups& groups);
 
   struct Problem
   {
@@ -52,14 +50,13 @@ public:
   Eigen::VectorXd Spread(const Eigen::VectorXd& unknowns) const;
 
 private:
-  PoissonSolver(Operators&& operators, const GivenGroups& groups);
   class Iteration;
+  const SweptLaplacian& GetLaplacian() const { return this->Hierarchy.GetLevels().front().Matrix; }
 
   std::vector<Index> Unknown;
   Eigen::VectorXd Areas;
   double Area;
-  CombinedMatrix Laplacian;
-  DirectionFields::Hierarchy Hierarchy;
+  LaplacianHierarchy Hierarchy;
 };
 }
 

@@ -101,7 +101,8 @@ void RigidSets::Satisfy(Eigen::VectorXd& values) const
   }
 }
 
-void RigidSets::Average(Eigen::VectorXd& values) const
+template <typename Vector>
+void RigidSets::AverageSets(Vector& values) const
 {
   for (std::size_t k = 0; k + 1 < this->Begin.size(); ++k)
   {
@@ -113,8 +114,18 @@ void RigidSets::Average(Eigen::VectorXd& values) const
     const double mean = sum / (this->Begin[k + 1] - this->Begin[k]);
     for (Index m = this->Begin[k]; m < this->Begin[k + 1]; ++m)
     {
-      values[this->Members[m]] = mean;
+      values[this->Members[m]] = static_cast<typename Vector::Scalar>(mean);
     }
   }
+}
+
+void RigidSets::Average(Eigen::Ref<Eigen::VectorXd> values) const
+{
+  this->AverageSets(values);
+}
+
+void RigidSets::Average(Eigen::Ref<Eigen::VectorXf> values) const
+{
+  this->AverageSets(values);
 }
 }

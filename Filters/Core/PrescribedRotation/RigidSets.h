@@ -25,9 +25,12 @@ public:
   /// Changes the values of each set, as little as may be in the mean square, such that they differ as given.
   void Satisfy(Eigen::VectorXd& values) const;
   /// Makes the values of each set the same: their mean.
-  void Average(Eigen::VectorXd& values) const;
+  void Average(Eigen::Ref<Eigen::VectorXd> values) const;
+  void Average(Eigen::Ref<Eigen::VectorXf> values) const;
 
 private:
+  template <typename Vector>
+  void AverageSets(Vector& values) const;
   /// The set's first unknown, after which the paths there are short.
   Index Find(Index a);
   /// The value of an unknown over that of the set's first one.

@@ -65,7 +65,7 @@ double AlignField(ComponentRotation& rotation, const RotationTarget& target,
   const ComplexVector& guidance, double strength, const Progress& progress, TurnedField& field)
 {
   const PoissonSolver& solver = rotation.GetSolver();
-  const Eigen::VectorXd areas = rotation.VertexAreas();
+  const Eigen::VectorXd areas = rotation.GetForms().VertexAreas();
   const double mean = std::sqrt((areas.array() * guidance.array().abs2()).sum() / solver.GetArea());
   if (!(mean > 0.0) || !std::isfinite(mean))
   {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -75,24 +76,21 @@ ComponentRotation& SingularityEditor::GetRotation(std::size_t component)
   return *rotation;
 }
 
-const ClosestPoints& SingularityEditor::GetNearest()
+const TriangleRuns& SingularityEditor::GetNearest()
 {
   if (!this->Nearest)
   {
-    const Surface& surface = this->Base.GetSurface();
-    const std::vector<Index>& known = this->Base.GetMeshTriangles();
-    if (std::find(known.begin(), known.end(), None) != known.end())
+    const TriangleMesh& mesh = this->Base.GetMesh();
+    LargeArray<Index> order;
+    order.reserve(this->Base.GetMeshTriangles().size());
+    for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
     {
-      this->Sound = surface;
-      for (std::size_t t = 0; t < known.size(); ++t)
+      if (mesh.IsFront(t))
       {
-        if (known[t] == None)
-        {
-          this->Sound->Triangles[t] = { None, None, None };
-        }
+        order.push_back(mesh.InputTriangle(t));
       }
     }
-    this->Nearest.emplace(this->Sound ? *this->Sound : surface);
+    this->Nearest.emplace(this->Base.GetSurface(), std::move(order));
   }
   return *this->Nearest;
 }

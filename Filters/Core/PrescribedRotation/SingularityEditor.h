@@ -4,7 +4,7 @@
 #ifndef DirectionFields_SingularityEditor_h
 #define DirectionFields_SingularityEditor_h
 
-#include "Geometry/ClosestPoints.h"
+#include "Geometry/TriangleRuns.h"
 #include "Interpolation/GivenField.h"
 #include "PrescribedRotation/SingularityTargets.h"
 #include "Progress.h"
@@ -89,7 +89,7 @@ private:
 
   SingularityEditor(const Surface& surface, const std::shared_ptr<const FieldSurface>& made,
     const PointDirections& directions, const std::vector<Vector3>& constraints);
-  const ClosestPoints& GetNearest();
+  const TriangleRuns& GetNearest();
 
   GivenField Base;
   std::vector<Index> FirstPoint;
@@ -97,9 +97,8 @@ private:
   std::vector<Complex> Section;
   std::vector<char> IsGiven;
   std::vector<Complex> Guidance;
-  /// The triangles that the mesh has, if the surface has others.
-  std::optional<Surface> Sound;
-  std::optional<ClosestPoints> Nearest;
+  /// Of the surface's triangles that the mesh has.
+  std::optional<TriangleRuns> Nearest;
   std::vector<std::unique_ptr<ComponentRotation>> Rotations;
 };
 }
