@@ -3,14 +3,14 @@
 
 #include "Remesh.h"
 
+#include "Faces/FaceSmoothing.h"
+#include "Faces/FoldedQuads.h"
 #include "Field/ComponentFields.h"
 #include "Field/Guidance.h"
 #include "Field/Guide.h"
 #include "Field/Stages.h"
 #include "LatticeMap/FeatureLines.h"
 #include "Quads/ComponentCells.h"
-#include "Quads/FaceSmoothing.h"
-#include "Quads/FoldedQuads.h"
 #include "Quads/PreparedSurface.h"
 #include "Quads/QuadSplit.h"
 #include "Quads/Seams.h"

@@ -4,10 +4,10 @@
 #ifndef DirectionFields_ComponentCells_h
 #define DirectionFields_ComponentCells_h
 
+#include "Faces/Faces.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "LatticeMap/FeatureLines.h"
 #include "Progress.h"
-#include "Quads/Faces.h"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_Pairing_h
 #define DirectionFields_Pairing_h
 
+#include "Faces/Faces.h"
 #include "Quads/CellMesh.h"
-#include "Quads/Faces.h"
 
 namespace DirectionFields::Internal
 {

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_QuadSplit_h
 #define DirectionFields_QuadSplit_h
 
+#include "Faces/Faces.h"
 #include "Quads/ComponentCells.h"
-#include "Quads/Faces.h"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_SizeAdvice_h
 #define DirectionFields_SizeAdvice_h
 
+#include "Faces/Faces.h"
 #include "Geometry/SurfaceGeometry.h"
-#include "Quads/Faces.h"
 #include "Types.h"
 
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Faces/FaceSmoothing.h"
+#include "Faces/Faces.h"
 #include "Geometry/ClosestPoints.h"
 #include "Meshes/Surfaces.h"
-#include "Quads/FaceSmoothing.h"
-#include "Quads/Faces.h"
 #include "Quads/KeptFeatures.h"
 
 #include <gtest/gtest.h>

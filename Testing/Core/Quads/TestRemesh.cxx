@@ -3,9 +3,9 @@
 
 #include "Remesh.h"
 
+#include "Faces/Faces.h"
 #include "Meshes/Remeshed.h"
 #include "Meshes/Surfaces.h"
-#include "Quads/Faces.h"
 
 #include <gtest/gtest.h>
 

@@ -4,32 +4,18 @@
 #ifndef DirectionFields_FaceSmoothing_h
 #define DirectionFields_FaceSmoothing_h
 
-#include "Geometry/ClosestPoints.h"
+#include "Faces/MovableFaces.h"
 #include "Progress.h"
-#include "Quads/Faces.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
-/// What vertices may move on.
-struct SmoothingDomain
-{
-  /// The triangles of the surface, and the segments of each feature.
-  const ClosestPoints& Surface;
-  const std::vector<ClosestPoints>& Lines;
-  /// The feature that each vertex stays on, from 1 on; 0 for vertices on the surface, -1 for those that
-  /// stay where they are.
-  std::vector<Index> Line;
-  /// The wanted length of the edges at each vertex.
-  std::vector<double> EdgeLength;
-};
-
 /// Moves vertices so that faces become regular: in each step every face says where its corners would be if
 /// it was regular and nearly of the wanted size, and every vertex goes half the way to the mean, then to the
 /// closest point of the surface or feature. Some careful sweeps follow, in which only such moves count that
-/// make no face at the vertex worse than it was, unless all are good. All but these are shared out among
-/// the threads.
+/// make no face at the vertex worse than it was, unless all are good; then the worst faces are improved
+/// one by one. The steps are shared out among the threads.
 /// @param steps 0 leaves the vertices as they are
 void SmoothFaces(const Faces& faces, const SmoothingDomain& domain, int steps,
   std::vector<Vector3>& points, const Progress& progress = {});

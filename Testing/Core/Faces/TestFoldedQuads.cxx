@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Quads/FoldedQuads.h"
+#include "Faces/FoldedQuads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Quads/Faces.h"
+#include "Faces/Faces.h"
 
 #include <algorithm>
 #include <cmath>

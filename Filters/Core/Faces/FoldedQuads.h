@@ -4,7 +4,7 @@
 #ifndef DirectionFields_FoldedQuads_h
 #define DirectionFields_FoldedQuads_h
 
-#include "Quads/Faces.h"
+#include "Faces/Faces.h"
 
 #include <vector>
 

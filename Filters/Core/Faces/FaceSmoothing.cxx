@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Faces/FaceSmoothing.h"
+
+#include "Faces/WorstFaces.h"
+#include "Support/Threads.h"
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr Index PieceSize = 256;
+constexpr int CarefulSweeps = 4;
+/// Faces better than this may become worse.
+constexpr double GoodEnough = 0.5;
+/// Vertices with worse faces may jump.
+constexpr double Bad = 0.3;
+
+void Step(MovableFaces& faces)
+{
+  const std::vector<Vector3> old = faces.GetPoints();
+  ParallelFor(faces.GetNumberOfVertices(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        if (faces.IsFree(v))
+        {
+          faces.GetPoints()[v] = faces.Projected(v, 0.5 * (old[v] + faces.Ideal(v, old)), old);
+        }
+      }
+    });
+}
+
+void CarefulSweep(MovableFaces& faces)
+{
+  std::vector<Vector3>& points = faces.GetPoints();
+  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
+  {
+    if (!faces.IsFree(v))
+    {
+      continue;
+    }
+    const double before = faces.LeastQuality(v);
+    const Vector3 start = points[v];
+    points[v] = faces.Projected(v, 0.5 * (start + faces.Ideal(v, points)), points);
+    const double now = faces.LeastQuality(v);
+    if (now < before && now < GoodEnough)
+    {
+      points[v] = start;
+    }
+    if (faces.LeastQuality(v) < Bad)
+    {
+      MoveToBetterPlace(faces, v, 1.0);
+    }
+  }
+}
+}
+
+void SmoothFaces(const Faces& faces, const SmoothingDomain& domain, int steps,
+  std::vector<Vector3>& points, const Progress& progress)
+{
+  if (steps == 0)
+  {
+    return;
+  }
+  MovableFaces movable(faces, domain, points);
+  for (int k = 0; k < steps; ++k)
+  {
+    Step(movable);
+    progress.Report(0.8 * (k + 1) / steps);
+  }
+  for (int k = 0; k < CarefulSweeps; ++k)
+  {
+    CarefulSweep(movable);
+    progress.Report(0.8 + 0.1 * (k + 1) / CarefulSweeps);
+  }
+  ImproveWorstFaces(movable, progress.Part(0.9, 1.0));
+}
+}

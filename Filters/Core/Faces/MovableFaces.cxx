@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Faces/MovableFaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+Vector3 AreaVector(const Faces::Face& face, const std::vector<Vector3>& points)
+{
+  const Vector3 u = points[face[2]] - points[face[0]];
+  const Vector3 v =
+    face[3] == None ? points[face[2]] - points[face[1]] : points[face[3]] - points[face[1]];
+  return 0.5 * u.cross(face[3] == None ? Vector3(-(points[face[1]] - points[face[0]])) : v);
+}
+
+}
+
+MovableFaces::MovableFaces(
+  const Faces& faces, const SmoothingDomain& domain, std::vector<Vector3>& points)
+  : Cells(faces)
+  , Domain(domain)
+  , Points(points)
+  , First(points.size() + 1, 0)
+{
+  for (const Faces::Face& face : faces.Corners)
+  {
+    for (int c = 0; c < Faces::Size(face); ++c)
+    {
+      ++this->First[face[c] + 1];
+    }
+  }
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    this->First[v + 1] += this->First[v];
+  }
+  this->FacesAt.resize(this->First.back());
+  std::vector<Index> next(this->First.begin(), this->First.end() - 1);
+  for (Index f = 0; f < static_cast<Index>(faces.Corners.size()); ++f)
+  {
+    for (int c = 0; c < Faces::Size(faces.Corners[f]); ++c)
+    {
+      this->FacesAt[next[faces.Corners[f][c]]++] = f;
+    }
+  }
+}
+
+Vector3 MovableFaces::NormalAt(Index v, const std::vector<Vector3>& points) const
+{
+  Vector3 sum = Vector3::Zero();
+  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  {
+    sum += AreaVector(this->Cells.Corners[this->FacesAt[k]], points);
+  }
+  return sum;
+}
+
+Vector3 MovableFaces::Ideal(Index v, const std::vector<Vector3>& points) const
+{
+  Vector3 sum = Vector3::Zero();
+  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  {
+    const Faces::Face& face = this->Cells.Corners[this->FacesAt[k]];
+    const int size = Faces::Size(face);
+    Vector3 center = Vector3::Zero();
+    double length = 0.0;
+    for (int c = 0; c < size; ++c)
+    {
+      center += points[face[c]] / size;
+      length += this->Domain.EdgeLength[face[c]] / size;
+    }
+    const Vector3 normal = AreaVector(face, points).normalized();
+    Vector3 x = points[face[0]] - center;
+    x -= normal * normal.dot(x);
+    x.normalize();
+    const Vector3 y = normal.cross(x);
+    Complex best = 0.0;
+    int own = 0;
+    for (int c = 0; c < size; ++c)
+    {
+      const Vector3 p = points[face[c]] - center;
+      best += Complex(p.dot(x), p.dot(y)) * std::polar(1.0 / size, -2.0 * Pi * c / size);
+      own = face[c] == v ? c : own;
+    }
+    const double radius = length / (2.0 * std::sin(Pi / size));
+    const double modulus = std::abs(best);
+    best *= modulus > 0.0 ? 0.9 + 0.1 * std::min(radius / modulus, 2.0) : 0.0;
+    const Complex z = best * std::polar(1.0, 2.0 * Pi * own / size);
+    const Vector3 place = center + z.real() * x + z.imag() * y;
+    sum += place.allFinite() ? place : points[v];
+  }
+  return sum / (this->First[v + 1] - this->First[v]);
+}
+
+Vector3 MovableFaces::Projected(
+  Index v, const Vector3& place, const std::vector<Vector3>& points) const
+{
+  const double reach = 4.0 * this->Domain.EdgeLength[v];
+  const Index line = this->Domain.Line[v];
+  const ClosestPoints::Answer answer = line > 0
+    ? this->Domain.Lines[line - 1].Find(place, Vector3::Zero(), reach)
+    : this->Domain.Surface.Find(place, this->NormalAt(v, points), reach);
+  return answer.Triangle != None ? answer.Position : points[v];
+}
+
+double MovableFaces::LeastQuality(Index v) const
+{
+  double least = 1.0;
+  const Vector3 normal =
+    this->Domain.Line[v] == 0 ? this->NormalAt(v, this->Points) : Vector3::Zero();
+  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  {
+    const Faces::Face& face = this->Cells.Corners[this->FacesAt[k]];
+    double quality = ScaledJacobian(this->Points, face);
+    // A triangle has no side of its own to be folded to.
+    if (face[3] == None && AreaVector(face, this->Points).dot(normal) < 0.0)
+    {
+      quality = -quality;
+    }
+    least = std::min(least, quality);
+  }
+  return least;
+}
+
+double MovableFaces::Distance(Index f) const
+{
+  const Faces::Face& face = this->Cells.Corners[f];
+  const int size = Faces::Size(face);
+  Vector3 middle = Vector3::Zero();
+  double length = 0.0;
+  for (int c = 0; c < size; ++c)
+  {
+    middle += this->Points[face[c]] / size;
+    length += this->Domain.EdgeLength[face[c]] / size;
+  }
+  const ClosestPoints::Answer answer = this->Domain.Surface.Find(middle, Vector3::Zero(), length);
+  return answer.Triangle != None ? std::sqrt(answer.SquaredDistance) / length : 1.0;
+}
+
+double MovableFaces::LargestDistance(Index v) const
+{
+  double largest = 0.0;
+  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  {
+    largest = std::max(largest, this->Distance(this->FacesAt[k]));
+  }
+  return largest;
+}
+}

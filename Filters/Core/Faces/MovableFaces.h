@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_MovableFaces_h
+#define DirectionFields_MovableFaces_h
+
+#include "Faces/Faces.h"
+#include "Geometry/ClosestPoints.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// What vertices may move on.
+struct SmoothingDomain
+{
+  /// The triangles of the surface, and the segments of each feature.
+  const ClosestPoints& Surface;
+  const std::vector<ClosestPoints>& Lines;
+  /// The feature that each vertex stays on, from 1 on; 0 for vertices on the surface, -1 for those that
+  /// stay where they are.
+  std::vector<Index> Line;
+  /// The wanted length of the edges at each vertex.
+  std::vector<double> EdgeLength;
+};
+
+/// Faces whose vertices move on a surface. All are shared; the faces at each vertex are found once.
+class MovableFaces
+{
+public:
+  MovableFaces(const Faces& faces, const SmoothingDomain& domain, std::vector<Vector3>& points);
+
+  Index GetNumberOfVertices() const { return static_cast<Index>(this->Points.size()); }
+  Index GetNumberOfFaces() const { return static_cast<Index>(this->Cells.Corners.size()); }
+  bool IsFree(Index v) const
+  {
+    return this->Domain.Line[v] >= 0 && this->First[v + 1] > this->First[v];
+  }
+  const Faces::Face& Face(Index f) const { return this->Cells.Corners[f]; }
+  double EdgeLength(Index v) const { return this->Domain.EdgeLength[v]; }
+  std::vector<Vector3>& GetPoints() { return this->Points; }
+  const std::vector<Vector3>& GetPoints() const { return this->Points; }
+
+  /// The sum of the area vectors of the faces at a vertex.
+  Vector3 NormalAt(Index v, const std::vector<Vector3>& points) const;
+  /// Where the faces at a vertex would have it if they were regular and nearly of the wanted size, on average.
+  Vector3 Ideal(Index v, const std::vector<Vector3>& points) const;
+  /// The point of the surface, or of the vertex' feature, that is closest to a place; where the vertex is if none
+  /// is near.
+  Vector3 Projected(Index v, const Vector3& place, const std::vector<Vector3>& points) const;
+  /// The least scaled Jacobian of the faces at a vertex. Triangles that face against the others count as negative.
+  double LeastQuality(Index v) const;
+  /// The distance of the middle of a face from the surface in wanted lengths of edges; those above 1 are 1.
+  double Distance(Index f) const;
+  /// The largest one of the faces at a vertex.
+  double LargestDistance(Index v) const;
+
+private:
+  const Faces& Cells;
+  const SmoothingDomain& Domain;
+  std::vector<Vector3>& Points;
+  std::vector<Index> First;
+  std::vector<Index> FacesAt;
+};
+}
+
+#endif
