@@ -54,8 +54,16 @@ int main(int argc, char** argv)
     std::cout << what << ": " << seconds << " s, " << 100.0 * seconds / whole << " %, "
               << edited.WrongTriangles.size() << " wrong\n";
   };
+  // The directions lie in arrays, as those that a filter reads.
+  std::vector<Vector3> directions(surface.Points.size());
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    directions[i] = field.Direction(static_cast<int>(i), 0);
+  }
+  PointDirections base = Fields::Of(field);
+  base.Direction = [&](Index point, int) { return directions[point]; };
   begin = Seconds();
-  SingularityEditor editor(surface, Fields::Of(field));
+  SingularityEditor editor(surface, base);
   EditedField edited = editor.Edit(Corners(0.0), {}, {});
   report("first edit", edited);
   for (const double step : { 0.02, 0.04, 0.06 })

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -341,13 +342,18 @@ TurnedField ComponentRotation::Turn(const RotationTarget& target, const Progress
   std::vector<SetEdge> edges;
   TurnedField attempt;
   std::size_t leastWrong = static_cast<std::size_t>(this->Component.Triangles()) + 1;
-  for (int repairs = 0; leastWrong > 0 && repairs < MostRepairs; ++repairs)
+  for (int repairs = 0; repairs < MostRepairs; ++repairs)
   {
     const RigidSets rigid =
       this->MakeRigid(target, whole, isLoose, edges, hasGroups ? &groupValues : nullptr);
     potential = this->SolveFor(form, std::move(potential), &rigid, progress, attempt.Residual);
     this->SetTurn(potential, whole, attempt);
     const std::vector<Index> wrong = this->WrongTriangles(target, attempt);
+    if (wrong.empty())
+    {
+      field = std::move(attempt);
+      break;
+    }
     if (wrong.size() < leastWrong)
     {
       leastWrong = wrong.size();

@@ -62,30 +62,15 @@ double EdgeForms::Product(const EdgeForm& a, const EdgeForm& b) const
 
 Eigen::VectorXd EdgeForms::Inflow(const EdgeForm& form) const
 {
-  const TriangleMesh& mesh = this->Geometry.Mesh;
-  Eigen::VectorXd inflow(this->Component.Vertices());
-  ParallelFor(this->Component.Vertices(), MediumPiece,
-    [&](Index begin, Index end)
-    {
-      std::vector<Index> fan;
-      for (Index v = begin; v < end; ++v)
-      {
-        const Index vertex = this->Component.FirstVertex + v;
-        mesh.GetFan(vertex, fan);
-        double sum = 0.0;
-        for (const Index h : fan)
-        {
-          sum -= this->Weights[this->LocalEdge(h)] * this->Along(form, h);
-        }
-        if (mesh.IsBoundary(vertex))
-        {
-          // The last edge has no half-edge but the one that comes in.
-          const Index last = TriangleMesh::Previous(fan.back());
-          sum += this->Weights[this->LocalEdge(last)] * this->Along(form, last);
-        }
-        inflow[v] = sum;
-      }
-    });
+  // A pass over the edges takes a quarter of the time of one around each vertex, so that few threads are no faster.
+  Eigen::VectorXd inflow = Eigen::VectorXd::Zero(this->Component.Vertices());
+  for (Index e = 0; e < this->Component.Edges(); ++e)
+  {
+    const Index h = this->Geometry.Mesh.HalfEdge(this->Component.FirstEdge + e);
+    const double flow = this->Weights[e] * form[e];
+    inflow[this->LocalHead(h)] += flow;
+    inflow[this->LocalTail(h)] -= flow;
+  }
   return inflow;
 }
 
