@@ -64,9 +64,11 @@ case $release in
     ;;
 esac
 
-# What the tests need beyond.
+# What the tests need beyond: for benchmarks, and for surfaces on several processes that are not gathered.
 # shellcheck disable=SC2034
 benchmark_packages=(libbenchmark-dev)
+# shellcheck disable=SC2034
+distributed_packages=(libpetsc-complex-dev)
 
 # For the checks of the sources' style; clang-format 14 has come with Debian 12 only.
 # shellcheck disable=SC2034

@@ -264,7 +264,7 @@ void AddEditedField(const TriangulatedPolyData& surface, const SingularityEditor
   KeepDirections(surface, field, edited, input, output);
   AddFigures(edited, output->GetFieldData());
   AddReport(field.Repaired, warnings, output->GetFieldData());
-  MakeSingularPoints(surface, field,
+  MakeSingularPoints(surface, field, FiguresOf(surface.Mesh, field.SingularityIndex),
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
   const std::string summary = SummaryOf(field, edited);
   for (vtkPolyData* const data : { output, singularities })

@@ -4,7 +4,6 @@
 #include "SingularPoints.h"
 
 #include "FieldArrays.h"
-#include "Support/Threads.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -22,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 #include <vector>
 
 namespace DirectionFields
@@ -36,76 +34,19 @@ constexpr double SizeOfDiagonal = 0.022;
 /// surface say, cover an eighth of it and not all.
 constexpr double SizeOfSpacing = 0.4;
 
-/// The box around points.
-struct Box
-{
-  Vector3 Lower = Vector3::Constant(std::numeric_limits<double>::max());
-  Vector3 Upper = -Lower;
-
-  Box& operator+=(const Box& other)
-  {
-    this->Lower = this->Lower.cwiseMin(other.Lower);
-    this->Upper = this->Upper.cwiseMax(other.Upper);
-    return *this;
-  }
-
-  /// 0 for a box around nothing; never infinite.
-  double Diagonal() const
-  {
-    return this->Lower[0] > this->Upper[0]
-      ? 0.0
-      : std::min((this->Upper - this->Lower).stableNorm(), std::numeric_limits<double>::max());
-  }
-};
-
 bool IsOwn(const Surface& mesh, Index t)
 {
   return mesh.Ghost.empty() || mesh.Ghost[t] == 0;
 }
 
 /// The diameter of a ball that shows a singularity of index 1.
-/// @param singularities how many there are
-double BallSize(const Surface& mesh, Index singularities)
+double BallSize(const SurfaceFigures& figures)
 {
-  const auto triangles = static_cast<Index>(mesh.Triangles.size());
-  const Box box = ParallelSum(triangles, MediumPiece, Box{},
-    [&](Index begin, Index end)
-    {
-      Box part;
-      for (Index t = begin; t < end; ++t)
-      {
-        for (int c = 0; c < 3 && IsOwn(mesh, t); ++c)
-        {
-          const Vector3& point = mesh.Points[mesh.Triangles[t][c]];
-          part += Box{ point, point };
-        }
-      }
-      return part;
-    });
-  const double diagonal = box.Diagonal();
-  if (diagonal == 0.0 || singularities == 0)
-  {
-    return 0.0;
-  }
-  // In units of the diagonal no area overflows or vanishes, whatever the surface's unit of length.
-  const double area = ParallelSum(triangles, MediumPiece, 0.0,
-    [&](Index begin, Index end)
-    {
-      double sum = 0.0;
-      for (Index t = begin; t < end; ++t)
-      {
-        if (IsOwn(mesh, t))
-        {
-          const Triangle& triangle = mesh.Triangles[t];
-          const Vector3 origin = mesh.Points[triangle[0]];
-          const Vector3 a = (mesh.Points[triangle[1]] - origin) / diagonal;
-          const Vector3 b = (mesh.Points[triangle[2]] - origin) / diagonal;
-          sum += 0.5 * a.cross(b).norm();
-        }
-      }
-      return sum;
-    });
-  return diagonal * std::min(SizeOfDiagonal, SizeOfSpacing * std::sqrt(area / singularities));
+  const Index singularities = figures.Positive + figures.Negative;
+  const double diagonal = figures.Diagonal();
+  return diagonal == 0.0 || singularities == 0
+    ? 0.0
+    : diagonal * std::min(SizeOfDiagonal, SizeOfSpacing * std::sqrt(figures.Area / singularities));
 }
 
 /// The normal of a triangle on the side of its vertices' normals, which a triangle wound against
@@ -129,8 +70,8 @@ Vector3 OutwardNormal(const Surface& mesh, std::size_t t, const Result& field)
 }
 }
 
-void MakeSingularPoints(const TriangulatedPolyData& input, const Result& field, int pointDataType,
-  vtkPolyData* singularities)
+void MakeSingularPoints(const TriangulatedPolyData& input, const Result& field,
+  const SurfaceFigures& figures, int pointDataType, vtkPolyData* singularities)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(pointDataType == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
@@ -150,7 +91,7 @@ void MakeSingularPoints(const TriangulatedPolyData& input, const Result& field, 
       singular.push_back(t);
     }
   }
-  const double ballSize = BallSize(mesh, static_cast<Index>(singular.size()));
+  const double ballSize = BallSize(figures);
   for (const Index t : singular)
   {
     const Triangle& triangle = mesh.Triangles[t];

@@ -20,18 +20,10 @@ std::string Count(Index number, const char* noun)
   return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
 }
 
-std::string DescribeSingularities(const Surface& surface, const Result& field)
+std::string DescribeSingularities(const SurfaceFigures& figures)
 {
-  Index positive = 0;
-  Index negative = 0;
-  for (std::size_t t = 0; t < field.SingularityIndex.size(); ++t)
-  {
-    if (surface.Ghost.empty() || surface.Ghost[t] == 0)
-    {
-      positive += field.SingularityIndex[t] > 0 ? 1 : 0;
-      negative += field.SingularityIndex[t] < 0 ? 1 : 0;
-    }
-  }
+  const Index positive = figures.Positive;
+  const Index negative = figures.Negative;
   if (positive + negative == 0)
   {
     return "no singularities";
@@ -128,7 +120,7 @@ std::string DescribeUnitLength(
 }
 }
 
-std::string Summary(const Surface& surface, const Result& field, const Options& options)
+std::string Summary(const SurfaceFigures& figures, const Result& field, const Options& options)
 {
   const std::vector<ComponentReport> components = OwnComponents(field);
   if (components.empty())
@@ -140,8 +132,7 @@ std::string Summary(const Surface& surface, const Result& field, const Options& 
   {
     indexSum += component.IndexSum;
   }
-  std::string text =
-    DescribeSingularities(surface, field) + ", index sum " + std::to_string(indexSum);
+  std::string text = DescribeSingularities(figures) + ", index sum " + std::to_string(indexSum);
   if (components.size() > 1)
   {
     text += " over " + Count(static_cast<Index>(components.size()), "component");

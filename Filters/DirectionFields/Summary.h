@@ -4,6 +4,7 @@
 #ifndef Summary_h
 #define Summary_h
 
+#include "Field/SurfaceFigures.h"
 #include "Options.h"
 #include "Result.h"
 
@@ -17,8 +18,8 @@ namespace DirectionFields
 ///     32 singularities (20 +, 12 -), index sum 8, converged in 15 iterations
 ///
 /// The documentation of vtkDirectionField tells what else it may say.
-/// @param surface what the field was computed of; singularities in its ghosts do not count
-std::string Summary(const Surface& surface, const Result& field, const Options& options);
+/// @param figures of the whole surface
+std::string Summary(const SurfaceFigures& figures, const Result& field, const Options& options);
 }
 
 #endif

@@ -191,26 +191,37 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-DirectionFields::Result vtkDirectionField::ComputeField(
-  vtkPolyData* input, const DirectionFields::Options& options)
+DirectionFields::Guidance vtkDirectionField::ReadGuidance(vtkPolyData* input)
 {
-  const DirectionFields::Surface& surface = this->Last->GetSurface().Mesh;
+  // Arrays that nothing asks for may be missing.
+  if (this->Alignment == ALIGN_POINT_VECTORS || this->ConstrainGuidance)
+  {
+    return DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::Result vtkDirectionField::ComputeField(vtkPolyData* input,
+  const DirectionFields::Surface& surface, const DirectionFields::Options& options,
+  DirectionFields::Internal::SurfaceFigures& figures)
+{
   if (surface.Triangles.empty())
   {
     return ZeroField(options.Degree, surface.Points.size());
   }
-  // Arrays that nothing asks for may be missing.
-  DirectionFields::Guidance guidance;
-  if (this->Alignment == ALIGN_POINT_VECTORS || this->ConstrainGuidance)
-  {
-    guidance =
-      DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
-  }
+  const DirectionFields::Guidance guidance = this->ReadGuidance(input);
   DirectionFields::DirectionField& solver = this->Last->GetSolver();
   const DirectionFields::ProgressFunction progress =
     DirectionFields::ReportTo(this, ProgressRead, ProgressSolved);
-  return this->KeepStages ? solver.Compute(options, guidance, progress)
-                          : std::move(solver).Compute(options, guidance, progress);
+  DirectionFields::Result field = this->KeepStages
+    ? solver.Compute(options, guidance, progress)
+    : std::move(solver).Compute(options, guidance, progress);
+  if (!field.Aborted)
+  {
+    figures = DirectionFields::FiguresOf(surface, field.SingularityIndex);
+  }
+  return field;
 }
 
 //------------------------------------------------------------------------------
@@ -223,16 +234,22 @@ void vtkDirectionField::ComputeOutputs(
   const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
   const DirectionFields::Progress progress(report);
 
-  DirectionFields::CheckPolyData(input);
-  this->Last->SetInput(input, TimeOf(request, input), progress.Part(0.0, ProgressRead));
-  const DirectionFields::Result field = this->ComputeField(input, options);
+  this->ReadTogether(
+    [&]
+    {
+      DirectionFields::CheckPolyData(input);
+      this->Last->SetInput(input, TimeOf(request, input), progress.Part(0.0, ProgressRead));
+    });
+  DirectionFields::SurfaceFigures figures;
+  const DirectionFields::Result field =
+    this->ComputeField(input, this->Last->GetSurface().Mesh, options, figures);
   if (field.Aborted || DirectionFields::IsAborted(this))
   {
     throw DirectionFields::Stopped();
   }
   this->Last->SetField(field);
   const std::vector<std::string> warnings = DirectionFields::Warnings(field, options);
-  for (const std::string& warning : warnings)
+  for (const std::string& warning : this->IsSpeaker() ? warnings : std::vector<std::string>{})
   {
     vtkWarningMacro(<< warning);
   }
@@ -245,9 +262,9 @@ void vtkDirectionField::ComputeOutputs(
     DirectionFields::AddCellDirections(output);
   }
   DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
-  DirectionFields::MakeSingularPoints(surface, field,
+  DirectionFields::MakeSingularPoints(surface, field, figures,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
-  const std::string summary = DirectionFields::Summary(surface.Mesh, field, options);
+  const std::string summary = DirectionFields::Summary(figures, field, options);
   for (vtkPolyData* const data : { output, singularities })
   {
     DirectionFields::AddSummary(summary, data->GetFieldData());
@@ -295,6 +312,12 @@ bool vtkDirectionField::Compute(vtkInformation* request, vtkPolyData* input, vtk
     this->ReleaseStages();
   }
   return isComplete;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionField::ReadTogether(const std::function<void()>& read)
+{
+  read();
 }
 
 //------------------------------------------------------------------------------

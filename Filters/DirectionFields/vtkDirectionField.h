@@ -176,14 +176,21 @@
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
+#include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
+#include <string>     // For std::string
 
 namespace DirectionFields
 {
 class DirectionFieldCache;
+struct Guidance;
 struct Options;
 struct Result;
+struct Surface;
+namespace Internal
+{
+struct SurfaceFigures;
+}
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionField : public vtkPolyDataAlgorithm
@@ -552,15 +559,27 @@ protected:
   bool IsStopped();
   ///@}
 
+  ///@{
+  /**
+   * What Compute asks for, for filters whose surface goes on on other processes. ComputeField gives the field of
+   * the triangles of an input: surface has all its points, so that ids stay the user's, and figures become those
+   * of the whole surface. It throws DirectionFields::Stopped, or returns what was aborted. The
+   * options are those of the properties, the guidance is that of the input's arrays, empty where nothing asks for
+   * it. IsSpeaker is false where another process gives the warnings. ReadTogether does the reading of the input,
+   * which comes before ComputeField.
+   */
+  virtual DirectionFields::Result ComputeField(vtkPolyData* input,
+    const DirectionFields::Surface& surface, const DirectionFields::Options& options,
+    DirectionFields::Internal::SurfaceFigures& figures);
+  virtual bool IsSpeaker() const { return true; }
+  virtual void ReadTogether(const std::function<void()>& read);
+  DirectionFields::Options MakeOptions() const;
+  DirectionFields::Guidance ReadGuidance(vtkPolyData* input);
+  ///@}
+
 private:
   vtkDirectionField(const vtkDirectionField&) = delete;
   void operator=(const vtkDirectionField&) = delete;
-
-  /// The options of the computation, from the properties.
-  DirectionFields::Options MakeOptions() const;
-
-  /// The field of the surface that was read last, with the guidance of the input.
-  DirectionFields::Result ComputeField(vtkPolyData* input, const DirectionFields::Options& options);
 
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
   void ComputeOutputs(

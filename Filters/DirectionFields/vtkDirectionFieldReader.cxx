@@ -99,6 +99,7 @@ void vtkDirectionFieldReader::ReadField(
     surface, imported.Field, output, progress.Part(ProgressImported, 1.0));
   DirectionFields::AddReport(imported.Field.Repaired, imported.Warnings, output->GetFieldData());
   DirectionFields::MakeSingularPoints(surface, imported.Field,
+    DirectionFields::FiguresOf(surface.Mesh, imported.Field.SingularityIndex),
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
   const std::string summary = SummaryOf(imported.Field);
   for (vtkPolyData* const data : { output, singularities })

@@ -4,11 +4,14 @@
 #include "vtkPDirectionField.h"
 
 #include "Blocks.h"
+#include "Distributed/DistributedField.h"
 #include "GatheredSurface.h"
 #include "PartsOfSurface.h"
 #include "Processes.h"
+#include "Progress.h"
 #include "ProgressWatch.h"
 #include "Scattering.h"
+#include "SurfacePiece.h"
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
@@ -27,6 +30,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <numeric>
+#include <utility>
 
 using DirectionFields::Parallel::GatheredSurface;
 using DirectionFields::Parallel::Processes;
@@ -36,7 +41,11 @@ vtkStandardNewMacro(vtkPDirectionField);
 //------------------------------------------------------------------------------
 vtkPDirectionField::vtkPDirectionField()
   : Controller(nullptr)
+  , Distribution(AUTOMATIC)
   , GatherLimit(20000000)
+  , Together(nullptr)
+  , SharedPoints(0)
+  , Exchange(std::make_unique<DirectionFields::Parallel::PointExchange>())
 {
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
@@ -55,6 +64,7 @@ void vtkPDirectionField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "Distribution: " << this->Distribution << "\n";
   os << indent << "GatherLimit: " << this->GatherLimit << "\n";
 }
 
@@ -106,7 +116,7 @@ vtkTypeBool vtkPDirectionField::ProcessRequest(
 
 //------------------------------------------------------------------------------
 void vtkPDirectionField::AddDistribution(
-  int used, const GatheredSurface& gathered, vtkPolyData* output) const
+  int used, vtkIdType pieces, vtkIdType sharedPoints, vtkPolyData* output) const
 {
   vtkNew<vtkIdTypeArray> distribution;
   distribution->SetName("Distribution");
@@ -114,7 +124,7 @@ void vtkPDirectionField::AddDistribution(
   distribution->SetComponentName(0, "Used");
   distribution->SetComponentName(1, "Pieces");
   distribution->SetComponentName(2, "SharedPoints");
-  const vtkIdType values[] = { used, gathered.Pieces, gathered.SharedPoints };
+  const vtkIdType values[] = { used, pieces, sharedPoints };
   distribution->InsertNextTypedTuple(values);
   output->GetFieldData()->AddArray(distribution);
 }
@@ -149,7 +159,7 @@ void vtkPDirectionField::ComputeOnOne(Processes& processes, int process, vtkInfo
   if (isThere)
   {
     gathered.Surface = input;
-    this->AddDistribution(0, gathered, output);
+    this->AddDistribution(0, 1, 0, output);
   }
   DirectionFields::Parallel::ScatterData(processes, gathered, isThere ? output : nullptr, other);
   if (!isThere)
@@ -175,6 +185,153 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
       processes, static_cast<int>(largest - sizes.begin()), request, input, output, singularities);
     return;
   }
+  const vtkIdType all = std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0));
+  const bool isLarge = all > this->GatherLimit;
+  std::string warning;
+  if (this->Distribution == DISTRIBUTED || (this->Distribution == AUTOMATIC && isLarge))
+  {
+    std::string reason;
+    if (!DirectionFields::Parallel::CanDistribute())
+    {
+      reason = "this build has no PETSc; install PETSc for complex numbers "
+               "(libpetsc-complex-dev) and build again with DIRECTIONFIELDS_USE_PETSC=ON";
+      if (this->Distribution == DISTRIBUTED)
+      {
+        throw DirectionFields::Parallel::ProcessesError(
+          "Set Distribution to Gather or Automatic, for " + reason + ".");
+      }
+    }
+    else if (this->ComputeDistributed(processes, request, input, output, singularities, reason))
+    {
+      return;
+    }
+    warning = "The surface was gathered on one process, for " + reason + ".";
+  }
+  if (isLarge)
+  {
+    warning += (warning.empty() ? "The" : " The") + std::string(" surface has ") +
+      std::to_string(all) +
+      " polygons, more than GatherLimit. All of them are on one process now, which takes about " +
+      std::to_string(std::max<vtkIdType>(1, all * 67 / 100000000)) +
+      " GB there. Decimate the surface where that is too much.";
+  }
+  this->ComputeGathered(processes, request, input, warning, output, singularities);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation* request,
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities, std::string& reason)
+{
+  this->Together = &processes;
+  this->Reason.clear();
+  bool isComplete = false;
+  const auto compute = [&]
+  {
+    std::string error;
+    isComplete = this->Compute(request, input, output, singularities, error);
+    if (!isComplete && this->Reason.empty())
+    {
+      throw DirectionFields::Parallel::ProcessesError(error);
+    }
+  };
+  try
+  {
+    processes.Together(compute);
+  }
+  catch (...)
+  {
+    this->Together = nullptr;
+    throw;
+  }
+  this->Together = nullptr;
+  reason = this->Reason;
+  if (isComplete)
+  {
+    DirectionFields::Parallel::TakeOwnersValues(processes, *this->Exchange, input, output);
+    *this->Exchange = {};
+    const std::vector<vtkIdType> have = processes.AllGather(
+      { input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0 ? vtkIdType(1) : 0 });
+    this->AddDistribution(
+      2, std::accumulate(have.begin(), have.end(), vtkIdType(0)), this->SharedPoints, output);
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
+  const DirectionFields::Surface& surface, const DirectionFields::Options& options,
+  DirectionFields::SurfaceFigures& figures)
+{
+  if (!this->Together)
+  {
+    return this->Superclass::ComputeField(input, surface, options, figures);
+  }
+  Processes& processes = *this->Together;
+  DirectionFields::Parallel::SurfacePiece piece;
+  processes.Together([&] { piece = DirectionFields::Parallel::ReadPiece(input); });
+  this->Reason = DirectionFields::Parallel::WhyNotDistributed(options);
+  if (this->Reason.empty() && this->GetCellDirections())
+  {
+    this->Reason = "Cell Directions needs the whole surface";
+  }
+  if (this->Reason.empty() &&
+    processes.Largest(static_cast<vtkIdType>(piece.Ghosts.Cells.size())) > 0)
+  {
+    this->Reason = "it has ghost cells";
+  }
+  if (this->Reason.empty())
+  {
+    DirectionFields::Parallel::DistributedField distributed =
+      DirectionFields::Parallel::ComputeDistributed(processes, surface, piece, options,
+        [this](double done)
+        {
+          this->UpdateProgress(0.05 + 0.85 * done);
+          return !this->IsStopped();
+        });
+    this->Reason = distributed.Reason;
+    if (this->Reason.empty())
+    {
+      this->SharedPoints = distributed.SharedPoints;
+      *this->Exchange = std::move(distributed.Exchange);
+      figures = distributed.Figures;
+      return std::move(distributed.Field);
+    }
+  }
+  throw DirectionFields::Stopped();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPDirectionField::IsSpeaker() const
+{
+  return !this->Together || this->Together->Own() == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ReadTogether(const std::function<void()>& read)
+{
+  if (!this->Together)
+  {
+    read();
+    return;
+  }
+  this->Together->Together(
+    [&]
+    {
+      try
+      {
+        read();
+      }
+      catch (const DirectionFields::Stopped&)
+      {
+        throw DirectionFields::Parallel::ProcessesError("");
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ComputeGathered(Processes& processes, vtkInformation* request,
+  vtkPolyData* input, const std::string& warning, vtkPolyData* output, vtkPolyData* singularities)
+{
   std::vector<std::string> arrays;
   for (const char* const name : { this->GetGuidanceVectors(), this->GetGuidanceWeights() })
   {
@@ -188,14 +345,8 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
   const GatheredSurface gathered =
     DirectionFields::Parallel::GatherSurface(processes, input, arrays);
   const bool isThere = gathered.Surface != nullptr;
-  std::string warning;
-  if (isThere && gathered.Cells > this->GatherLimit)
+  if (isThere && !warning.empty())
   {
-    warning = "The surface has " + std::to_string(gathered.Cells) +
-      " polygons, more than GatherLimit. All of them are on process " +
-      std::to_string(gathered.Process) + " now, which takes about " +
-      std::to_string(std::max<vtkIdType>(1, gathered.Cells * 67 / 100000000)) +
-      " GB there. Decimate the surface where that is too much.";
     vtkWarningMacro(<< warning);
   }
   vtkNew<vtkPolyData> whole;
@@ -204,7 +355,7 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
     processes, gathered.Process, request, gathered.Surface, whole, wholeSingularities);
   if (isThere)
   {
-    this->AddDistribution(1, gathered, whole);
+    this->AddDistribution(1, gathered.Pieces, gathered.SharedPoints, whole);
     if (!warning.empty())
     {
       vtkSmartPointer<vtkStringArray> warnings =

@@ -15,9 +15,10 @@
  * Seams within a piece stay what they are; MergePoints joins them, as with one process. Seams between pieces
  * that have no global ids are joined always, for nothing tells them from a cut.
  *
- * The pieces are gathered on the process with the largest one, which computes the field while the others wait
+ * Gathered, the pieces go to the process with the largest one, which computes the field while the others wait
  * without taking processor time, and the results are scattered. That process needs memory for the whole
- * surface, about 670 bytes a triangle; see GatherLimit. A surface that is on one process already stays there.
+ * surface, about 670 bytes a triangle. Distributed, each process keeps its piece and the triangles around it, and
+ * all processes solve together. See Distribution. A surface that is on one process already stays there.
  *
  * An error on one process is an error of all, with the same text, and all outputs are empty. Whoever is asked
  * to stop stops all. All processes must execute the filter, as pvserver and pvbatch do.
@@ -32,7 +33,7 @@
  * ordered by the gathered cells, which are those of the first process, of the second one and so on. Each
  * singularity is on the process that has its cell. In addition, with several processes,
  * - field data `Distribution`: vtkIdType, one tuple of named components: Used (0: the surface was on one process,
- *   1: it was gathered), Pieces (the number of processes that had a piece of it), SharedPoints (points that
+ *   1: it was gathered, 2: it was distributed), Pieces (the number of processes that had a piece of it), SharedPoints (points that
  *   several pieces have in common).
  */
 
@@ -42,6 +43,8 @@
 #include "vtkDirectionField.h"
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
 
+#include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
 #include <string>
 #include <vector>
 
@@ -53,6 +56,7 @@ namespace DirectionFields
 namespace Parallel
 {
 class Processes;
+struct PointExchange;
 struct GatheredSurface;
 }
 }
@@ -73,11 +77,29 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
+  enum DistributionType
+  {
+    AUTOMATIC = 0,
+    GATHER = 1,
+    DISTRIBUTED = 2
+  };
+
   ///@{
   /**
-   * Polygons and strips of the whole surface beyond which a warning says how much memory gathering takes on one
-   * process. Range 0 to 715827882, the most triangles that can be processed; default 20 million, for which that
-   * process needs 14 GB where all are triangles.
+   * How a surface in pieces is solved for: gathered on one process (1), distributed (2), so that nothing of it is
+   * ever whole on one process, which needs a build with PETSc, or gathered up to GatherLimit and distributed
+   * beyond (0, default). What can only be had of the whole surface is gathered, and a warning says why. Without
+   * PETSc distributing is an error, and beyond GatherLimit a warning.
+   */
+  vtkSetClampMacro(Distribution, int, AUTOMATIC, DISTRIBUTED);
+  vtkGetMacro(Distribution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Polygons and strips of the whole surface up to which Automatic gathers it. Range 0 to 715827882, the most
+   * triangles that one process can take; default 20 million, for which that process needs 14 GB where all are
+   * triangles.
    */
   vtkSetClampMacro(GatherLimit, vtkIdType, 0, 715827882);
   vtkGetMacro(GatherLimit, vtkIdType);
@@ -90,6 +112,17 @@ protected:
   vtkExecutive* CreateDefaultExecutive() override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  ///@{
+  /**
+   * As vtkDirectionField asks for them, for the piece of this process.
+   */
+  DirectionFields::Result ComputeField(vtkPolyData* input, const DirectionFields::Surface& surface,
+    const DirectionFields::Options& options,
+    DirectionFields::Internal::SurfaceFigures& figures) override;
+  bool IsSpeaker() const override;
+  void ReadTogether(const std::function<void()>& read) override;
+  ///@}
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -109,12 +142,27 @@ private:
   /// Lets one process compute the field while the others wait.
   void ComputeWhole(DirectionFields::Parallel::Processes& processes, int process,
     vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
+  /// The same by gathering.
+  /// @param warning why it is gathered, where that is not what was asked for; empty where it is
+  void ComputeGathered(DirectionFields::Parallel::Processes& processes, vtkInformation* request,
+    vtkPolyData* input, const std::string& warning, vtkPolyData* output,
+    vtkPolyData* singularities);
+  /// The same without gathering. False where it cannot be done, for the reason that is set.
+  bool ComputeDistributed(DirectionFields::Parallel::Processes& processes, vtkInformation* request,
+    vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities, std::string& reason);
   /// Adds what was done to the field data.
-  void AddDistribution(int used, const DirectionFields::Parallel::GatheredSurface& gathered,
-    vtkPolyData* output) const;
+  void AddDistribution(
+    int used, vtkIdType pieces, vtkIdType sharedPoints, vtkPolyData* output) const;
 
   vtkMultiProcessController* Controller;
+  int Distribution;
   vtkIdType GatherLimit;
+  /// What ComputeField takes part in; null where it computes for this process alone.
+  DirectionFields::Parallel::Processes* Together;
+  /// What it says besides the field.
+  std::string Reason;
+  vtkIdType SharedPoints;
+  std::unique_ptr<DirectionFields::Parallel::PointExchange> Exchange;
 };
 
 #endif

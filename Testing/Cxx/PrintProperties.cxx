@@ -93,6 +93,7 @@ void PrintDirectionField()
   RANGE(Solver);
   RANGE(NumberOfThreads);
   VALUE(KeepStages);
+  RANGE(Distribution);
   RANGE(GatherLimit);
   RANGE(MergePoints);
   VALUE(IntrinsicDelaunay);

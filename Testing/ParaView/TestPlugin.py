@@ -23,12 +23,13 @@ def total(array):
 
 # Shift is not one of them, because it takes the place of the strength where UseShift is on.
 ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
-            "GatherLimit",
+            "Distribution", "GatherLimit",
             "IntrinsicDelaunay", "CellDirections", "UseShift", "CurvatureScale")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors"],
     "CurvatureDirection": ["Maximum", "Minimum", "Least Bent", "Most Bent"],
     "ConstraintSolver": ["Least Squares", "Energy"],
+    "Distribution": ["Automatic", "Gather", "Distributed"],
     "MergePoints": ["Off", "On", "Automatic"],
     "Solver": ["Automatic", "Multigrid", "Direct"],
 }

@@ -16,6 +16,7 @@ if os.path.exists(state):
 values = {
     "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
     "Solver": "Direct", "NumberOfThreads": 3, "KeepStages": 0, "GatherLimit": 54321,
+    "Distribution": "Gather",
     "MergePoints": "On", "IntrinsicDelaunay": 1, "CellDirections": 1, "UnitLength": 1, "SingularityCost": 1.5,
     "Alignment": "Principal Curvature", "CurvatureDirection": "Least Bent",
     "CurvatureScale": 3.5, "AlignmentStrength": 0.75,

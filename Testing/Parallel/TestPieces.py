@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The field of a surface in pieces is that of the whole: mpiexec -n 3 pvbatch --symmetric TestPieces.py PACKAGES [SURFACE...]
+"""The field of a surface in pieces is that of the whole: mpiexec -n 3 pvbatch --symmetric TestPieces.py PACKAGES [distributed] [SURFACE...]
 
-Every process computes the field of the whole surface by itself, too, and compares its own piece with it."""
+Every process computes the field of the whole surface by itself, too, and compares its own piece with it. With distributed none has more than its piece, but of what can
+only be gathered."""
 import sys
 
 sys.path.insert(0, sys.argv[1])
@@ -130,7 +131,12 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
           "unmerged": {"MergePoints": 0}, "multigrid": {"Solver": 1, "Tolerance": 1e-10}}
 
 
-def run(surface, way, field):
+# What can be had without gathering.
+DISTRIBUTED_SURFACES = ("closed", "bounded", "pair")
+DISTRIBUTED_FIELDS = ("smoothest", "unmerged", "multigrid")
+
+
+def run(surface, way, field, distribute):
     points, triangles = SURFACES[surface]
     options = dict(FIELDS[field])
     kind = WAYS[way]
@@ -140,6 +146,7 @@ def run(surface, way, field):
     owner = Surfaces.owners(points, triangles, way.split()[0], count)
     mesh = Surfaces.piece(points, triangles, arrays, owner * 0, 0)
     whole = make(vtkDirectionField, options, mesh)
+    options["Distribution"] = (vtkPDirectionField.GATHER, vtkPDirectionField.DISTRIBUTED)[distribute]
     part = make(vtkPDirectionField, options, Surfaces.piece(points, triangles, arrays, owner, rank, **kind))
     if "noise" not in kind:
         # Moved points have another field, but as many of them are shared.
@@ -153,15 +160,23 @@ def run(surface, way, field):
     shared = np.zeros((count, len(points)), dtype=bool)
     for process in range(count):
         shared[process, triangles[owner == process].reshape(-1)] = True
-    check(done.tolist() == [1, pieces, int((shared.sum(axis=0) > 1).sum())], name, done)
+    is_possible = (surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS and
+                   "ghosts" not in kind)
+    used = 2 if distribute and is_possible else 1
+    warnings = part.GetOutput().GetFieldData().GetAbstractArray("Warnings")
+    texts = [warnings.GetValue(k) for k in range(warnings.GetNumberOfValues())] if warnings else []
+    reasons = sum("gathered on one process, for " in text for text in texts)
+    check(reasons == (1 if distribute and not is_possible else 0), name, texts)
+    check(done.tolist() == [used, pieces, int((shared.sum(axis=0) > 1).sum())], name, done)
 
 
 def main():
-    for surface in sys.argv[2:] or SURFACES:
+    distribute = "distributed" in sys.argv[2:]
+    for surface in [name for name in sys.argv[2:] if name != "distributed"] or SURFACES:
         for way in WAYS:
-            run(surface, way, "smoothest")
+            run(surface, way, "smoothest", distribute)
         for k, field in enumerate(FIELDS):
-            run(surface, ("random", "slabs with ghosts")[k % 2], field)
+            run(surface, ("random", "slabs with ghosts")[k % 2], field, distribute)
 
 
 main()

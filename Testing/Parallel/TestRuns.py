@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Glyphs, errors, stops and composite data over processes:
-mpiexec -n 3 pvbatch --symmetric TestRuns.py PACKAGES"""
+mpiexec -n 3 pvbatch --symmetric TestRuns.py PACKAGES distributed|gathered, what the build has"""
 import sys
 import time
 
@@ -240,8 +240,8 @@ def test_failure_upstream():
         check(reduced(filter.GetOutput().GetNumberOfCells()) > 0, "after a failure")
 
 
-def test_limit():
-    """Beyond the limit one process warns."""
+def warned(limit, distribution):
+    """The warnings of the field, those of all processes, and how it was computed."""
     heard = []
 
     def hear(source, event, message):
@@ -249,12 +249,33 @@ def test_limit():
     hear.CallDataType = "string0"
     field = vtkPDirectionField()
     field.AddObserver("WarningEvent", hear)
-    field.SetGatherLimit(100)
+    field.SetGatherLimit(limit)
+    field.SetDistribution(distribution)
     field.SetInputData(own_piece())
     field.Update()
-    check(reduced(len(heard)) == 1, heard)
-    warnings = field.GetOutput().GetFieldData().GetAbstractArray("Warnings")
-    check("more than GatherLimit" in warnings.GetValue(0), "warning")
+    data = field.GetOutput().GetFieldData()
+    warnings = data.GetAbstractArray("Warnings")
+    return (warnings.GetValue(0) if warnings else "", reduced(len(heard)),
+            Surfaces.array(data, "Distribution").reshape(-1)[0])
+
+
+def test_limit():
+    """Beyond the limit the surface is distributed; where that is not to be, one process warns."""
+    automatic, gather = vtkPDirectionField.AUTOMATIC, vtkPDirectionField.GATHER
+    check(warned(len(triangles), automatic) == ("", 0, 1), "at the limit")
+    text, count, used = warned(len(triangles) - 1, gather)
+    check("more than GatherLimit" in text and (count, used) == (1, 1), text, count, used)
+    text, count, used = warned(len(triangles) - 1, automatic)
+    if sys.argv[2] == "distributed":
+        check((text, count, used) == ("", 0, 2), text, count, used)
+        return
+    check("libpetsc-complex-dev" in text and (count, used) == (1, 1), text, count, used)
+    field = vtkPDirectionField()
+    field.SetDistribution(vtkPDirectionField.DISTRIBUTED)
+    field.SetInputData(own_piece())
+    heard = messages_of(field)
+    field.Update()
+    check("libpetsc-complex-dev" in "".join(heard) and field.GetOutput().GetNumberOfCells() == 0, heard)
 
 
 for test in (test_glyphs, test_error, test_stop, test_empty, test_composite,

@@ -25,28 +25,6 @@ Complex IntegerPower(Complex z, int exponent)
   }
   return power;
 }
-
-/// A sum and that of its absolute values.
-struct Overlap
-{
-  Complex Sum = 0.0;
-  double Size = 0.0;
-
-  void operator+=(const Overlap& other)
-  {
-    this->Sum += other.Sum;
-    this->Size += other.Size;
-  }
-};
-
-/// The number of a vertex with the largest value, the first of several.
-struct Largest
-{
-  double Value = -1.0;
-  Index Vertex = 0;
-
-  void operator+=(const Largest& other) { *this = other.Value > this->Value ? other : *this; }
-};
 }
 
 ReferenceSection::ReferenceSection(
@@ -66,8 +44,13 @@ ReferenceSection::ReferenceSection(
       }
       return part;
     });
-  this->Center = 0.5 * box.Low + 0.5 * box.High;
-  const double size = (box.High - box.Low).maxCoeff();
+  this->SetBox(box.Low, box.High);
+}
+
+void ReferenceSection::SetBox(const Vector3& lower, const Vector3& upper)
+{
+  this->Center = 0.5 * lower + 0.5 * upper;
+  const double size = (upper - lower).maxCoeff();
   this->HalfSize = size > 0.0 ? 0.5 * size : 1.0;
 }
 
@@ -108,51 +91,76 @@ ComplexVector ReferenceSection::Start() const
   return start;
 }
 
-void ReferenceSection::FixPhase(ComplexVector& u) const
+bool ReferenceSection::Overlap::Decides() const
 {
-  const auto count = static_cast<Index>(u.size());
-  const auto turn = [&](const Complex& phase)
-  {
-    ParallelFor(
-      count, MediumPiece, [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
-  };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto overlap = ParallelSum(count, MediumPiece, Overlap{},
-      [&](Index begin, Index end)
+  return std::abs(this->Sum) > Cancelled * this->Size && this->Size > 0.0;
+}
+
+ReferenceSection::Overlap ReferenceSection::OverlapWith(
+  int axis, const ComplexVector& u, const std::vector<char>& counts) const
+{
+  return ParallelSum(static_cast<Index>(u.size()), MediumPiece, Overlap{},
+    [&](Index begin, Index end)
+    {
+      Overlap part;
+      for (Index v = begin; v < end; ++v)
       {
-        Overlap part;
-        for (Index v = begin; v < end; ++v)
+        if (counts.empty() || counts[v])
         {
           const Complex term = std::conj(u[v]) * this->Power(v, Vector3::Unit(axis));
           part.Sum += term;
           part.Size += Modulus(term);
         }
-        return part;
-      });
-    const double length = std::abs(overlap.Sum);
-    if (length > Cancelled * overlap.Size && overlap.Size > 0.0)
+      }
+      return part;
+    });
+}
+
+ReferenceSection::Candidate ReferenceSection::FindCandidate(
+  const ComplexVector& u, const std::vector<char>& counts) const
+{
+  const Vector3 oblique(0.37, 0.23, 0.11);
+  Candidate found = ParallelSum(static_cast<Index>(u.size()), MediumPiece, Candidate{},
+    [&](Index begin, Index end)
     {
-      turn(overlap.Sum / length);
+      Candidate part;
+      for (Index v = begin; v < end; ++v)
+      {
+        if (counts.empty() || counts[v])
+        {
+          part += Candidate{ Modulus(u[v]) * (2.0 + oblique.dot(this->Position(v))), v, 0.0 };
+        }
+      }
+      return part;
+    });
+  if (found.Value >= 0.0)
+  {
+    found.Overlap = std::conj(u[found.Vertex]) * this->Power(found.Vertex, oblique);
+  }
+  return found;
+}
+
+void ReferenceSection::FixPhase(ComplexVector& u) const
+{
+  const auto turn = [&](const Complex& overlap)
+  {
+    const Complex phase = overlap / std::abs(overlap);
+    ParallelFor(static_cast<Index>(u.size()), MediumPiece,
+      [&](Index begin, Index end) { u.segment(begin, end - begin) *= phase; });
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Overlap overlap = this->OverlapWith(axis, u, {});
+    if (overlap.Decides())
+    {
+      turn(overlap.Sum);
       return;
     }
   }
-  // One vertex that no symmetry maps to another decides.
-  const Vector3 oblique(0.37, 0.23, 0.11);
-  const Index chosen = ParallelSum(count, MediumPiece, Largest{},
-    [&](Index begin, Index end)
-    {
-      Largest part;
-      for (Index v = begin; v < end; ++v)
-      {
-        part += Largest{ Modulus(u[v]) * (2.0 + oblique.dot(this->Position(v))), v };
-      }
-      return part;
-    }).Vertex;
-  const Complex overlap = std::conj(u[chosen]) * this->Power(chosen, oblique);
+  const Complex overlap = this->FindCandidate(u, {}).Overlap;
   if (std::abs(overlap) > 0.0)
   {
-    turn(overlap / std::abs(overlap));
+    turn(overlap);
   }
 }
 

@@ -24,6 +24,37 @@ public:
   /// to the y or z axis, or at one vertex, where that leaves the phase open.
   void FixPhase(ComplexVector& u) const;
 
+  /// What FixPhase sums up over the vertices, so that a component in pieces gets the phase of the whole: the
+  /// overlaps of the pieces add up, the first axis whose overlap decides gives the phase, and where none does the
+  /// piece with the largest candidate.
+  struct Overlap
+  {
+    Complex Sum = 0.0;
+    double Size = 0.0;
+
+    void operator+=(const Overlap& other)
+    {
+      this->Sum += other.Sum;
+      this->Size += other.Size;
+    }
+    /// Whether it is more than what a symmetry leaves.
+    bool Decides() const;
+  };
+  /// @param counts for each vertex whether it is summed up; empty for all
+  Overlap OverlapWith(int axis, const ComplexVector& u, const std::vector<char>& counts) const;
+  /// A vertex that no symmetry maps to another, and the overlap there.
+  struct Candidate
+  {
+    double Value = -1.0;
+    Index Vertex = 0;
+    Complex Overlap = 0.0;
+
+    void operator+=(const Candidate& other) { *this = other.Value > this->Value ? other : *this; }
+  };
+  Candidate FindCandidate(const ComplexVector& u, const std::vector<char>& counts) const;
+  /// The box around the whole component, where its vertices are not all there.
+  void SetBox(const Vector3& lower, const Vector3& upper);
+
 private:
   /// The n-th power of the tangential part of a vector, of that part's length.
   Complex Power(Index vertex, const Vector3& v) const;

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distributed/ComponentSolution.h"
+
+#include "Distributed/DistributedEigenpair.h"
+#include "Distributed/DistributedHierarchy.h"
+#include "Distributed/DistributedMatrices.h"
+#include "Sections/ReferenceSection.h"
+#include "Support/Division.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+/// Copies own rows to their vertices.
+void TakeRows(const DistributedMatrices& matrices, Vec rows, std::vector<Complex>& section)
+{
+  const PetscScalar* values = nullptr;
+  Require(VecGetArrayRead(rows, &values));
+  for (std::size_t k = 0; k < matrices.Vertices.size(); ++k)
+  {
+    section[matrices.Vertices[k]] = values[k];
+  }
+  Require(VecRestoreArrayRead(rows, &values));
+}
+
+/// The phase rule of ReferenceSection for a component in pieces.
+class GlobalPhase
+{
+public:
+  GlobalPhase(const Messages& messages, const DistributedMesh& mesh, int component, int degree)
+    : Exchange(messages)
+  {
+    const TriangleMesh& triangles = mesh.GetMesh();
+    double box[6];
+    std::fill(box, box + 6, -std::numeric_limits<double>::max());
+    for (std::size_t c = 0; c < triangles.GetComponents().size(); ++c)
+    {
+      if (mesh.ComponentOf(c) != component)
+      {
+        continue;
+      }
+      const TriangleMesh::Component& part = triangles.GetComponents()[c];
+      this->Parts.push_back({ part, ReferenceSection(mesh.GetGeometry(), part, degree), {} });
+      for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
+      {
+        this->Parts.back().IsOwned.push_back(mesh.IsOwned(v) ? 1 : 0);
+        const Vector3& place = mesh.GetGeometry().Positions[v];
+        for (int k = 0; k < 3 && mesh.IsOwned(v); ++k)
+        {
+          box[k] = std::max(box[k], -place[k]);
+          box[3 + k] = std::max(box[3 + k], place[k]);
+        }
+      }
+    }
+    for (double& side : box)
+    {
+      side = messages.Largest(side);
+    }
+    for (Part& part : this->Parts)
+    {
+      part.Reference.SetBox({ -box[0], -box[1], -box[2] }, { box[3], box[4], box[5] });
+    }
+  }
+
+  /// The factor of modulus 1 that a section has to be multiplied by.
+  Complex Of(const std::vector<Complex>& section) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ReferenceSection::Overlap overlap;
+      for (const Part& part : this->Parts)
+      {
+        overlap += part.Reference.OverlapWith(axis, SectionOn(part, section), part.IsOwned);
+      }
+      double sums[3] = { overlap.Sum.real(), overlap.Sum.imag(), overlap.Size };
+      this->Exchange.Sum(sums, 3);
+      overlap.Sum = Complex(sums[0], sums[1]);
+      overlap.Size = sums[2];
+      if (overlap.Decides())
+      {
+        return overlap.Sum / std::abs(overlap.Sum);
+      }
+    }
+    ReferenceSection::Candidate best;
+    for (const Part& part : this->Parts)
+    {
+      best += part.Reference.FindCandidate(SectionOn(part, section), part.IsOwned);
+    }
+    const std::vector<double> all =
+      this->Exchange
+        .AllGather(std::vector<double>{ best.Value, best.Overlap.real(), best.Overlap.imag() })
+        .Values;
+    best = {};
+    for (std::size_t k = 0; k < all.size(); k += 3)
+    {
+      best += { all[k], 0, Complex(all[k + 1], all[k + 2]) };
+    }
+    return std::abs(best.Overlap) > 0.0 ? best.Overlap / std::abs(best.Overlap) : Complex(1.0);
+  }
+
+private:
+  struct Part
+  {
+    const TriangleMesh::Component& Range;
+    ReferenceSection Reference;
+    std::vector<char> IsOwned;
+  };
+  static ComplexVector SectionOn(const Part& part, const std::vector<Complex>& section)
+  {
+    return Eigen::Map<const ComplexVector>(
+      section.data() + part.Range.FirstVertex, part.Range.Vertices());
+  }
+
+  const Messages& Exchange;
+  std::vector<Part> Parts;
+};
+
+void SolveComponent(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
+  int component, const Options& options, const std::function<bool(double)>& goOn,
+  std::vector<Complex>& section, ComponentReport& report)
+{
+  const DistributedMatrices matrices =
+    AssembleMatrices(processes, messages, mesh, component, options.Degree, options.EnergyBias);
+  DistributedSettings settings;
+  settings.Tolerance = options.Tolerance;
+  settings.MaximumIterations = options.MaximumIterations;
+  settings.Scale = 2.0 * Pi * options.Degree / matrices.Area;
+  settings.GoOn = goOn;
+  DistributedHierarchy hierarchy(matrices.Energy, matrices.Mass, settings.Scale);
+  DistributedEigenpair pair = FindSmallestPair(matrices, hierarchy, settings);
+  // Modulus 1 in the mean square.
+  Require(VecScale(pair.Vector, std::sqrt(matrices.Area)));
+  TakeRows(matrices, pair.Vector, section);
+  const GlobalPhase phase(messages, mesh, component, options.Degree);
+  const Complex turn = phase.Of(section);
+  for (const Index v : matrices.Vertices)
+  {
+    section[v] *= turn;
+  }
+  report.Eigenvalue = PerSquare(pair.Value, matrices.Unit);
+  report.Lambda = report.Eigenvalue;
+  report.SmoothnessEnergy = report.Eigenvalue;
+  report.Residual = pair.Residual;
+  report.RequiredResidual = pair.RequiredResidual;
+  report.Iterations = pair.Iterations;
+  report.SolverUsed = Solver::Multigrid;
+  report.Converged = pair.Residual <= pair.RequiredResidual;
+}
+}
+
+std::vector<Complex> SolveDistributed(Processes& processes, const Messages& messages,
+  const DistributedMesh& mesh, const Options& options, const std::function<bool(double)>& goOn,
+  std::vector<ComponentReport>& reports)
+{
+  std::vector<Complex> section;
+  processes.Together(
+    [&] { section.assign(static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices()), 0.0); });
+  reports.resize(static_cast<std::size_t>(mesh.CountComponents()));
+  for (int c = 0; c < mesh.CountComponents(); ++c)
+  {
+    const auto part = [&](double done)
+    { return !messages.Any(!goOn((c + done) / mesh.CountComponents())); };
+    SolveComponent(processes, messages, mesh, c, options, part, section, reports[c]);
+  }
+  mesh.Complete(section);
+  return section;
+}
+}

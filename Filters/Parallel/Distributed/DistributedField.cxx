@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distributed/DistributedField.h"
+
+#include "Distributed/ComponentSolution.h"
+#include "Distributed/DistributedMesh.h"
+#include "Distributed/Messages.h"
+#include "Distributed/PetscObjects.h"
+#include "Distributed/PieceWithSurroundings.h"
+#include "Distributed/SharedPoints.h"
+#include "Field/FieldToResult.h"
+#include "Mesh/OutputPoints.h"
+#include "Support/Threads.h"
+
+#include "vtkDataArray.h"
+#include "vtkMPI.h"
+#include "vtkMPICommunicator.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+/// A communicator of the solver's own, whose messages meet no others.
+class OwnCommunicator
+{
+public:
+  explicit OwnCommunicator(vtkMultiProcessController* controller)
+  {
+    auto* const communicator = vtkMPICommunicator::SafeDownCast(controller->GetCommunicator());
+    this->IsThere = communicator != nullptr;
+    if (this->IsThere)
+    {
+      MPI_Comm_dup(*communicator->GetMPIComm()->GetHandle(), &this->Handle);
+    }
+  }
+  ~OwnCommunicator()
+  {
+    if (this->IsThere)
+    {
+      MPI_Comm_free(&this->Handle);
+    }
+  }
+  OwnCommunicator(const OwnCommunicator&) = delete;
+  OwnCommunicator& operator=(const OwnCommunicator&) = delete;
+
+  MPI_Comm Handle = MPI_COMM_NULL;
+  bool IsThere = false;
+};
+
+/// The points whose owner is another process, and those that others have from here, in the same order.
+PointExchange ExchangeOf(
+  const SharedPoints& shared, const SurfacePiece& piece, const Messages& messages)
+{
+  std::vector<std::map<vtkIdType, vtkIdType>> sent(static_cast<std::size_t>(messages.Count()));
+  std::vector<std::map<vtkIdType, vtkIdType>> received = sent;
+  for (const auto& [own, others] : shared.Others)
+  {
+    const vtkIdType number = shared.Number[own];
+    const vtkIdType point = piece.Own.Points[own];
+    const int owner = shared.OwnerOf(number);
+    if (owner != messages.Own())
+    {
+      received[owner][number] = point;
+      continue;
+    }
+    for (const int other : others)
+    {
+      sent[other][number] = point;
+    }
+  }
+  PointExchange exchange;
+  exchange.Sent.resize(sent.size());
+  exchange.Received.resize(sent.size());
+  for (std::size_t p = 0; p < sent.size(); ++p)
+  {
+    for (const auto& [number, point] : sent[p])
+    {
+      exchange.Sent[p].push_back(point);
+    }
+    for (const auto& [number, point] : received[p])
+    {
+      exchange.Received[p].push_back(point);
+    }
+  }
+  return exchange;
+}
+
+/// Leaves the points and triangles of the input, with the components of the whole.
+void KeepInput(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
+  std::size_t inputTriangles, Result& result)
+{
+  const auto points = static_cast<std::size_t>(piece.InputPoints);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    if (piece.Number[i] < 0)
+    {
+      result.Representation[i] = 0.0;
+    }
+  }
+  result.Representation.resize(points);
+  result.EnergyDensity.resize(points);
+  result.Normal.resize(points);
+  result.XAxis.resize(points);
+  result.OriginalPoint.resize(points);
+  std::vector<int> index(inputTriangles, 0);
+  std::vector<Index> component(inputTriangles, None);
+  for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
+  {
+    index[piece.InputTriangle[t]] = result.SingularityIndex[t];
+    component[piece.InputTriangle[t]] = result.Component[t] == None
+      ? None
+      : mesh.ComponentOf(static_cast<std::size_t>(result.Component[t]));
+  }
+  result.SingularityIndex = std::move(index);
+  result.Component = std::move(component);
+}
+
+/// The counts of all pieces' parts together, and whether there is a boundary.
+void AddUpCounts(const Messages& messages, const DistributedMesh& mesh, Result& result,
+  std::vector<ComponentReport>& reports)
+{
+  const std::size_t components = reports.size();
+  std::vector<double> sums(5 * components, 0.0);
+  const TriangleMesh& triangles = mesh.GetMesh();
+  for (std::size_t c = 0; c < triangles.GetComponents().size(); ++c)
+  {
+    if (mesh.ComponentOf(c) < 0)
+    {
+      continue;
+    }
+    double* const sum = sums.data() + 5 * mesh.ComponentOf(c);
+    const ComponentReport& part = result.Components[c];
+    sum[0] += part.EulerCharacteristic;
+    sum[1] += part.Vertices;
+    sum[2] += part.Triangles;
+    sum[3] += part.IndexSum;
+    const TriangleMesh::Component& range = triangles.GetComponents()[c];
+    for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
+    {
+      sum[4] += mesh.IsOwned(v) && triangles.IsBoundary(v) ? 1.0 : 0.0;
+    }
+  }
+  messages.Sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    const double* const sum = sums.data() + 5 * c;
+    reports[c].EulerCharacteristic = static_cast<int>(sum[0]);
+    reports[c].Vertices = static_cast<Index>(sum[1]);
+    reports[c].Triangles = static_cast<Index>(sum[2]);
+    reports[c].IndexSum = static_cast<int>(sum[3]);
+    reports[c].Closed = sum[4] == 0.0;
+  }
+  result.Components = reports;
+}
+
+/// What was mended in all pieces.
+void AddUpRepairs(const Messages& messages, const PieceWithSurroundings& piece,
+  const DistributedMesh& mesh, Repairs& repairs)
+{
+  double sums[2] = { 0.0, 0.0 };
+  for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
+  {
+    const Triangle& corners = piece.Surface.Triangles[t];
+    sums[0] += corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+  }
+  // Where there are any, none is among the surroundings.
+  sums[1] = mesh.GetGeometry().Lengths.DegenerateTriangles;
+  messages.Sum(sums, 2);
+  repairs = {};
+  repairs.CollapsedTriangles = static_cast<Index>(sums[0]);
+  repairs.DegenerateTriangles = static_cast<Index>(sums[1]);
+}
+
+SurfaceFigures AddUpFigures(const Messages& messages, const SurfaceFigures& own)
+{
+  const std::vector<double> values{ own.Lower[0], own.Lower[1], own.Lower[2], own.Upper[0],
+    own.Upper[1], own.Upper[2], own.Area, static_cast<double>(own.Positive),
+    static_cast<double>(own.Negative) };
+  const std::vector<double> all = messages.AllGather(values).Values;
+  SurfaceFigures sum;
+  for (std::size_t k = 0; k < all.size(); k += values.size())
+  {
+    SurfaceFigures part;
+    part.Lower = Vector3(all.data() + k);
+    part.Upper = Vector3(all.data() + k + 3);
+    part.Area = all[k + 6];
+    part.Positive = static_cast<Index>(all[k + 7]);
+    part.Negative = static_cast<Index>(all[k + 8]);
+    sum += part;
+  }
+  return sum;
+}
+
+void Compute(Processes& processes, const Messages& messages, const Surface& surface,
+  const SurfacePiece& piece, const Options& options, const std::function<bool(double)>& goOn,
+  DistributedField& field)
+{
+  const SharedPoints shared = MatchBorders(processes, messages, piece);
+  field.Reason = shared.Reason;
+  field.SharedPoints = shared.Shared;
+  if (!field.Reason.empty())
+  {
+    return;
+  }
+  const PieceWithSurroundings around = AddSurroundings(processes, messages, surface, piece, shared);
+  const DistributedMesh mesh(processes, messages, around, shared);
+  field.Reason = mesh.GetReason();
+  if (!field.Reason.empty())
+  {
+    return;
+  }
+  std::vector<ComponentReport> reports;
+  const std::vector<Complex> section =
+    SolveDistributed(processes, messages, mesh, options, goOn, reports);
+  processes.Together(
+    [&]
+    {
+      field.Field.Degree = options.Degree;
+      const OutputPoints points(mesh.GetMesh(), around.Surface, {});
+      AddSection(mesh.GetGeometry(), around.Surface, points, section, field.Field);
+    });
+  AddUpCounts(messages, mesh, field.Field, reports);
+  AddUpRepairs(messages, around, mesh, field.Field.Repaired);
+  SurfaceFigures own;
+  processes.Together(
+    [&]
+    {
+      own = FiguresOf(around.Surface, field.Field.SingularityIndex);
+      KeepInput(mesh, around, surface.Triangles.size(), field.Field);
+      field.Exchange = ExchangeOf(shared, piece, messages);
+    });
+  field.Figures = AddUpFigures(messages, own);
+}
+}
+
+bool CanDistribute()
+{
+  return true;
+}
+
+DistributedField ComputeDistributed(Processes& processes, const Surface& surface,
+  const SurfacePiece& piece, const Options& options, const std::function<bool(double)>& goOn)
+{
+  DistributedField field;
+  const OwnCommunicator communicator(processes.GetController());
+  if (!communicator.IsThere)
+  {
+    field.Reason = "its processes are not those of MPI";
+    return field;
+  }
+  Threads threads(options.NumberOfThreads);
+  const Threads::Scope scope(threads);
+  const Messages messages(communicator.Handle);
+  StartPetsc(communicator.Handle);
+  Compute(processes, messages, surface, piece, options, goOn, field);
+  return field;
+}
+
+void TakeOwnersValues(
+  Processes& processes, const PointExchange& exchange, vtkPolyData* input, vtkPolyData* output)
+{
+  const OwnCommunicator communicator(processes.GetController());
+  const Messages messages(communicator.Handle);
+  std::vector<vtkDataArray*> arrays;
+  vtkPointData* const data = output->GetPointData();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkDataArray* const array = data->GetArray(k);
+    if (array && array != input->GetPointData()->GetArray(array->GetName()))
+    {
+      arrays.push_back(array);
+    }
+  }
+  std::vector<std::vector<double>> sent(exchange.Sent.size());
+  const auto forEach = [&](const std::vector<vtkIdType>& points, const auto& body)
+  {
+    for (const vtkIdType point : points)
+    {
+      for (vtkDataArray* const array : arrays)
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          body(array, point, c);
+        }
+      }
+    }
+  };
+  processes.Together(
+    [&]
+    {
+      for (std::size_t p = 0; p < sent.size(); ++p)
+      {
+        forEach(exchange.Sent[p],
+          [&](vtkDataArray* array, vtkIdType point, int c)
+          { sent[p].push_back(array->GetComponent(point, c)); });
+      }
+    });
+  const std::vector<std::vector<double>> received = messages.Exchange(sent);
+  for (std::size_t p = 0; p < received.size(); ++p)
+  {
+    std::size_t at = 0;
+    forEach(exchange.Received[p],
+      [&](vtkDataArray* array, vtkIdType point, int c)
+      { array->SetComponent(point, c, received[p][at++]); });
+  }
+}
+}

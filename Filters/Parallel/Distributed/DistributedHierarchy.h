@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DistributedHierarchy_h
+#define DistributedHierarchy_h
+
+#include "Distributed/PetscObjects.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace DirectionFields::Parallel
+{
+/// A hierarchy of ever smaller matrices whose rows lie on several processes, and a V-cycle that nearly inverts
+/// A + shift M with it: PETSc's matrices and products, and Core's aggregation.
+///
+/// Each process aggregates its own vertices, so that aggregates need no messages; the prolongator is smoothed
+/// by the whole matrix, across processes. The restriction is an explicit R = P^H, for what PETSc makes of P by
+/// itself is P^T, and with P^T A P the transport is lost. Smoothing is by Chebyshev polynomials in the matrix
+/// over its diagonal, which do not depend on what is on which process.
+class DistributedHierarchy
+{
+public:
+  struct Level
+  {
+    /// A and M; those of the finest level are the caller's.
+    Mat Energy = nullptr;
+    Mat Mass = nullptr;
+    OwnedMat OwnEnergy;
+    OwnedMat OwnMass;
+    /// Interpolates sections of the next coarser level, and the adjoint; null on the coarsest.
+    OwnedMat Prolongator;
+    OwnedMat Restriction;
+    /// A + shift M, where shift is not 0.
+    OwnedMat Shifted;
+    OwnedKsp Solver;
+    OwnedVec Right;
+    OwnedVec Solution;
+    OwnedVec Rest;
+
+    Mat System() const { return this->Shifted ? static_cast<Mat>(this->Shifted) : this->Energy; }
+  };
+
+  /// All processes call it; throws std::runtime_error on all of them.
+  /// @param energy, mass must outlive the hierarchy
+  /// @param scale the order of magnitude of the smallest eigenvalue
+  /// @param shift at least 0
+  DistributedHierarchy(Mat energy, Mat mass, double scale, double shift = 0.0);
+
+  const std::vector<Level>& GetLevels() const { return this->Levels; }
+  std::size_t CountLevels() const { return this->Levels.size(); }
+  /// solution = B right on a level, B nearly the inverse of A + shift M, Hermitian and positive definite.
+  void Apply(Vec right, Vec solution, std::size_t level = 0);
+  /// How often Apply was called for the finest level.
+  int GetCycles() const { return this->Cycles; }
+
+private:
+  bool Coarsen();
+  void MakeSolver(std::size_t level, double shift);
+
+  std::vector<Level> Levels;
+  double Scale;
+  int Cycles = 0;
+};
+}
+
+#endif

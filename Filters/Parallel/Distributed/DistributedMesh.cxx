@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distributed/DistributedMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+/// Whether a point of the piece belongs to one of its own triangles.
+bool IsInPiece(const PieceWithSurroundings& piece, Index point)
+{
+  return point < piece.InputPoints && piece.Number[point] >= 0;
+}
+
+/// The least member of a joined set.
+int Find(std::vector<int>& parents, int k)
+{
+  while (parents[k] != k)
+  {
+    parents[k] = parents[parents[k]];
+    k = parents[k];
+  }
+  return k;
+}
+}
+
+DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
+  const PieceWithSurroundings& piece, const SharedPoints& shared)
+  : Exchange(messages)
+{
+  std::string fault;
+  processes.Together(
+    [&]
+    {
+      this->Geometry = std::make_unique<SurfaceGeometry>(piece.Surface);
+      fault = this->FindFaults(piece);
+    });
+  // The first process with a fault speaks.
+  const Messages::Collected<char> faults =
+    messages.AllGather(std::vector<char>(fault.begin(), fault.end()));
+  for (std::size_t p = 0; p + 1 < faults.First.size() && this->Reason.empty(); ++p)
+  {
+    this->Reason.assign(
+      faults.Values.begin() + faults.First[p], faults.Values.begin() + faults.First[p + 1]);
+  }
+  if (!this->Reason.empty())
+  {
+    return;
+  }
+  processes.Together([&] { this->FindOwned(piece, shared); });
+  this->FindExchange(processes, piece, shared);
+  this->JoinComponents(processes, piece, shared);
+  if (messages.Any(this->Disagrees(piece)))
+  {
+    this->Reason = "its pieces do not agree on what is around the points that they share";
+  }
+}
+
+std::string DistributedMesh::FindFaults(const PieceWithSurroundings& piece) const
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const Repairs& repairs = mesh.GetRepairs();
+  if (repairs.NonOrientableComponents > 0 || repairs.ReversedTriangles > 0)
+  {
+    return "its triangles are not all wound the same way";
+  }
+  if (repairs.NonManifoldEdges > 0 || repairs.DuplicateTriangles > 0)
+  {
+    return "some of its edges have more than two triangles";
+  }
+  std::vector<char> isUsed(piece.Number.size(), 0);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    if (isUsed[point] && IsInPiece(piece, point))
+    {
+      return "several sheets of it meet in a point";
+    }
+    isUsed[point] = 1;
+  }
+  if (this->HasChangedEdgesNearGhosts(piece))
+  {
+    return "triangles without area lie where its pieces meet";
+  }
+  return {};
+}
+
+bool DistributedMesh::HasChangedEdgesNearGhosts(const PieceWithSurroundings& piece) const
+{
+  const SurfaceGeometry& geometry = *this->Geometry;
+  const TriangleMesh& mesh = geometry.Mesh;
+  if (geometry.Lengths.DegenerateTriangles == 0)
+  {
+    return false;
+  }
+  constexpr double rounding = 1e-9;
+  std::vector<Index> fan;
+  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
+    {
+      const Index h = mesh.HalfEdge(e);
+      const double length =
+        (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).norm();
+      const double used = std::sqrt(geometry.Lengths.SquaredLength[e]) * geometry.Lengths.Unit[c];
+      if (std::abs(used - length) <= rounding * used)
+      {
+        continue;
+      }
+      for (const Index end : { mesh.Tail(h), mesh.Head(h) })
+      {
+        mesh.GetFan(end, fan);
+        for (const Index k : fan)
+        {
+          if (piece.Surface.Ghost[mesh.InputTriangle(k / 3)] != 0)
+          {
+            return true;
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void DistributedMesh::FindOwned(const PieceWithSurroundings& piece, const SharedPoints& shared)
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const int own = this->Exchange.Own();
+  this->Owned.assign(static_cast<std::size_t>(mesh.GetNumberOfVertices()), 0);
+  this->VertexOfPoint.assign(piece.Number.size(), None);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    this->VertexOfPoint[point] = v;
+    this->Owned[v] = piece.Number[point] >= shared.FirstNumber[own] &&
+      piece.Number[point] < shared.FirstNumber[own + 1];
+  }
+}
+
+void DistributedMesh::FindExchange(
+  Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared)
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const auto processCount = static_cast<std::size_t>(this->Exchange.Count());
+  std::vector<std::vector<vtkIdType>> wanted(processCount);
+  this->Received.resize(processCount);
+  processes.Together(
+    [&]
+    {
+      std::vector<char> matters(this->Owned.size(), 0);
+      for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+      {
+        const Index tail = mesh.Tail(h);
+        const Index head = mesh.Head(h);
+        matters[head] |= IsInPiece(piece, mesh.Point(tail)) ? 1 : 0;
+        matters[tail] |= IsInPiece(piece, mesh.Point(head)) ? 1 : 0;
+      }
+      for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        if (matters[v] && !this->Owned[v])
+        {
+          const vtkIdType number = piece.Number[mesh.Point(v)];
+          const int owner = shared.OwnerOf(number);
+          wanted[owner].push_back(number);
+          this->Received[owner].push_back(v);
+        }
+      }
+    });
+  const std::vector<std::vector<vtkIdType>> asked = this->Exchange.Exchange(wanted);
+  processes.Together(
+    [&]
+    {
+      std::unordered_map<vtkIdType, Index> ownVertex;
+      for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        if (this->Owned[v])
+        {
+          ownVertex.emplace(piece.Number[mesh.Point(v)], v);
+        }
+      }
+      this->Sent.resize(asked.size());
+      for (std::size_t p = 0; p < asked.size(); ++p)
+      {
+        for (const vtkIdType number : asked[p])
+        {
+          this->Sent[p].push_back(ownVertex.at(number));
+        }
+      }
+    });
+}
+
+void DistributedMesh::JoinComponents(
+  Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared)
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const std::vector<TriangleMesh::Component>& parts = mesh.GetComponents();
+  const auto ownTriangles = static_cast<Index>(piece.InputTriangle.size());
+  // The first own triangle of each part of this process.
+  std::vector<vtkIdType> first(parts.size());
+  std::vector<int> partOf(this->Owned.size());
+  processes.Together(
+    [&]
+    {
+      for (std::size_t c = 0; c < parts.size(); ++c)
+      {
+        Index least = ownTriangles;
+        for (Index t = parts[c].FirstTriangle; t < parts[c].EndTriangle; ++t)
+        {
+          least = std::min(least, mesh.InputTriangle(t));
+        }
+        first[c] = least < ownTriangles ? piece.FirstTriangle + least : -1;
+        std::fill(partOf.begin() + parts[c].FirstVertex, partOf.begin() + parts[c].EndVertex,
+          static_cast<int>(c));
+      }
+    });
+  const Messages::Collected<vtkIdType> all = this->Exchange.AllGather(first);
+  const int begin = all.First[this->Exchange.Own()];
+  std::vector<int> own;
+  for (const vtkIdType point : shared.OwnBorder)
+  {
+    const Index vertex = this->VertexOfPoint[point];
+    own.push_back(vertex == None ? -1 : begin + partOf[vertex]);
+  }
+  const std::vector<int> border = this->Exchange.AllGather(own).Values;
+  std::vector<int> parents(all.Values.size());
+  std::iota(parents.begin(), parents.end(), 0);
+  std::unordered_map<vtkIdType, int> partAt;
+  for (std::size_t k = 0; k < border.size(); ++k)
+  {
+    if (border[k] >= 0)
+    {
+      const auto [entry, isNew] = partAt.try_emplace(shared.BorderNumber[k], border[k]);
+      const int a = Find(parents, entry->second);
+      const int b = Find(parents, border[k]);
+      parents[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  // The components by their first triangles.
+  std::unordered_map<int, vtkIdType> firstOfRoot;
+  for (std::size_t k = 0; k < parents.size(); ++k)
+  {
+    if (all.Values[k] >= 0)
+    {
+      const auto [entry, isNew] =
+        firstOfRoot.try_emplace(Find(parents, static_cast<int>(k)), all.Values[k]);
+      entry->second = std::min(entry->second, all.Values[k]);
+    }
+  }
+  std::vector<std::pair<vtkIdType, int>> order;
+  for (const auto& [root, triangle] : firstOfRoot)
+  {
+    order.emplace_back(triangle, root);
+  }
+  std::sort(order.begin(), order.end());
+  std::unordered_map<int, int> numberOfRoot;
+  for (const auto& [triangle, root] : order)
+  {
+    numberOfRoot.emplace(root, this->Components++);
+  }
+  for (std::size_t c = 0; c < parts.size(); ++c)
+  {
+    const auto there = numberOfRoot.find(Find(parents, begin + static_cast<int>(c)));
+    this->ComponentOfPart.push_back(there == numberOfRoot.end() ? -1 : there->second);
+  }
+}
+
+bool DistributedMesh::Disagrees(const PieceWithSurroundings& piece) const
+{
+  // The reference edge and the number of triangles at each vertex.
+  const TriangleMesh& mesh = this->GetMesh();
+  std::vector<std::array<vtkIdType, 2>> own(this->Owned.size());
+  std::vector<Index> fan;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    mesh.GetFan(v, fan);
+    Index reference = fan.front();
+    for (const Index h : fan)
+    {
+      reference = this->Geometry->Transport.EdgeAngle[h] == 0.0 ? h : reference;
+    }
+    own[v] = { piece.Number[mesh.Point(mesh.Head(reference))],
+      2 * static_cast<vtkIdType>(fan.size()) + (mesh.IsBoundary(v) ? 1 : 0) };
+  }
+  std::vector<std::array<vtkIdType, 2>> owners = own;
+  this->Complete(owners);
+  return owners != own;
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What DistributedField.h declares, for builds without PETSc or MPI.
+#include "Distributed/DistributedField.h"
+
+#include <stdexcept>
+
+namespace DirectionFields::Parallel
+{
+bool CanDistribute()
+{
+  return false;
+}
+
+DistributedField ComputeDistributed(Processes&, const Surface&, const SurfacePiece&, const Options&,
+  const std::function<bool(double)>&)
+{
+  throw std::logic_error("This build has no PETSc.");
+}
+
+void TakeOwnersValues(Processes&, const PointExchange&, vtkPolyData*, vtkPolyData*) {}
+}

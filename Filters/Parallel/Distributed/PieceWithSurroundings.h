@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef PieceWithSurroundings_h
+#define PieceWithSurroundings_h
+
+#include "Distributed/Messages.h"
+#include "Distributed/SharedPoints.h"
+#include "Processes.h"
+#include "Surface.h"
+#include "SurfacePiece.h"
+
+#include "vtkType.h"
+
+#include <vector>
+
+namespace DirectionFields::Parallel
+{
+/// The triangles of a piece, and around them all triangles of other pieces that touch them or that touch those:
+/// so every point of the piece, and every neighbour of it, has all its triangles here.
+struct PieceWithSurroundings
+{
+  /// The input's points, then those that only others' triangles have. Points of several pieces are where their
+  /// owner has them. The piece's own triangles, then the others', which are its ghosts.
+  DirectionFields::Surface Surface;
+  /// The number of each point (see SharedPoints); -1 where no triangle uses it.
+  std::vector<vtkIdType> Number;
+  /// The points that the input has.
+  Index InputPoints = 0;
+  /// For each own triangle that of the input.
+  std::vector<Index> InputTriangle;
+  /// The number of the first own triangle among those of all pieces.
+  vtkIdType FirstTriangle = 0;
+};
+
+/// Asks the other processes for the surroundings. All processes call it; throws ProcessesError.
+/// @param input  the triangles of the piece, over all points of the polydata; its ghosts are left out
+PieceWithSurroundings AddSurroundings(Processes& processes, const Messages& messages,
+  const DirectionFields::Surface& input, const SurfacePiece& piece, const SharedPoints& shared);
+}
+
+#endif
