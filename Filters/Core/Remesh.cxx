@@ -3,6 +3,7 @@
 
 #include "Remesh.h"
 
+#include "Faces/FaceCleanup.h"
 #include "Faces/FaceSmoothing.h"
 #include "Faces/FoldedQuads.h"
 #include "Field/ComponentFields.h"
@@ -11,10 +12,12 @@
 #include "Field/Stages.h"
 #include "LatticeMap/FeatureLines.h"
 #include "Quads/ComponentCells.h"
+#include "Quads/FaceSources.h"
 #include "Quads/PreparedSurface.h"
 #include "Quads/QuadSplit.h"
 #include "Quads/Seams.h"
 #include "Quads/SizeAdvice.h"
+#include "Quads/WantedSizes.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -47,14 +50,17 @@ FeatureSettings FeaturesOf(const RemeshOptions& options, double edgeLength)
     ShortestFeature * edgeLength };
 }
 
-double SizeAt(const RemeshOptions& options, std::size_t point)
+/// The wanted size at each point, clamped.
+std::vector<double> SizesAt(const RemeshOptions& options, std::size_t points)
 {
-  if (options.Sizing.empty() || !(options.Sizing[point] > 0.0) ||
-    !std::isfinite(options.Sizing[point]))
+  std::vector<double> sizes(points, 1.0);
+  for (std::size_t p = 0; p < options.Sizing.size(); ++p)
   {
-    return 1.0;
+    const double size = options.Sizing[p];
+    sizes[p] =
+      size > 0.0 && std::isfinite(size) ? std::clamp(size, LeastSize, 1.0 / LeastSize) : 1.0;
   }
-  return std::clamp(options.Sizing[point], LeastSize, 1.0 / LeastSize);
+  return sizes;
 }
 }
 
@@ -177,29 +183,6 @@ Remesh& Remesh::operator=(Remesh&&) noexcept = default;
 
 namespace
 {
-/// The area in units of the square of the size there. Coordinates that are not finite are refused later.
-double RelativeArea(const Surface& surface, const RemeshOptions& options)
-{
-  double area = 0.0;
-  for (const Triangle& t : surface.Triangles)
-  {
-    double perLength = 0.0;
-    for (const Index p : t)
-    {
-      if (p < 0 || p >= static_cast<Index>(surface.Points.size()))
-      {
-        return 0.0;
-      }
-      perLength += 1.0 / (3.0 * SizeAt(options, p));
-    }
-    const Vector3 u = surface.Points[t[1]] - surface.Points[t[0]];
-    const Vector3 v = surface.Points[t[2]] - surface.Points[t[0]];
-    area += 0.5 * u.stableNorm() *
-      (v - v.dot(u.stableNormalized()) * u.stableNormalized()).stableNorm() * perLength * perLength;
-  }
-  return area;
-}
-
 /// The wanted length of edges that gives the wanted number of faces.
 double EdgeLengthFor(double area, const RemeshOptions& options)
 {
@@ -209,33 +192,6 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
   }
   const double face = area / options.NumberOfFaces;
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
-}
-
-/// How long edges may become at each point where a mesh with fewer triangles will do for the map; empty where the
-/// triangles are few already. Sizes within a factor of two share such a mesh, and what is computed on it.
-std::vector<double> LongestEdges(
-  const Surface& surface, const RemeshOptions& options, double area, double edgeLength)
-{
-  constexpr double usualFaces = 5000.0;
-  constexpr double mostPerFace = 6.0;
-  constexpr double longest = 0.9;
-  const double squares = area / (edgeLength * edgeLength);
-  if (!std::isfinite(squares) || !(squares > 0.0))
-  {
-    return {};
-  }
-  const double usual =
-    usualFaces * std::pow(4.0, std::round(0.5 * std::log2(squares / usualFaces)));
-  if (!(static_cast<double>(surface.Points.size()) > mostPerFace * std::max(usual, usualFaces)))
-  {
-    return {};
-  }
-  std::vector<double> lengths(surface.Points.size());
-  for (std::size_t p = 0; p < lengths.size(); ++p)
-  {
-    lengths[p] = longest * std::sqrt(area / usual) * SizeAt(options, p);
-  }
-  return lengths;
 }
 
 /// The cells of all components, with the same vertices on all sides of seams.
@@ -325,72 +281,83 @@ void AppendAll(const std::vector<ComponentCells>& components, const Seams& seams
   }
 }
 
-/// Finds where the points and the middles of the faces are on the surface given.
-void FindSources(
-  const PreparedSurface& prepared, const ClosestPoints& surface, RemeshResult& result)
+/// Takes out the faces and vertices that are no longer used. Returns the faces.
+Faces Compress(const FaceStars& stars, RemeshResult& result, std::vector<char>& isBoundary)
 {
-  constexpr Index pieceSize = 256;
-  constexpr double anywhere = std::numeric_limits<double>::infinity();
-  const auto points = static_cast<Index>(result.Points.size());
-  const auto faces = static_cast<Index>(result.Faces.size());
-  result.SourceTriangle.resize(points);
-  result.SourceWeights.resize(points);
-  result.FaceSource.resize(faces);
-  ParallelFor(points, pieceSize,
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        const ClosestPoints::Answer at = surface.Find(result.Points[v], Vector3::Zero(), anywhere);
-        result.SourceTriangle[v] = prepared.InputTriangle(at.Triangle);
-        result.SourceWeights[v] = prepared.InputWeights(at.Triangle, at.Weights);
-      }
-    });
-  std::vector<double> distance(faces);
-  ParallelFor(faces, pieceSize,
-    [&](Index begin, Index end)
-    {
-      for (Index f = begin; f < end; ++f)
-      {
-        const int size = result.Faces[f][3] == None ? 3 : 4;
-        Vector3 middle = Vector3::Zero();
-        for (int c = 0; c < size; ++c)
-        {
-          middle += result.Points[result.Faces[f][c]] / size;
-        }
-        const ClosestPoints::Answer at = surface.Find(middle, Vector3::Zero(), anywhere);
-        result.FaceSource[f] = prepared.InputTriangle(at.Triangle);
-        distance[f] = std::sqrt(at.SquaredDistance);
-      }
-    });
-  for (const double d : distance)
+  std::vector<Index> number(result.Points.size(), None);
+  Index left = 0;
+  for (std::size_t v = 0; v < number.size(); ++v)
   {
-    result.MaximumDistance = std::max(result.MaximumDistance, d);
+    if (!stars.At(static_cast<Index>(v)).empty())
+    {
+      number[v] = left;
+      result.Points[left] = result.Points[v];
+      result.Kind[left] = result.Kind[v];
+      result.FieldIndex[left] = result.FieldIndex[v];
+      isBoundary[left] = isBoundary[v];
+      ++left;
+    }
   }
+  result.Points.resize(left);
+  result.Kind.resize(left);
+  result.FieldIndex.resize(left);
+  isBoundary.resize(left);
+  Faces faces = stars.Compressed();
+  for (Faces::Face& face : faces.Corners)
+  {
+    for (Index& v : face)
+    {
+      v = v == None ? None : number[v];
+    }
+  }
+  result.Faces = faces.Corners;
+  result.Regular = faces.IsRegular;
+  return faces;
 }
 
 /// The wanted length of edges at each point of a mesh.
 std::vector<double> WantedLengths(const RemeshOptions& options, const Surface& input,
-  const PreparedSurface& prepared, const ClosestPoints& surface, const RemeshResult& result)
+  const std::vector<double>& sizes, const PreparedSurface& prepared, const ClosestPoints& surface,
+  const RemeshResult& result)
 {
   std::vector<double> wanted(result.Points.size(), result.EdgeLength);
   if (!options.Sizing.empty())
   {
+    const PointSources sources = SourcesOf(prepared, surface, result.Points);
     for (std::size_t v = 0; v < wanted.size(); ++v)
     {
-      const ClosestPoints::Answer at =
-        surface.Find(result.Points[v], Vector3::Zero(), std::numeric_limits<double>::infinity());
-      const Index t = prepared.InputTriangle(at.Triangle);
-      const std::array<double, 3> weights = prepared.InputWeights(at.Triangle, at.Weights);
       double size = 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        size += weights[c] * SizeAt(options, input.Triangles[t][c]);
+        size += sources.Weights[v][c] * sizes[input.Triangles[sources.Triangle[v]][c]];
       }
       wanted[v] *= size;
     }
   }
   return wanted;
+}
+
+/// Moves the vertices so that faces become regular, and turns edges where that leaves fewer irregular vertices. Steps
+/// before that tell which faces can become good; those after it bring the others into line.
+Faces Shaped(const RemeshOptions& options, const Faces& faces, const SmoothingDomain& domain,
+  const Progress& progress, RemeshResult& result, std::vector<char>& isBoundary)
+{
+  const int steps = options.SmoothingIterations;
+  if (steps == 0)
+  {
+    return faces;
+  }
+  FaceStars stars(faces, static_cast<Index>(result.Points.size()));
+  MovableFaces movable(stars, domain, result.Points);
+  const int before = 2 * steps / 3;
+  RelaxFaces(movable, before, progress.Part(0.0, 0.5));
+  if (options.Element == Element::Quads)
+  {
+    CleanUpFaces(stars, movable, isBoundary, result.FieldIndex, progress.Part(0.5, 0.6));
+  }
+  RelaxFaces(movable, steps - before, progress.Part(0.6, 0.8));
+  ImproveFaces(movable, progress.Part(0.8, 1.0));
+  return stars.GetChanges().empty() ? faces : Compress(stars, result, isBoundary);
 }
 
 /// Counts what a mesh is made of.
@@ -434,10 +401,11 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
   RemeshResult result;
   try
   {
-    const double area = RelativeArea(*this->Input, options);
+    const std::vector<double> sizes = SizesAt(options, this->Input->Points.size());
+    const double area = RelativeArea(*this->Input, sizes);
     result.EdgeLength = EdgeLengthFor(area, options);
     const double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
-    const std::vector<double> longest = LongestEdges(*this->Input, options, area, coarse);
+    const std::vector<double> longest = LongestEdges(sizes, area, coarse);
     if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
     {
       this->State.reset();
@@ -448,15 +416,10 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     const SurfaceGeometry& geometry = kept.GetGeometry();
     const TriangleMesh& mesh = geometry.Mesh;
     std::vector<double> size(mesh.GetNumberOfVertices());
-    std::vector<double> sizes;
-    for (std::size_t p = 0; p < this->Input->Points.size(); ++p)
-    {
-      sizes.push_back(SizeAt(options, p));
-    }
-    sizes = kept.Prepared.Continued(std::move(sizes));
+    const std::vector<double> continued = kept.Prepared.Continued(sizes);
     for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
-      size[v] = sizes[mesh.Point(v)];
+      size[v] = continued[mesh.Point(v)];
     }
     std::vector<double> perLength(size.size());
     for (std::size_t v = 0; v < size.size(); ++v)
@@ -485,15 +448,19 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     Faces faces{ result.Faces, result.Regular };
     const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
     const SmoothingDomain domain{ kept.Original, lines, std::move(line),
-      WantedLengths(options, *this->Input, kept.Prepared, kept.Original, result) };
-    SmoothFaces(
-      faces, domain, options.SmoothingIterations, result.Points, progress.Part(AfterCells, 0.97));
+      WantedLengths(options, *this->Input, sizes, kept.Prepared, kept.Original, result) };
+    faces = Shaped(options, faces, domain, progress.Part(AfterCells, 0.97), result, isBoundary);
     if (!options.PureQuads && CutFoldedQuads(faces, result.Points) > 0)
     {
       result.Faces = faces.Corners;
       result.Regular = faces.IsRegular;
     }
-    FindSources(kept.Prepared, kept.Original, result);
+    PointSources sources = SourcesOf(kept.Prepared, kept.Original, result.Points);
+    result.SourceTriangle = std::move(sources.Triangle);
+    result.SourceWeights = std::move(sources.Weights);
+    FaceSources faceSources = SourcesOf(kept.Prepared, kept.Original, result.Points, result.Faces);
+    result.FaceSource = std::move(faceSources.Triangle);
+    result.MaximumDistance = faceSources.LargestDistance;
     advice.AddMesh(result.Points, faces, result.KeptVertices);
     const std::vector<std::string> sentences = advice.GetSentences();
     result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());

@@ -58,24 +58,22 @@ void CarefulSweep(MovableFaces& faces)
 }
 }
 
-void SmoothFaces(const Faces& faces, const SmoothingDomain& domain, int steps,
-  std::vector<Vector3>& points, const Progress& progress)
+void RelaxFaces(MovableFaces& faces, int steps, const Progress& progress)
 {
-  if (steps == 0)
-  {
-    return;
-  }
-  MovableFaces movable(faces, domain, points);
   for (int k = 0; k < steps; ++k)
   {
-    Step(movable);
-    progress.Report(0.8 * (k + 1) / steps);
+    Step(faces);
+    progress.Report((k + 1.0) / steps);
   }
+}
+
+void ImproveFaces(MovableFaces& faces, const Progress& progress)
+{
   for (int k = 0; k < CarefulSweeps; ++k)
   {
-    CarefulSweep(movable);
-    progress.Report(0.8 + 0.1 * (k + 1) / CarefulSweeps);
+    CarefulSweep(faces);
+    progress.Report(0.5 * (k + 1) / CarefulSweeps);
   }
-  ImproveWorstFaces(movable, progress.Part(0.9, 1.0));
+  ImproveWorstFaces(faces, progress.Part(0.5, 1.0));
 }
 }

@@ -20,41 +20,12 @@ Vector3 AreaVector(const Faces::Face& face, const std::vector<Vector3>& points)
 
 }
 
-MovableFaces::MovableFaces(
-  const Faces& faces, const SmoothingDomain& domain, std::vector<Vector3>& points)
-  : Cells(faces)
-  , Domain(domain)
-  , Points(points)
-  , First(points.size() + 1, 0)
-{
-  for (const Faces::Face& face : faces.Corners)
-  {
-    for (int c = 0; c < Faces::Size(face); ++c)
-    {
-      ++this->First[face[c] + 1];
-    }
-  }
-  for (std::size_t v = 0; v < points.size(); ++v)
-  {
-    this->First[v + 1] += this->First[v];
-  }
-  this->FacesAt.resize(this->First.back());
-  std::vector<Index> next(this->First.begin(), this->First.end() - 1);
-  for (Index f = 0; f < static_cast<Index>(faces.Corners.size()); ++f)
-  {
-    for (int c = 0; c < Faces::Size(faces.Corners[f]); ++c)
-    {
-      this->FacesAt[next[faces.Corners[f][c]]++] = f;
-    }
-  }
-}
-
 Vector3 MovableFaces::NormalAt(Index v, const std::vector<Vector3>& points) const
 {
   Vector3 sum = Vector3::Zero();
-  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  for (const Index f : this->Cells.At(v))
   {
-    sum += AreaVector(this->Cells.Corners[this->FacesAt[k]], points);
+    sum += AreaVector(this->Cells.Face(f), points);
   }
   return sum;
 }
@@ -62,9 +33,9 @@ Vector3 MovableFaces::NormalAt(Index v, const std::vector<Vector3>& points) cons
 Vector3 MovableFaces::Ideal(Index v, const std::vector<Vector3>& points) const
 {
   Vector3 sum = Vector3::Zero();
-  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  for (const Index f : this->Cells.At(v))
   {
-    const Faces::Face& face = this->Cells.Corners[this->FacesAt[k]];
+    const Faces::Face& face = this->Cells.Face(f);
     const int size = Faces::Size(face);
     Vector3 center = Vector3::Zero();
     double length = 0.0;
@@ -93,7 +64,7 @@ Vector3 MovableFaces::Ideal(Index v, const std::vector<Vector3>& points) const
     const Vector3 place = center + z.real() * x + z.imag() * y;
     sum += place.allFinite() ? place : points[v];
   }
-  return sum / (this->First[v + 1] - this->First[v]);
+  return sum / static_cast<double>(this->Cells.At(v).size());
 }
 
 Vector3 MovableFaces::Projected(
@@ -112,9 +83,9 @@ double MovableFaces::LeastQuality(Index v) const
   double least = 1.0;
   const Vector3 normal =
     this->Domain.Line[v] == 0 ? this->NormalAt(v, this->Points) : Vector3::Zero();
-  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  for (const Index f : this->Cells.At(v))
   {
-    const Faces::Face& face = this->Cells.Corners[this->FacesAt[k]];
+    const Faces::Face& face = this->Cells.Face(f);
     double quality = ScaledJacobian(this->Points, face);
     // A triangle has no side of its own to be folded to.
     if (face[3] == None && AreaVector(face, this->Points).dot(normal) < 0.0)
@@ -128,7 +99,7 @@ double MovableFaces::LeastQuality(Index v) const
 
 double MovableFaces::Distance(Index f) const
 {
-  const Faces::Face& face = this->Cells.Corners[f];
+  const Faces::Face& face = this->Cells.Face(f);
   const int size = Faces::Size(face);
   Vector3 middle = Vector3::Zero();
   double length = 0.0;
@@ -144,9 +115,9 @@ double MovableFaces::Distance(Index f) const
 double MovableFaces::LargestDistance(Index v) const
 {
   double largest = 0.0;
-  for (Index k = this->First[v]; k < this->First[v + 1]; ++k)
+  for (const Index f : this->Cells.At(v))
   {
-    largest = std::max(largest, this->Distance(this->FacesAt[k]));
+    largest = std::max(largest, this->Distance(f));
   }
   return largest;
 }

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_MovableFaces_h
 #define DirectionFields_MovableFaces_h
 
-#include "Faces/Faces.h"
+#include "Faces/FaceStars.h"
 #include "Geometry/ClosestPoints.h"
 
 #include <vector>
@@ -24,19 +24,24 @@ struct SmoothingDomain
   std::vector<double> EdgeLength;
 };
 
-/// Faces whose vertices move on a surface. All are shared; the faces at each vertex are found once.
+/// Faces whose vertices move on a surface. All are shared.
 class MovableFaces
 {
 public:
-  MovableFaces(const Faces& faces, const SmoothingDomain& domain, std::vector<Vector3>& points);
+  MovableFaces(const FaceStars& faces, const SmoothingDomain& domain, std::vector<Vector3>& points)
+    : Cells(faces)
+    , Domain(domain)
+    , Points(points)
+  {
+  }
 
   Index GetNumberOfVertices() const { return static_cast<Index>(this->Points.size()); }
-  Index GetNumberOfFaces() const { return static_cast<Index>(this->Cells.Corners.size()); }
-  bool IsFree(Index v) const
-  {
-    return this->Domain.Line[v] >= 0 && this->First[v + 1] > this->First[v];
-  }
-  const Faces::Face& Face(Index f) const { return this->Cells.Corners[f]; }
+  Index GetNumberOfFaces() const { return this->Cells.GetNumberOfFaces(); }
+  bool IsFree(Index v) const { return this->Domain.Line[v] >= 0 && !this->Cells.At(v).empty(); }
+  /// It moves on the surface, not on a feature.
+  bool IsOnSurface(Index v) const { return this->Domain.Line[v] == 0; }
+  bool IsFace(Index f) const { return this->Cells.IsFace(f); }
+  const Faces::Face& Face(Index f) const { return this->Cells.Face(f); }
   double EdgeLength(Index v) const { return this->Domain.EdgeLength[v]; }
   std::vector<Vector3>& GetPoints() { return this->Points; }
   const std::vector<Vector3>& GetPoints() const { return this->Points; }
@@ -56,11 +61,9 @@ public:
   double LargestDistance(Index v) const;
 
 private:
-  const Faces& Cells;
+  const FaceStars& Cells;
   const SmoothingDomain& Domain;
   std::vector<Vector3>& Points;
-  std::vector<Index> First;
-  std::vector<Index> FacesAt;
 };
 }
 

@@ -20,26 +20,27 @@ constexpr double Shrinking = 0.8;
 constexpr double GoodQuality = 0.5;
 constexpr double GoodDistance = 0.33;
 
-/// From below 0 to 1, where all faces at a vertex are good.
-double Score(const MovableFaces& faces, Index v, double atLeast)
+/// Below 1 where a face at a vertex is not regular enough; then the nearer the middles of its faces are the higher, up to
+/// 2, where all are good.
+constexpr double Best = 2.0;
+double Score(const MovableFaces& faces, Index v)
 {
-  const double quality = std::min(faces.LeastQuality(v) / GoodQuality, 1.0);
-  if (quality <= atLeast)
+  const double quality = faces.LeastQuality(v) / GoodQuality;
+  if (quality < 1.0)
   {
     return quality;
   }
   const double distance = faces.LargestDistance(v);
-  return distance > GoodDistance ? std::min(quality, GoodDistance / distance) : quality;
+  return 1.0 + (distance > GoodDistance ? GoodDistance / distance : 1.0);
 }
-
 }
 
 void MoveToBetterPlace(MovableFaces& faces, Index v, double size)
 {
   constexpr int directions = 12;
   std::vector<Vector3>& points = faces.GetPoints();
-  const double before = Score(faces, v, -2.0);
-  if (before >= 1.0)
+  const double before = Score(faces, v);
+  if (before >= Best)
   {
     return;
   }
@@ -58,7 +59,7 @@ void MoveToBetterPlace(MovableFaces& faces, Index v, double size)
       points[v] = faces.Projected(v,
         start + size * radius * faces.EdgeLength(v) * (std::cos(angle) * x + std::sin(angle) * y),
         points);
-      const double now = Score(faces, v, score);
+      const double now = Score(faces, v);
       if (now > score)
       {
         score = now;
@@ -81,8 +82,9 @@ std::vector<Index> VerticesOfWorst(const MovableFaces& faces)
     {
       for (Index f = begin; f < end; ++f)
       {
-        isBad[f] = ScaledJacobian(faces.GetPoints(), faces.Face(f)) < GoodQuality ||
-            faces.Distance(f) > GoodDistance
+        isBad[f] = faces.IsFace(f) &&
+            (ScaledJacobian(faces.GetPoints(), faces.Face(f)) < GoodQuality ||
+              faces.Distance(f) > GoodDistance)
           ? 1
           : 0;
       }

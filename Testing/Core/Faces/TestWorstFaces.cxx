@@ -78,7 +78,8 @@ TEST(WorstFaces, DoNotCutOffARidge)
   // The quads in the middle lie over the ridge, half an edge on either side.
   constexpr double slope = 2.0;
   Grid grid(Roof(slope), [](double x) { return -slope * std::abs(x); });
-  MovableFaces faces(grid.Cover, grid.Domain, grid.Points);
+  const FaceStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
+  MovableFaces faces(stars, grid.Domain, grid.Points);
   const auto farthest = [&]
   {
     double largest = 0.0;
@@ -102,7 +103,8 @@ TEST(WorstFaces, DoNotCutOffARidge)
 TEST(WorstFaces, AreUnfolded)
 {
   Grid grid(Roof(0.0), [](double) { return 0.0; });
-  MovableFaces faces(grid.Cover, grid.Domain, grid.Points);
+  const FaceStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
+  MovableFaces faces(stars, grid.Domain, grid.Points);
   // Over the far side of the quads beside it.
   const Index pulled = 3 * (Cells + 1) + 3;
   grid.Points[pulled] += Vector3(1.1, 0.3, 0.0);

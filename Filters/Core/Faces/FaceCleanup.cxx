@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Faces/FaceCleanup.h"
+
+#include "Faces/FaceEdits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr int Passes = 4;
+/// Edits that are looked for one after the other, and how much worse all but the last one may make things.
+constexpr int MostEdits = 3;
+constexpr int Slack = 10;
+/// Edits that are tried for a vertex, and how often they are looked at in space.
+constexpr int MostTried = 4000;
+constexpr int MostLooks = 8;
+/// Faces are as good as they need be from this scaled Jacobian on.
+constexpr double GoodEnough = 0.4;
+/// New faces are at least as good as this.
+constexpr double Least = 0.2;
+constexpr int Moves = 6;
+
+class Cleanup
+{
+public:
+  Cleanup(FaceStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules)
+    : Cells(faces)
+    , Places(places)
+    , Edits(faces, std::move(rules))
+    , IsHopeless(faces.GetNumberOfVertices(), 0)
+  {
+  }
+
+  bool IsSeed(Index v) const
+  {
+    const std::vector<Index>& star = this->Cells.At(v);
+    const bool hasTriangle = std::any_of(
+      star.begin(), star.end(), [&](Index f) { return Faces::Size(this->Cells.Face(f)) == 3; });
+    return this->IsHopeless[v] == 0 && (hasTriangle || this->Edits.Irregularity(v) > 0);
+  }
+
+  /// Returns whether something was found for a vertex.
+  bool Improve(Index v)
+  {
+    this->Tried = 0;
+    this->Looks = 0;
+    this->Start = this->Cells.GetChanges().size();
+    for (int edits = 1; edits <= MostEdits; ++edits)
+    {
+      if (this->Search({ v }, 0, edits))
+      {
+        for (const Index w : this->TouchedSince(this->Start))
+        {
+          this->IsHopeless[w] = 0;
+          for (const Index u : this->Cells.Neighbours(w))
+          {
+            this->IsHopeless[u] = 0;
+          }
+        }
+        return true;
+      }
+    }
+    this->IsHopeless[v] = 1;
+    return false;
+  }
+
+private:
+  /// Tries edits at vertices, best first, the last ones of which must make things better than they were.
+  bool Search(const std::vector<Index>& vertices, int grown, int edits)
+  {
+    struct Candidate
+    {
+      int Grown;
+      FaceEdits::Edit Edit;
+    };
+    std::vector<Candidate> candidates;
+    for (const Index v : vertices)
+    {
+      for (const FaceEdits::Edit& edit : this->Edits.Find(v))
+      {
+        const int now = grown + this->Edits.GrowthBy(edit);
+        if (now <= (edits == 1 ? -1 : Slack))
+        {
+          candidates.push_back({ now, edit });
+        }
+      }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.Grown < b.Grown; });
+    for (const Candidate& candidate : candidates)
+    {
+      if (this->Tried == MostTried || this->Looks == MostLooks)
+      {
+        return false;
+      }
+      ++this->Tried;
+      const std::size_t before = this->Cells.GetChanges().size();
+      if (!this->Edits.Do(candidate.Edit))
+      {
+        continue;
+      }
+      if (edits == 1 ? this->Settle()
+                     : this->Search(this->IrregularSince(before), candidate.Grown, edits - 1))
+      {
+        return true;
+      }
+      this->Cells.UndoTo(before);
+    }
+    return false;
+  }
+
+  /// The corners, ascending, of what was changed, as it was and as it is.
+  std::vector<Index> TouchedSince(std::size_t change) const
+  {
+    std::vector<Index> touched;
+    const std::vector<FaceStars::Change>& changes = this->Cells.GetChanges();
+    for (std::size_t k = change; k < changes.size(); ++k)
+    {
+      for (const Faces::Face& face : { changes[k].Corners, this->Cells.Face(changes[k].Face) })
+      {
+        std::copy_if(
+          face.begin(), face.end(), std::back_inserter(touched), [](Index v) { return v != None; });
+      }
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    return touched;
+  }
+
+  std::vector<Index> IrregularSince(std::size_t change) const
+  {
+    std::vector<Index> touched = this->TouchedSince(change);
+    touched.erase(std::remove_if(touched.begin(), touched.end(),
+                    [&](Index v) { return this->Edits.Irregularity(v) == 0; }),
+      touched.end());
+    return touched;
+  }
+
+  /// Lets the vertices of changed faces move. Puts them back and returns false where the faces are not as good as they
+  /// were then.
+  bool Settle()
+  {
+    ++this->Looks;
+    const std::vector<Index> touched = this->TouchedSince(this->Start);
+    std::vector<Vector3>& points = this->Places.GetPoints();
+    double before = GoodEnough;
+    const std::vector<FaceStars::Change>& changes = this->Cells.GetChanges();
+    for (std::size_t k = this->Start; k < changes.size(); ++k)
+    {
+      // Later changes of a face tell of faces that were never there, which are no better.
+      if (changes[k].Corners[0] != None)
+      {
+        before = std::min(before, ScaledJacobian(points, changes[k].Corners));
+      }
+    }
+    std::vector<Vector3> start;
+    for (const Index v : touched)
+    {
+      start.push_back(points[v]);
+    }
+    for (int k = 0; k < Moves; ++k)
+    {
+      for (const Index v : touched)
+      {
+        if (this->Places.IsFree(v))
+        {
+          points[v] =
+            this->Places.Projected(v, 0.5 * (points[v] + this->Places.Ideal(v, points)), points);
+        }
+      }
+    }
+    double after = 1.0;
+    for (const Index v : touched)
+    {
+      after = std::min(after, this->Cells.At(v).empty() ? 1.0 : this->Places.LeastQuality(v));
+    }
+    if (after >= std::max(before, Least))
+    {
+      return true;
+    }
+    for (std::size_t k = 0; k < touched.size(); ++k)
+    {
+      points[touched[k]] = start[k];
+    }
+    return false;
+  }
+
+  FaceStars& Cells;
+  MovableFaces& Places;
+  FaceEdits Edits;
+  /// Nothing was found for a vertex, and nothing has changed around it since.
+  std::vector<char> IsHopeless;
+  std::size_t Start = 0;
+  int Tried = 0;
+  int Looks = 0;
+};
+
+/// The angle of a face at one of its corners.
+double AngleAt(const std::vector<Vector3>& points, const Faces::Face& face, Index v)
+{
+  const int size = Faces::Size(face);
+  const auto at = static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
+  const Vector3 a = points[face[(at + 1) % size]] - points[v];
+  const Vector3 b = points[face[(at + size - 1) % size]] - points[v];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// How many faces there should be at a vertex on lines: as many as there is room for in each sector between them.
+Index FacesBetweenLines(const FaceStars& faces, const std::vector<Vector3>& points,
+  const std::vector<FaceEdits::Rule>& rules, Index v)
+{
+  const std::vector<Index>& star = faces.At(v);
+  std::vector<char> isSeen(star.size(), 0);
+  Index sum = 0;
+  for (std::size_t i = 0; i < star.size(); ++i)
+  {
+    if (isSeen[i] != 0)
+    {
+      continue;
+    }
+    double angle = 0.0;
+    std::vector<std::size_t> sector = { i };
+    isSeen[i] = 1;
+    for (std::size_t k = 0; k < sector.size(); ++k)
+    {
+      const Index f = star[sector[k]];
+      angle += AngleAt(points, faces.Face(f), v);
+      const Faces::Face& face = faces.Face(f);
+      const int size = Faces::Size(face);
+      const auto at = static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
+      for (const Index w : { face[(at + 1) % size], face[(at + size - 1) % size] })
+      {
+        const Index g = rules[w].IsOnLine ? None : faces.Across(f, v, w);
+        const auto next = std::lower_bound(star.begin(), star.end(), g);
+        if (g != None && isSeen[next - star.begin()] == 0)
+        {
+          isSeen[next - star.begin()] = 1;
+          sector.push_back(next - star.begin());
+        }
+      }
+    }
+    sum += std::max<Index>(1, static_cast<Index>(std::lround(angle / (0.5 * Pi))));
+  }
+  return sum;
+}
+}
+
+void CleanUpFaces(FaceStars& faces, MovableFaces& places, const std::vector<char>& isBoundary,
+  const std::vector<int>& index, const Progress& progress)
+{
+  std::vector<FaceEdits::Rule> rules(faces.GetNumberOfVertices());
+  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
+  {
+    FaceEdits::Rule& rule = rules[v];
+    rule.IsBoundary = isBoundary[v] != 0;
+    rule.IsOnLine = rule.IsBoundary || !places.IsOnSurface(v);
+    rule.IsLocked =
+      !rule.IsOnLine && index[v] != 0 && static_cast<Index>(faces.At(v).size()) == 4 - index[v];
+    rule.IsFree = !rule.IsOnLine && !rule.IsLocked;
+    rule.Target = rule.IsLocked ? 4 - index[v] : 4;
+  }
+  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
+  {
+    if (rules[v].IsOnLine && !faces.At(v).empty())
+    {
+      rules[v].Target = FacesBetweenLines(faces, places.GetPoints(), rules, v);
+    }
+  }
+  Cleanup cleanup(faces, places, std::move(rules));
+  bool hasChanged = true;
+  for (int k = 0; k < Passes && hasChanged; ++k)
+  {
+    hasChanged = false;
+    for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
+    {
+      hasChanged = (cleanup.IsSeed(v) && cleanup.Improve(v)) || hasChanged;
+    }
+    progress.Report((k + 1.0) / Passes);
+  }
+}
+}
