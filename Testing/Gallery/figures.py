@@ -365,6 +365,8 @@ def singularities(_):
 
 class StripePanel:
     """Stripes on a field, in two colors, with the lines of others on top if there are any."""
+    # Rounding decides where stripes branch: pictures are compared by how they run.
+    is_pattern = True
 
     def __init__(self, field, camera, lines=None, **properties):
         self.view = simple.CreateRenderView()
