@@ -247,7 +247,9 @@ bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation
   reason = this->Reason;
   if (isComplete)
   {
-    DirectionFields::Parallel::TakeOwnersValues(processes, *this->Exchange, input, output);
+    DirectionFields::Parallel::SurfacePiece piece;
+    processes.Together([&] { piece = DirectionFields::Parallel::ReadPiece(input); });
+    DirectionFields::Parallel::ExchangeValues(processes, *this->Exchange, piece, input, output);
     *this->Exchange = {};
     const std::vector<vtkIdType> have = processes.AllGather(
       { input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0 ? vtkIdType(1) : 0 });
@@ -273,11 +275,6 @@ DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
   if (this->Reason.empty() && this->GetCellDirections())
   {
     this->Reason = "Cell Directions needs the whole surface";
-  }
-  if (this->Reason.empty() &&
-    processes.Largest(static_cast<vtkIdType>(piece.Ghosts.Cells.size())) > 0)
-  {
-    this->Reason = "it has ghost cells";
   }
   if (this->Reason.empty())
   {

@@ -160,8 +160,7 @@ def run(surface, way, field, distribute):
     shared = np.zeros((count, len(points)), dtype=bool)
     for process in range(count):
         shared[process, triangles[owner == process].reshape(-1)] = True
-    is_possible = (surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS and
-                   "ghosts" not in kind)
+    is_possible = surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS
     used = 2 if distribute and is_possible else 1
     warnings = part.GetOutput().GetFieldData().GetAbstractArray("Warnings")
     texts = [warnings.GetValue(k) for k in range(warnings.GetNumberOfValues())] if warnings else []

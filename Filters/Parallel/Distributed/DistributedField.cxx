@@ -6,19 +6,13 @@
 #include "Distributed/ComponentSolution.h"
 #include "Distributed/DistributedMesh.h"
 #include "Distributed/Messages.h"
+#include "Distributed/OwnCommunicator.h"
 #include "Distributed/PetscObjects.h"
 #include "Distributed/PieceWithSurroundings.h"
 #include "Distributed/SharedPoints.h"
 #include "Field/FieldToResult.h"
 #include "Mesh/OutputPoints.h"
 #include "Support/Threads.h"
-
-#include "vtkDataArray.h"
-#include "vtkMPI.h"
-#include "vtkMPICommunicator.h"
-#include "vtkMultiProcessController.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,33 +23,6 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
-/// A communicator of the solver's own, whose messages meet no others.
-class OwnCommunicator
-{
-public:
-  explicit OwnCommunicator(vtkMultiProcessController* controller)
-  {
-    auto* const communicator = vtkMPICommunicator::SafeDownCast(controller->GetCommunicator());
-    this->IsThere = communicator != nullptr;
-    if (this->IsThere)
-    {
-      MPI_Comm_dup(*communicator->GetMPIComm()->GetHandle(), &this->Handle);
-    }
-  }
-  ~OwnCommunicator()
-  {
-    if (this->IsThere)
-    {
-      MPI_Comm_free(&this->Handle);
-    }
-  }
-  OwnCommunicator(const OwnCommunicator&) = delete;
-  OwnCommunicator& operator=(const OwnCommunicator&) = delete;
-
-  MPI_Comm Handle = MPI_COMM_NULL;
-  bool IsThere = false;
-};
-
 /// The points whose owner is another process, and those that others have from here, in the same order.
 PointExchange ExchangeOf(
   const SharedPoints& shared, const SurfacePiece& piece, const Messages& messages)
@@ -78,6 +45,9 @@ PointExchange ExchangeOf(
     }
   }
   PointExchange exchange;
+  exchange.Numbers = shared.Number;
+  exchange.Tolerance = shared.Tolerance;
+  exchange.UseIds = shared.UseIds;
   exchange.Sent.resize(sent.size());
   exchange.Received.resize(sent.size());
   for (std::size_t p = 0; p < sent.size(); ++p)
@@ -263,54 +233,5 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   StartPetsc(communicator.Handle);
   Compute(processes, messages, surface, piece, options, goOn, field);
   return field;
-}
-
-void TakeOwnersValues(
-  Processes& processes, const PointExchange& exchange, vtkPolyData* input, vtkPolyData* output)
-{
-  const OwnCommunicator communicator(processes.GetController());
-  const Messages messages(communicator.Handle);
-  std::vector<vtkDataArray*> arrays;
-  vtkPointData* const data = output->GetPointData();
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkDataArray* const array = data->GetArray(k);
-    if (array && array != input->GetPointData()->GetArray(array->GetName()))
-    {
-      arrays.push_back(array);
-    }
-  }
-  std::vector<std::vector<double>> sent(exchange.Sent.size());
-  const auto forEach = [&](const std::vector<vtkIdType>& points, const auto& body)
-  {
-    for (const vtkIdType point : points)
-    {
-      for (vtkDataArray* const array : arrays)
-      {
-        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-        {
-          body(array, point, c);
-        }
-      }
-    }
-  };
-  processes.Together(
-    [&]
-    {
-      for (std::size_t p = 0; p < sent.size(); ++p)
-      {
-        forEach(exchange.Sent[p],
-          [&](vtkDataArray* array, vtkIdType point, int c)
-          { sent[p].push_back(array->GetComponent(point, c)); });
-      }
-    });
-  const std::vector<std::vector<double>> received = messages.Exchange(sent);
-  for (std::size_t p = 0; p < received.size(); ++p)
-  {
-    std::size_t at = 0;
-    forEach(exchange.Received[p],
-      [&](vtkDataArray* array, vtkIdType point, int c)
-      { array->SetComponent(point, c, received[p][at++]); });
-  }
 }
 }

@@ -20,12 +20,18 @@ class vtkPolyData;
 
 namespace DirectionFields::Parallel
 {
-/// The points that several pieces have: for each process those whose values it gets from here, which owns them, and
-/// those whose values come from it; in the same order on both sides.
+/// What tells which of other processes' points and cells are the same.
 struct PointExchange
 {
+  /// The points that several pieces have: for each process those whose values it gets from here, which owns them,
+  /// and those whose values come from it; in the same order on both sides.
   std::vector<std::vector<vtkIdType>> Sent;
   std::vector<std::vector<vtkIdType>> Received;
+  /// The number of each of the piece's own points, the same on all processes.
+  std::vector<vtkIdType> Numbers;
+  /// How others are found: by global ids, or within a distance.
+  bool UseIds = false;
+  double Tolerance = 0.0;
 };
 
 /// The field of a piece, of which nothing was ever whole on one process.
@@ -55,11 +61,12 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   const SurfacePiece& piece, const Options& options, const std::function<bool(double)>& goOn);
 
 /// Gives points of several pieces the same bits on all of them, those of their owner: rounding depends on what
-/// else a process computes. All processes call it; throws ProcessesError.
+/// else a process computes. Then gives copies of other pieces' points and cells what these have; zero where no
+/// process has them. All processes call it; throws ProcessesError.
 /// @param input  whose arrays stay as they are
-/// @param output gets the values, in all arrays of numbers over the points that the input does not have
-void TakeOwnersValues(
-  Processes& processes, const PointExchange& exchange, vtkPolyData* input, vtkPolyData* output);
+/// @param output gets the values, in all arrays of numbers that the input does not have
+void ExchangeValues(Processes& processes, const PointExchange& exchange, const SurfacePiece& piece,
+  vtkPolyData* input, vtkPolyData* output);
 }
 
 #endif

@@ -19,5 +19,8 @@ DistributedField ComputeDistributed(Processes&, const Surface&, const SurfacePie
   throw std::logic_error("This build has no PETSc.");
 }
 
-void TakeOwnersValues(Processes&, const PointExchange&, vtkPolyData*, vtkPolyData*) {}
+void ExchangeValues(
+  Processes&, const PointExchange&, const SurfacePiece&, vtkPolyData*, vtkPolyData*)
+{
+}
 }

@@ -253,6 +253,8 @@ SharedPoints MatchBorders(Processes& processes, const Messages& messages, const 
     return shared;
   }
   Borders borders = GatherBorders(processes, messages, piece, own);
+  shared.UseIds = !borders.All.GlobalIds.empty();
+  shared.Tolerance = borders.Tolerance;
   JoinedPoints joined;
   bool isInside = false;
   bool isCoincident = false;

@@ -37,6 +37,10 @@ struct SharedPoints
   /// The own points among them, as points of the polydata.
   std::vector<vtkIdType> OwnBorder;
 
+  /// How points were matched: by global ids, or within a distance.
+  bool UseIds = false;
+  double Tolerance = 0.0;
+
   int OwnerOf(vtkIdType number) const;
 
   /// Empty where the surface can be worked on in its pieces, else why it cannot, as a part of a sentence. The
