@@ -16,6 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import meshes
 from gallery import PANEL, Field, Panel, producer, turned
 from remeshed import RemeshedPanel
+from striped import EigenStripesPanel, StripePanel
 
 BUNNY_CAMERA = ([-0.35, 0.25, 1.0], [0.0, 1.0, 0.0], 1.25)
 OBLIQUE = ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 1.1)
@@ -363,40 +364,6 @@ def singularities(_):
     return panels
 
 
-class StripePanel:
-    """Stripes on a field, in two colors, with the lines of others on top if there are any."""
-    # Rounding decides where stripes branch: pictures are compared by how they run.
-    is_pattern = True
-
-    def __init__(self, field, camera, lines=None, **properties):
-        self.view = simple.CreateRenderView()
-        self.view.ViewSize = PANEL
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesVisibility = 0
-        self.field = Field(field)
-        self.camera = camera
-        self.stripes = simple.StripePattern(Input=field, **properties)
-        simple.Show(simple.OutputPort(self.stripes, 1), self.view)
-        if lines:
-            simple.Show(lines, self.view).DiffuseColor = [0.85, 0.51, 0.18]
-
-    def spoil(self):
-        self.stripes.Input = producer(turned(self.field))
-
-    def figure(self, name):
-        return servermanager.Fetch(self.stripes).GetFieldData().GetArray(name).GetTuple1(0)
-
-    def share(self):
-        """The length of the lines over the one that area and spacing ask for."""
-        length = vtk_to_numpy(servermanager.Fetch(self.stripes).GetCellData().GetArray("Length")).sum()
-        a, b, c = (self.field.points[self.field.triangles[:, k]] for k in range(3))
-        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
-        return length * self.figure("Spacing") / area
-
-    image = Panel.image
-
-
 def stripes(directory):
     """Stripes around a scan, and courses and wales on a sleeve, which branch where it gets narrower."""
     scan = simple.DirectionField(Input=bunny(directory), Degree=2)
@@ -411,6 +378,28 @@ def stripes(directory):
     # The sleeve loses half of its wales to the wrist: 2 pi (1 - 0.5) / 0.12 of them.
     index = vtk_to_numpy(servermanager.Fetch(wales, idx=2).GetPointData().GetArray("StripeIndex"))
     assert 0.6 * 26.2 < abs(index.sum()) < 1.1 * 26.2, index.sum()
+    return panels
+
+
+def stripes_eigenvector(directory):
+    """Radial stripes on a ring: the smallest eigenvector forgets most of it, relaxed phases do not."""
+    spacing = 0.25
+    field = simple.DirectionField(Input=producer(meshes.annulus()), Degree=1, Alignment="Point Vectors",
+                                  AlignmentStrength=0.99, GuidanceVectors="Around")
+    panels = [EigenStripesPanel(field, FROM_ABOVE, spacing),
+              StripePanel(field, FROM_ABOVE, StripeDirection="Across Field", Spacing=spacing)]
+    eigen, relaxed = panels[0].eigen, panels[1]
+    points = relaxed.field.points
+    around = np.stack([-points[:, 1], points[:, 0], points[:, 2]], axis=1)
+    assert relaxed.field.deviation(around).max() < 1.0
+    modulus = np.abs(eigen.section)
+    print(f"modulus {modulus.min() / modulus.max():.1e}, misfit {eigen.misfit():.3f}, "
+          f"{eigen.branch_points()} branch points; relaxed {relaxed.figure('Misfit'):.3f}, "
+          f"{relaxed.figure('BranchPoints'):.0f} of {2.0 * np.pi / spacing:.1f} due")
+    assert modulus.min() < 1e-2 * modulus.max()
+    assert relaxed.figure("Misfit") < 0.85 * eigen.misfit()
+    assert eigen.branch_points() < 0.5 * relaxed.figure("BranchPoints")
+    assert 0.55 < relaxed.figure("BranchPoints") * spacing / (2.0 * np.pi) < 1.1
     return panels
 
 
@@ -514,6 +503,7 @@ def remeshed(directory):
 
 FIGURES = {
     "Stripes": stripes,
+    "StripesEigenvector": stripes_eigenvector,
     "WhatItDoes": what_it_does,
     "Remeshed": remeshed,
     "Symmetries": symmetries,

@@ -79,6 +79,19 @@ def sleeve(around=96, along=120):
     return polydata(points.reshape(-1, 3), grid_triangles(around, along + 1, wrap_columns=True))
 
 
+def annulus(around=108, across=10):
+    """A flat ring around a hole of half its radius, with the point vectors Around."""
+    radius, angle = np.meshgrid(np.linspace(2.0, 1.0, across + 1),
+                                2.0 * np.pi * np.arange(around) / around, indexing="ij")
+    points = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.0 * radius], axis=-1)
+    mesh = polydata(points.reshape(-1, 3), grid_triangles(around, across + 1, wrap_columns=True))
+    vectors = np.stack([-np.sin(angle), np.cos(angle), 0.0 * angle], axis=-1).reshape(-1, 3)
+    array = numpy_to_vtk(vectors, deep=True)
+    array.SetName("Around")
+    mesh.GetPointData().AddArray(array)
+    return mesh
+
+
 def disk(cells=24):
     """The unit disk, of squares bent to circles; a quarter turn maps it to itself."""
     i, j = np.meshgrid(np.arange(-cells, cells + 1), np.arange(-cells, cells + 1))
