@@ -4,6 +4,7 @@
 #include "Quads/Seams.h"
 
 #include "Mesh/JoinedSets.h"
+#include "Quads/BoundaryVertices.h"
 
 #include <algorithm>
 #include <numeric>
@@ -333,118 +334,6 @@ std::vector<std::size_t> Matched(const std::vector<double>& fewer, const std::ve
   match.back() = more.size() - 1;
   return match;
 }
-
-/// New vertices on an edge of a component's boundary, which has its face to the left.
-struct Inserted
-{
-  Index Face;
-  Index Tail;
-  Index Head;
-  std::vector<Vector3> Positions;
-  /// The edge's feature.
-  Index Line = 0;
-};
-
-/// Cuts the face at an edge that becomes a path into one quad, if it was one, and triangles.
-void CutFace(Faces& faces, Index f, const std::vector<Index>& path, std::vector<Index>& parts)
-{
-  const Faces::Face face = faces.Corners[f];
-  const int size = Faces::Size(face);
-  const auto at =
-    static_cast<int>(std::find(face.begin(), face.end(), path.front()) - face.begin());
-  const Index after = face[(at + 2) % size];
-  const Index before = face[(at + size - 1) % size];
-  const std::size_t middle = (path.size() - 1) / 2;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-  {
-    Faces::Face part{ path[i], path[i + 1], i < middle ? before : after, None };
-    if (i == middle && size == 4)
-    {
-      part[3] = before;
-    }
-    if (i == 0)
-    {
-      faces.Corners[f] = part;
-      faces.IsRegular[f] = 0;
-    }
-    else
-    {
-      parts.push_back(static_cast<Index>(faces.Corners.size()));
-      faces.Corners.push_back(part);
-      faces.IsRegular.push_back(0);
-    }
-  }
-}
-
-bool HasEdge(const Faces::Face& face, Index tail, Index head)
-{
-  for (int c = 0; c < Faces::Size(face); ++c)
-  {
-    if (face[c] == tail && face[(c + 1) % Faces::Size(face)] == head)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void InsertAll(ComponentCells& cells, std::vector<Inserted>& all)
-{
-  const auto ends = [](Index a, Index b) {
-    return std::array<Index, 2>{ std::min(a, b), std::max(a, b) };
-  };
-  std::sort(all.begin(), all.end(),
-    [&](const Inserted& a, const Inserted& b)
-    { return ends(a.Tail, a.Head) < ends(b.Tail, b.Head); });
-  std::vector<ComponentCells::LineEdge> kept;
-  for (const ComponentCells::LineEdge& edge : cells.LineEdges)
-  {
-    const std::array<Index, 2> key = ends(edge.Ends[0], edge.Ends[1]);
-    const auto found = std::lower_bound(all.begin(), all.end(), key,
-      [&](const Inserted& i, const std::array<Index, 2>& k) { return ends(i.Tail, i.Head) < k; });
-    if (found != all.end() && ends(found->Tail, found->Head) == key)
-    {
-      found->Line = edge.Line;
-    }
-    else
-    {
-      kept.push_back(edge);
-    }
-  }
-  cells.LineEdges = std::move(kept);
-  std::sort(all.begin(), all.end(),
-    [](const Inserted& a, const Inserted& b)
-    { return a.Face != b.Face ? a.Face < b.Face : a.Tail < b.Tail; });
-  // A face with two edges on seams is cut twice: the second time the part that has the edge.
-  std::vector<Index> parts;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    const Inserted& inserted = all[i];
-    if (i == 0 || all[i - 1].Face != inserted.Face)
-    {
-      parts = { inserted.Face };
-    }
-    std::vector<Index> path = { inserted.Tail };
-    for (const Vector3& position : inserted.Positions)
-    {
-      path.push_back(static_cast<Index>(cells.Vertices.size()));
-      ComponentCells::Vertex vertex;
-      vertex.Position = position;
-      vertex.Line = inserted.Line;
-      vertex.IsBoundary = true;
-      cells.Vertices.push_back(vertex);
-    }
-    path.push_back(inserted.Head);
-    for (std::size_t k = 0; inserted.Line > 0 && k + 1 < path.size(); ++k)
-    {
-      cells.LineEdges.push_back({ { path[k], path[k + 1] }, inserted.Line });
-    }
-    const auto part = std::find_if(parts.begin(), parts.end(),
-      [&](Index f) { return HasEdge(cells.Cells.Corners[f], inserted.Tail, inserted.Head); });
-    const Index face = *part;
-    CutFace(cells.Cells, face, path, parts);
-  }
-}
 }
 
 Seams::Seams(const TriangleMesh& mesh, const std::vector<Index>& original)
@@ -483,7 +372,7 @@ void Seams::Equalize(std::vector<ComponentCells>& components) const
       points.push_back(vertex.Position);
     }
   }
-  std::vector<std::vector<Inserted>> inserted(components.size());
+  std::vector<std::vector<BoundaryVertices>> inserted(components.size());
   for (const Seam& seam : this->All)
   {
     std::vector<std::vector<Index>> paths;
@@ -511,7 +400,7 @@ void Seams::Equalize(std::vector<ComponentCells>& components) const
         {
           continue;
         }
-        Inserted between{ None, path[i - 1] - first, path[i] - first, {} };
+        BoundaryVertices between{ None, path[i - 1] - first, path[i] - first, {} };
         for (std::size_t j = match[i - 1] + 1; j < match[i]; ++j)
         {
           between.Positions.push_back(points[most[j]]);
@@ -530,7 +419,7 @@ void Seams::Equalize(std::vector<ComponentCells>& components) const
   {
     if (!inserted[c].empty())
     {
-      InsertAll(components[c], inserted[c]);
+      InsertBoundaryVertices(components[c], inserted[c]);
     }
   }
 }
