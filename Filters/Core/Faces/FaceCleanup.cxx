@@ -18,9 +18,9 @@ constexpr int MostEdits = 3;
 constexpr int Slack = 10;
 /// Edits that are tried for a vertex, and how often they are looked at in space.
 constexpr int MostTried = 4000;
-constexpr int MostLooks = 8;
+constexpr int MostLooks = 16;
 /// Faces are as good as they need be from this scaled Jacobian on.
-constexpr double GoodEnough = 0.4;
+constexpr double GoodEnough = 0.3;
 /// New faces are at least as good as this.
 constexpr double Least = 0.2;
 constexpr int Moves = 6;
