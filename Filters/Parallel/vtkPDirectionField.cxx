@@ -270,7 +270,18 @@ DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
   }
   Processes& processes = *this->Together;
   DirectionFields::Parallel::SurfacePiece piece;
-  processes.Together([&] { piece = DirectionFields::Parallel::ReadPiece(input); });
+  DirectionFields::Guidance guidance;
+  processes.Together(
+    [&]
+    {
+      piece = DirectionFields::Parallel::ReadPiece(input);
+      DirectionFields::Check(options);
+      if (!surface.Triangles.empty())
+      {
+        guidance = this->ReadGuidance(input);
+        DirectionFields::Check(guidance, options, surface.Points.size());
+      }
+    });
   this->Reason = DirectionFields::Parallel::WhyNotDistributed(options);
   if (this->Reason.empty() && this->GetCellDirections())
   {
@@ -279,7 +290,7 @@ DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
   if (this->Reason.empty())
   {
     DirectionFields::Parallel::DistributedField distributed =
-      DirectionFields::Parallel::ComputeDistributed(processes, surface, piece, options,
+      DirectionFields::Parallel::ComputeDistributed(processes, surface, piece, options, guidance,
         [this](double done)
         {
           this->UpdateProgress(0.05 + 0.85 * done);

@@ -128,12 +128,16 @@ GUIDED = {"Alignment": vtkDirectionField.ALIGN_POINT_VECTORS, "GuidanceVectors":
 FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRINCIPAL_CURVATURE},
           "guided": GUIDED, "constrained": {"ConstrainBoundary": 1, "ConstrainSharpEdges": 1},
           "faces": {"CellDirections": 1, "UnitLength": 1}, "merged": {"MergePoints": 1},
+          "boundary": {"ConstrainBoundary": 1},
+          "given": {**GUIDED, "GuidanceWeights": "Few", "ConstrainGuidance": 1},
+          "bounded by": {**GUIDED, "ConstrainBoundary": 1, "AlignmentStrength": 0.8},
           "unmerged": {"MergePoints": 0}, "multigrid": {"Solver": 1, "Tolerance": 1e-10}}
 
 
 # What can be had without gathering.
 DISTRIBUTED_SURFACES = ("closed", "bounded", "pair")
-DISTRIBUTED_FIELDS = ("smoothest", "unmerged", "multigrid")
+DISTRIBUTED_FIELDS = ("smoothest", "guided", "given", "unmerged", "multigrid")
+DISTRIBUTED_WITH_BOUNDARY = ("boundary", "bounded by")
 
 
 def run(surface, way, field, distribute):
@@ -142,7 +146,8 @@ def run(surface, way, field, distribute):
     kind = WAYS[way]
     name = f"{surface}, {way}, {field}, process {rank} of {count}"
     vectors = np.stack([points[:, 1], -points[:, 0], 0.3 + points[:, 2] ** 2], axis=1)
-    arrays = {"Wanted": vectors, "Weight": 1.0 + points[:, 2] ** 2}
+    arrays = {"Wanted": vectors, "Weight": 1.0 + points[:, 2] ** 2,
+              "Few": (points[:, 1] > 0.6) * 1.5}
     owner = Surfaces.owners(points, triangles, way.split()[0], count)
     mesh = Surfaces.piece(points, triangles, arrays, owner * 0, 0)
     whole = make(vtkDirectionField, options, mesh)
@@ -160,7 +165,8 @@ def run(surface, way, field, distribute):
     shared = np.zeros((count, len(points)), dtype=bool)
     for process in range(count):
         shared[process, triangles[owner == process].reshape(-1)] = True
-    is_possible = surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS
+    is_possible = (surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS or
+                   surface == "bounded" and field in DISTRIBUTED_WITH_BOUNDARY)
     used = 2 if distribute and is_possible else 1
     warnings = part.GetOutput().GetFieldData().GetAbstractArray("Warnings")
     texts = [warnings.GetValue(k) for k in range(warnings.GetNumberOfValues())] if warnings else []

@@ -16,23 +16,6 @@
 
 namespace DirectionFields::Internal
 {
-namespace
-{
-/// A gap lambda_1 - lambda_t below this part of sigma leaves the smoothest field.
-constexpr double SmallestRelativeGap = 1e-8;
-/// Where A - lambda_t M turns out to be indefinite the gap grows by this factor.
-constexpr double GapGrowth = 8.0;
-
-/// A bound of the error of the computed lambda_1, over sigma: the square of its residual over the
-/// distance to the next eigenvalue, which is assumed to be a hundredth of sigma, or the residual where
-/// that is less.
-double EigenvalueError(const Eigenpair& pair)
-{
-  constexpr double nearness = 100.0;
-  return pair.Residual * std::min(1.0, nearness * pair.Residual);
-}
-}
-
 ComponentStage::ComponentStage(
   Operators matrices, SmallestPairs smoothest, double scale, double unit)
   : Matrices(std::move(matrices))
@@ -40,19 +23,6 @@ ComponentStage::ComponentStage(
   , Scale(scale)
   , Unit(unit)
 {
-}
-
-ComponentStage::Factors ComponentStage::FactorsAt(double smallest, double gap)
-{
-  if (std::isinf(gap))
-  {
-    return { 0.0, 1.0, 1.0 };
-  }
-  if (gap > 1.0)
-  {
-    return { 1.0 / gap, 1.0 - smallest / gap, 1.0 };
-  }
-  return { 1.0, gap - smallest, gap };
 }
 
 const GuidanceTerms& ComponentStage::TermsOf(const ComponentGuide& guide)
@@ -98,21 +68,13 @@ FreeSystem& ComponentStage::FreeSystemOf(const GivenValues& given)
 
 double ComponentStage::Gap(const Options& options, double share) const
 {
-  const double sigma = this->Sigma();
-  const double least = sigma * EigenvalueError(this->Smoothest.First);
-  if (options.UseShift)
-  {
-    return std::clamp(options.Shift * this->Unit * this->Unit, least,
-      std::max(least, std::numeric_limits<double>::max()));
-  }
-  const double tau = options.AlignmentStrength;
-  return tau < 1.0 ? std::max(least, share * sigma * tau / (1.0 - tau))
-                   : std::numeric_limits<double>::infinity();
+  return SystemGap(options, share, { this->Smoothest.First.Value, this->Smoothest.First.Residual },
+    this->Scale, this->Unit);
 }
 
 double ComponentStage::SmallestGap() const
 {
-  return SmallestRelativeGap * std::max(this->Smoothest.First.Value, this->Scale);
+  return SmallestSystemGap(this->Smoothest.First.Value, this->Scale);
 }
 
 ComplexVector ComponentStage::SmoothestTowards(const GuidanceTerms& terms) const
@@ -127,8 +89,9 @@ ComplexVector ComponentStage::SmoothestTowards(const GuidanceTerms& terms) const
   return u;
 }
 
-SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const GivenValues& given,
-  const ComplexVector& rightHandSide, const Options& options, const Progress& progress)
+SystemSolution ComponentStage::SolveByMultigrid(const SystemFactors& factors,
+  const GivenValues& given, const ComplexVector& rightHandSide, const Options& options,
+  const Progress& progress)
 {
   const WorkLimit limit(
     this->Matrices.Energy, ShiftedSystem::DirectSolves, ShiftedSystem::DirectWork);
@@ -143,7 +106,7 @@ SystemSolution ComponentStage::SolveByMultigrid(const Factors& factors, const Gi
   return MinimizeEnergyByMultigrid(system, this->FreeSystemOf(given), rightHandSide, given);
 }
 
-SystemSolution ComponentStage::SolveByFactor(const Factors& factors, const GivenValues& given,
+SystemSolution ComponentStage::SolveByFactor(const SystemFactors& factors, const GivenValues& given,
   const ComplexVector& rightHandSide, const Options& options, const Progress& progress) const
 {
   const SparseMatrix matrix =
@@ -157,9 +120,9 @@ SystemSolution ComponentStage::SolveByFactor(const Factors& factors, const Given
     : MinimizeResidualDirectly(matrix, rightHandSide, given, progress);
 }
 
-SystemSolution ComponentStage::SolveSystem(const Factors& factors, const ComponentGuide& guide,
-  const ComplexVector& rightHandSide, const Options& options, const Progress& progress,
-  ComponentReport& report)
+SystemSolution ComponentStage::SolveSystem(const SystemFactors& factors,
+  const ComponentGuide& guide, const ComplexVector& rightHandSide, const Options& options,
+  const Progress& progress, ComponentReport& report)
 {
   const bool leastSquares =
     options.ConstraintSolver == ConstraintSolver::LeastSquares && !guide.Given.Vertices.empty();
@@ -185,7 +148,7 @@ SystemSolution ComponentStage::SolveAt(double gap, const ComponentGuide& guide,
   const double smallest = this->Smoothest.First.Value;
   for (;;)
   {
-    Factors factors{ 1.0, 0.0, 0.0 };
+    SystemFactors factors;
     report.Lambda = 0.0;
     if (terms.Any())
     {
@@ -201,13 +164,11 @@ SystemSolution ComponentStage::SolveAt(double gap, const ComponentGuide& guide,
     }
     catch (const NotPositiveDefinite&)
     {
-      // The quotient of a section that has not converged may exceed lambda_1 by more than its residual
-      // lets expect. lambda_t = 0 is safe.
       if (!terms.Any() || gap >= smallest)
       {
         throw;
       }
-      gap = std::min(smallest, std::max(GapGrowth * gap, this->SmallestGap()));
+      gap = GrownGap(gap, smallest, this->Scale);
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "Field/GuidanceTerms.h"
 #include "Field/SmoothestField.h"
+#include "Field/SystemFactors.h"
 #include "Progress.h"
 #include "Result.h"
 #include "Solvers/Systems/FreeSystem.h"
@@ -60,16 +61,6 @@ public:
   double Gap(const Options& options, double share) const;
 
 private:
-  /// K = A - lambda_t M = Energy A + Mass M and the factor lambda_1 - lambda_t of M q, all divided by
-  /// any positive number.
-  struct Factors
-  {
-    double Energy;
-    double Mass;
-    double Guidance;
-  };
-  static Factors FactorsAt(double smallest, double gap);
-
   /// The terms of the guide, made anew where it has changed.
   const GuidanceTerms& TermsOf(const ComponentGuide& guide);
   /// Gaps below this leave the smoothest field: what the guidance still changes there is below
@@ -80,12 +71,12 @@ private:
   /// The aligned or constrained field. The gap grows where the system turns out to be indefinite.
   SystemSolution SolveAt(double gap, const ComponentGuide& guide, const GuidanceTerms& terms,
     const Options& options, const Progress& progress, ComponentReport& report);
-  SystemSolution SolveSystem(const Factors& factors, const ComponentGuide& guide,
+  SystemSolution SolveSystem(const SystemFactors& factors, const ComponentGuide& guide,
     const ComplexVector& rightHandSide, const Options& options, const Progress& progress,
     ComponentReport& report);
-  SystemSolution SolveByMultigrid(const Factors& factors, const GivenValues& given,
+  SystemSolution SolveByMultigrid(const SystemFactors& factors, const GivenValues& given,
     const ComplexVector& rightHandSide, const Options& options, const Progress& progress);
-  SystemSolution SolveByFactor(const Factors& factors, const GivenValues& given,
+  SystemSolution SolveByFactor(const SystemFactors& factors, const GivenValues& given,
     const ComplexVector& rightHandSide, const Options& options, const Progress& progress) const;
   /// Scales the solution and fills in the figures of the report.
   ComplexVector Finish(

@@ -10,23 +10,35 @@
 
 namespace DirectionFields::Internal
 {
+GuidanceScale ScaleOf(const Guidance& guidance)
+{
+  GuidanceScale scale;
+  for (const Vector3& v : guidance.Vectors)
+  {
+    scale.Longest =
+      v.allFinite() ? std::max(scale.Longest, v.lpNorm<Eigen::Infinity>()) : scale.Longest;
+  }
+  scale.Heaviest = guidance.Weights.empty() ? 1.0 : 0.0;
+  for (const double weight : guidance.Weights)
+  {
+    scale.Heaviest = std::isfinite(weight) ? std::max(scale.Heaviest, weight) : scale.Heaviest;
+  }
+  return scale;
+}
+
 std::vector<Complex> GuidanceSection(
   const SurfaceGeometry& geometry, const Guidance& guidance, int degree)
 {
+  return GuidanceSection(geometry, guidance, degree, ScaleOf(guidance));
+}
+
+std::vector<Complex> GuidanceSection(
+  const SurfaceGeometry& geometry, const Guidance& guidance, int degree, const GuidanceScale& scale)
+{
   const TriangleMesh& mesh = geometry.Mesh;
   std::vector<Complex> section(mesh.GetNumberOfVertices(), 0.0);
-  // Only ratios of lengths and weights count. They are scaled so that their squares and products neither
-  // overflow nor underflow.
-  double longest = 0.0;
-  for (const Vector3& v : guidance.Vectors)
-  {
-    longest = v.allFinite() ? std::max(longest, v.lpNorm<Eigen::Infinity>()) : longest;
-  }
-  double heaviest = guidance.Weights.empty() ? 1.0 : 0.0;
-  for (const double weight : guidance.Weights)
-  {
-    heaviest = std::isfinite(weight) ? std::max(heaviest, weight) : heaviest;
-  }
+  const double longest = scale.Longest;
+  const double heaviest = scale.Heaviest;
   if (longest == 0.0 || heaviest == 0.0)
   {
     return section;

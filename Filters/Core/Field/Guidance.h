@@ -17,6 +17,18 @@ namespace DirectionFields::Internal
 std::vector<Complex> GuidanceSection(
   const SurfaceGeometry& geometry, const Guidance& guidance, int degree);
 
+/// The largest component of the finite vectors, and the largest finite weight: only ratios to them count, so that
+/// squares and products neither overflow nor underflow.
+struct GuidanceScale
+{
+  double Longest = 0.0;
+  double Heaviest = 0.0;
+};
+GuidanceScale ScaleOf(const Guidance& guidance);
+/// The same for a piece of a surface, in the scale of the whole.
+std::vector<Complex> GuidanceSection(const SurfaceGeometry& geometry, const Guidance& guidance,
+  int degree, const GuidanceScale& scale);
+
 /// What a field of degree 2 or 4 follows at a vertex: q for the larger curvature, -q for the smaller;
 /// e^(2 i theta) (|k_max| - |k_min|) / 2 for the one of larger modulus, which does not depend on the side
 /// that the surface is seen from, and its negative for the other. For degree 4 it is q^2 / |q|.

@@ -6,7 +6,10 @@
 #include "Distributed/DistributedEigenpair.h"
 #include "Distributed/DistributedHierarchy.h"
 #include "Distributed/DistributedMatrices.h"
+#include "Distributed/DistributedSystem.h"
+#include "Field/SystemFactors.h"
 #include "Sections/ReferenceSection.h"
+#include "Solvers/Systems/SystemSolution.h"
 #include "Support/Division.h"
 
 #include <algorithm>
@@ -18,6 +21,10 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
+/// Systems are solved to this part of their tolerance: cycles of several processes leave other errors than those
+/// of one, which their fields are compared with.
+constexpr double TightTolerance = 0.01;
+
 /// Copies own rows to their vertices.
 void TakeRows(const DistributedMatrices& matrices, Vec rows, std::vector<Complex>& section)
 {
@@ -122,9 +129,96 @@ private:
   std::vector<Part> Parts;
 };
 
+/// What a component's fields are made of.
+struct Problem
+{
+  const DistributedMatrices& Matrices;
+  const DistributedSystem& System;
+  DistributedHierarchy& Hierarchy;
+  const DistributedEigenpair& Smallest;
+  const Options& Asked;
+  const std::function<bool(double)>& GoOn;
+};
+
+/// The aligned or constrained field. The gap grows where the system turns out to be indefinite.
+DistributedSystem::Solution SolveAt(const Problem& problem, double gap, ComponentReport& report)
+{
+  const double smallest = problem.Smallest.Value;
+  for (;;)
+  {
+    SystemFactors factors;
+    report.Lambda = 0.0;
+    if (problem.System.HasGuidance())
+    {
+      factors = FactorsAt(smallest, gap);
+      report.Lambda = std::isinf(gap) ? std::numeric_limits<double>::lowest()
+                                      : PerSquare(smallest - gap, problem.Matrices.Unit);
+    }
+    DistributedSystem::Solution solution = problem.System.Solve(
+      factors, TightTolerance * SystemTolerance(problem.Asked), problem.Hierarchy, problem.GoOn);
+    if (!solution.Indefinite)
+    {
+      return solution;
+    }
+    if (!problem.System.HasGuidance() || gap >= smallest)
+    {
+      throw NotPositiveDefinite();
+    }
+    gap = GrownGap(gap, smallest, problem.Hierarchy.GetScale());
+  }
+}
+
+/// The field of the component, and its figures in the report.
+OwnedVec SolveProblem(const Problem& problem, ComponentReport& report)
+{
+  const DistributedMatrices& matrices = problem.Matrices;
+  const DistributedEigenpair& smallest = problem.Smallest;
+  const double scale = problem.Hierarchy.GetScale();
+  const double gap =
+    SystemGap(problem.Asked, 1.0, { smallest.Value, smallest.Residual }, scale, matrices.Unit);
+  report.Lambda = PerSquare(smallest.Value, matrices.Unit);
+  DistributedSystem::Solution solution;
+  PetscReal length = 0.0;
+  if (problem.System.HasGiven() ||
+    (problem.System.HasGuidance() && gap > SmallestSystemGap(smallest.Value, scale)))
+  {
+    solution = SolveAt(problem, gap, report);
+    Require(VecNorm(solution.Vector, NORM_INFINITY, &length));
+  }
+  if (length == 0.0)
+  {
+    Require(VecDuplicate(smallest.Vector, solution.Vector.New()));
+    Require(VecCopy(smallest.Vector, solution.Vector));
+    problem.System.TurnToGuidance(solution.Vector);
+  }
+  OwnedVec product;
+  PetscScalar energy = 0.0;
+  PetscScalar mass = 0.0;
+  Require(VecDuplicate(solution.Vector, product.New()));
+  Require(MatMult(matrices.Energy, solution.Vector, product));
+  Require(VecDot(product, solution.Vector, &energy));
+  Require(MatMult(matrices.Mass, solution.Vector, product));
+  Require(VecDot(product, solution.Vector, &mass));
+  const double size = PetscRealPart(mass);
+  report.SmoothnessEnergy = PerSquare(std::max(0.0, PetscRealPart(energy) / size), matrices.Unit);
+  report.SystemResidual = solution.Residual;
+  // Modulus 1 in the mean square.
+  Require(VecScale(solution.Vector, std::sqrt(matrices.Area / size)));
+  return std::move(solution.Vector);
+}
+
+/// Fixes the phase of the smallest eigenvector.
+void FixPhase(const Messages& messages, const DistributedMesh& mesh, int component, int degree,
+  const DistributedMatrices& matrices, std::vector<Complex>& section, Vec vector)
+{
+  TakeRows(matrices, vector, section);
+  const GlobalPhase phase(messages, mesh, component, degree);
+  Require(VecScale(vector, phase.Of(section)));
+}
+
 void SolveComponent(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
-  int component, const Options& options, const std::function<bool(double)>& goOn,
-  std::vector<Complex>& section, ComponentReport& report)
+  int component, const DistributedGuide& guide, const Options& options,
+  const std::function<bool(double)>& goOn, std::vector<Complex>& section, ComponentReport& report)
 {
   const DistributedMatrices matrices =
     AssembleMatrices(processes, messages, mesh, component, options.Degree, options.EnergyBias);
@@ -134,30 +228,25 @@ void SolveComponent(Processes& processes, const Messages& messages, const Distri
   settings.Scale = 2.0 * Pi * options.Degree / matrices.Area;
   settings.GoOn = goOn;
   DistributedHierarchy hierarchy(matrices.Energy, matrices.Mass, settings.Scale);
-  DistributedEigenpair pair = FindSmallestPair(matrices, hierarchy, settings);
-  // Modulus 1 in the mean square.
-  Require(VecScale(pair.Vector, std::sqrt(matrices.Area)));
-  TakeRows(matrices, pair.Vector, section);
-  const GlobalPhase phase(messages, mesh, component, options.Degree);
-  const Complex turn = phase.Of(section);
-  for (const Index v : matrices.Vertices)
-  {
-    section[v] *= turn;
-  }
+  const DistributedEigenpair pair = FindSmallestPair(matrices, hierarchy, settings);
+  FixPhase(messages, mesh, component, options.Degree, matrices, section, pair.Vector);
+  const DistributedSystem system(messages, mesh, matrices, guide);
+  const OwnedVec field = SolveProblem({ matrices, system, hierarchy, pair, options, goOn }, report);
+  TakeRows(matrices, field, section);
   report.Eigenvalue = PerSquare(pair.Value, matrices.Unit);
-  report.Lambda = report.Eigenvalue;
-  report.SmoothnessEnergy = report.Eigenvalue;
   report.Residual = pair.Residual;
   report.RequiredResidual = pair.RequiredResidual;
   report.Iterations = pair.Iterations;
   report.SolverUsed = Solver::Multigrid;
-  report.Converged = pair.Residual <= pair.RequiredResidual;
+  report.Constraints = system.CountGiven();
+  report.Converged =
+    pair.Residual <= pair.RequiredResidual && report.SystemResidual <= SystemTolerance(options);
 }
 }
 
 std::vector<Complex> SolveDistributed(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, const Options& options, const std::function<bool(double)>& goOn,
-  std::vector<ComponentReport>& reports)
+  const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
+  const std::function<bool(double)>& goOn, std::vector<ComponentReport>& reports)
 {
   std::vector<Complex> section;
   processes.Together(
@@ -167,7 +256,7 @@ std::vector<Complex> SolveDistributed(Processes& processes, const Messages& mess
   {
     const auto part = [&](double done)
     { return !messages.Any(!goOn((c + done) / mesh.CountComponents())); };
-    SolveComponent(processes, messages, mesh, c, options, part, section, reports[c]);
+    SolveComponent(processes, messages, mesh, c, guide, options, part, section, reports[c]);
   }
   mesh.Complete(section);
   return section;

@@ -4,6 +4,7 @@
 #ifndef ComponentSolution_h
 #define ComponentSolution_h
 
+#include "Distributed/DistributedGuide.h"
 #include "Distributed/DistributedMesh.h"
 #include "Distributed/Messages.h"
 #include "Options.h"
@@ -20,8 +21,8 @@ namespace DirectionFields::Parallel
 /// @param reports one for each component, without the counts
 /// @return the section, over the vertices of the mesh; right at those that belong to the piece or are next to it
 std::vector<Complex> SolveDistributed(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, const Options& options, const std::function<bool(double)>& goOn,
-  std::vector<ComponentReport>& reports);
+  const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
+  const std::function<bool(double)>& goOn, std::vector<ComponentReport>& reports);
 }
 
 #endif

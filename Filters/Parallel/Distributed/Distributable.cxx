@@ -7,14 +7,18 @@ namespace DirectionFields::Parallel
 {
 std::string WhyNotDistributed(const Options& options)
 {
-  if (options.Alignment != Alignment::None)
+  if (options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature)
   {
-    return "Alignment needs the whole surface";
+    return "curvature needs the whole surface";
   }
-  if (options.ConstrainBoundary || options.ConstrainSharpEdges || options.ConstrainCurvature ||
-    options.ConstrainGuidance)
+  if (options.ConstrainSharpEdges)
   {
-    return "constraints need the whole surface";
+    return "Constrain Sharp Edges needs the whole surface";
+  }
+  if ((options.ConstrainBoundary || options.ConstrainGuidance) &&
+    options.ConstraintSolver == ConstraintSolver::LeastSquares)
+  {
+    return "least squares need the whole surface";
   }
   if (options.UnitLength)
   {

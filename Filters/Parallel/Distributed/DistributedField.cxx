@@ -4,6 +4,7 @@
 #include "Distributed/DistributedField.h"
 
 #include "Distributed/ComponentSolution.h"
+#include "Distributed/DistributedGuide.h"
 #include "Distributed/DistributedMesh.h"
 #include "Distributed/Messages.h"
 #include "Distributed/OwnCommunicator.h"
@@ -12,6 +13,7 @@
 #include "Distributed/SharedPoints.h"
 #include "Field/FieldToResult.h"
 #include "Mesh/OutputPoints.h"
+#include "Sections/SectionDirections.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -81,6 +83,11 @@ void KeepInput(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
   result.Normal.resize(points);
   result.XAxis.resize(points);
   result.OriginalPoint.resize(points);
+  if (!result.Constraint.empty())
+  {
+    result.Constraint.resize(points);
+    result.ConstraintDirection.resize(points);
+  }
   std::vector<int> index(inputTriangles, 0);
   std::vector<Index> component(inputTriangles, None);
   for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
@@ -171,8 +178,8 @@ SurfaceFigures AddUpFigures(const Messages& messages, const SurfaceFigures& own)
 }
 
 void Compute(Processes& processes, const Messages& messages, const Surface& surface,
-  const SurfacePiece& piece, const Options& options, const std::function<bool(double)>& goOn,
-  DistributedField& field)
+  const SurfacePiece& piece, const Options& options, const Guidance& guidance,
+  const std::function<bool(double)>& goOn, DistributedField& field)
 {
   const SharedPoints shared = MatchBorders(processes, messages, piece);
   field.Reason = shared.Reason;
@@ -188,15 +195,28 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   {
     return;
   }
+  const DistributedGuide guide = MakeGuide(processes, messages, mesh, around, options, guidance);
+  field.Reason = guide.Reason;
+  if (!field.Reason.empty())
+  {
+    return;
+  }
   std::vector<ComponentReport> reports;
   const std::vector<Complex> section =
-    SolveDistributed(processes, messages, mesh, options, goOn, reports);
+    SolveDistributed(processes, messages, mesh, guide, options, goOn, reports);
   processes.Together(
     [&]
     {
       field.Field.Degree = options.Degree;
       const OutputPoints points(mesh.GetMesh(), around.Surface, {});
       AddSection(mesh.GetGeometry(), around.Surface, points, section, field.Field);
+      if (!guide.Kind.empty())
+      {
+        const Vector3 zero = Vector3::Zero();
+        field.Field.Constraint = points.Spread(guide.Kind, ConstraintKind::None);
+        field.Field.ConstraintDirection =
+          points.Spread(DirectionsOf(guide.Value, mesh.GetGeometry().Frames, options.Degree), zero);
+      }
     });
   AddUpCounts(messages, mesh, field.Field, reports);
   AddUpRepairs(messages, around, mesh, field.Field.Repaired);
@@ -218,7 +238,8 @@ bool CanDistribute()
 }
 
 DistributedField ComputeDistributed(Processes& processes, const Surface& surface,
-  const SurfacePiece& piece, const Options& options, const std::function<bool(double)>& goOn)
+  const SurfacePiece& piece, const Options& options, const Guidance& guidance,
+  const std::function<bool(double)>& goOn)
 {
   DistributedField field;
   const OwnCommunicator communicator(processes.GetController());
@@ -231,7 +252,7 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   const Threads::Scope scope(threads);
   const Messages messages(communicator.Handle);
   StartPetsc(communicator.Handle);
-  Compute(processes, messages, surface, piece, options, goOn, field);
+  Compute(processes, messages, surface, piece, options, guidance, goOn, field);
   return field;
 }
 }

@@ -56,9 +56,11 @@ bool CanDistribute();
 
 /// Computes the field. All processes call it; throws ProcessesError.
 /// @param surface the triangles of the piece, over all points of its polydata
+/// @param guidance of the surface's points
 /// @param goOn    is called now and then with the part that is done; false on any process stops all
 DistributedField ComputeDistributed(Processes& processes, const Surface& surface,
-  const SurfacePiece& piece, const Options& options, const std::function<bool(double)>& goOn);
+  const SurfacePiece& piece, const Options& options, const Guidance& guidance,
+  const std::function<bool(double)>& goOn);
 
 /// Gives points of several pieces the same bits on all of them, those of their owner: rounding depends on what
 /// else a process computes. Then gives copies of other pieces' points and cells what these have; zero where no

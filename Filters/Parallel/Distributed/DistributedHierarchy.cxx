@@ -50,6 +50,20 @@ DistributedHierarchy::DistributedHierarchy(Mat energy, Mat mass, double scale, d
   while (RowsOf(this->Levels.back().Energy) > CoarsestRows && this->Coarsen())
   {
   }
+  this->MakeSolvers(shift);
+}
+
+void DistributedHierarchy::SetShift(double shift)
+{
+  if (shift != this->Shift)
+  {
+    this->MakeSolvers(shift);
+  }
+}
+
+void DistributedHierarchy::MakeSolvers(double shift)
+{
+  this->Shift = shift;
   for (std::size_t l = 0; l < this->Levels.size(); ++l)
   {
     this->MakeSolver(l, l + 1 < this->Levels.size() ? shift : shift + AddedShift * this->Scale);
@@ -81,6 +95,7 @@ bool DistributedHierarchy::Coarsen()
 void DistributedHierarchy::MakeSolver(std::size_t l, double shift)
 {
   Level& level = this->Levels[l];
+  level.Shifted = OwnedMat();
   if (shift > 0.0)
   {
     Require(MatDuplicate(level.Energy, MAT_COPY_VALUES, level.Shifted.New()));

@@ -49,6 +49,9 @@ public:
 
   const std::vector<Level>& GetLevels() const { return this->Levels; }
   std::size_t CountLevels() const { return this->Levels.size(); }
+  double GetScale() const { return this->Scale; }
+  /// Makes it a hierarchy for another shift, at least 0.
+  void SetShift(double shift);
   /// solution = B right on a level, B nearly the inverse of A + shift M, Hermitian and positive definite.
   void Apply(Vec right, Vec solution, std::size_t level = 0);
   /// How often Apply was called for the finest level.
@@ -56,10 +59,12 @@ public:
 
 private:
   bool Coarsen();
+  void MakeSolvers(double shift);
   void MakeSolver(std::size_t level, double shift);
 
   std::vector<Level> Levels;
   double Scale;
+  double Shift = 0.0;
   int Cycles = 0;
 };
 }

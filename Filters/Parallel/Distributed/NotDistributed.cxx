@@ -14,7 +14,7 @@ bool CanDistribute()
 }
 
 DistributedField ComputeDistributed(Processes&, const Surface&, const SurfacePiece&, const Options&,
-  const std::function<bool(double)>&)
+  const Guidance&, const std::function<bool(double)>&)
 {
   throw std::logic_error("This build has no PETSc.");
 }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DistributedGuide_h
+#define DistributedGuide_h
+
+#include "Distributed/DistributedMesh.h"
+#include "Distributed/Messages.h"
+#include "Distributed/PieceWithSurroundings.h"
+#include "Options.h"
+#include "Processes.h"
+#include "Result.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Parallel
+{
+/// What a field on several processes is drawn to, and its constraints, over the vertices of the mesh.
+struct DistributedGuide
+{
+  /// Right at owned vertices; empty for nothing.
+  std::vector<Complex> Drawn;
+  /// As Constraints, right at the vertices of the piece and next to it; empty where nothing of the whole surface is
+  /// constrained.
+  std::vector<ConstraintKind> Kind;
+  std::vector<Complex> Value;
+  /// Why the options can only be had of the gathered surface; the same on all processes.
+  std::string Reason;
+};
+
+/// All processes call it; throws ProcessesError.
+/// @param options  that WhyNotDistributed has nothing against
+/// @param guidance of the input's points
+DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
+  const DistributedMesh& mesh, const PieceWithSurroundings& piece, const Options& options,
+  const Guidance& guidance);
+}
+
+#endif
