@@ -188,7 +188,8 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
   const vtkIdType all = std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0));
   const bool isLarge = all > this->GatherLimit;
   std::string warning;
-  if (this->Distribution == DISTRIBUTED || (this->Distribution == AUTOMATIC && isLarge))
+  if (all > 0 &&
+    (this->Distribution == DISTRIBUTED || (this->Distribution == AUTOMATIC && isLarge)))
   {
     std::string reason;
     if (!DirectionFields::Parallel::CanDistribute())

@@ -24,6 +24,10 @@ points, triangles = Surfaces.potato(14)
 owner = Surfaces.owners(points, triangles, "slabs", count)
 
 
+# Ways to solve for pieces that the build has.
+WAYS = [vtkPDirectionField.GATHER] + [vtkPDirectionField.DISTRIBUTED] * (sys.argv[2] == "distributed")
+
+
 def reduced(value, operation=vtkCommunicator.SUM_OP):
     own, result = vtkDoubleArray(), vtkDoubleArray()
     own.InsertNextValue(float(value))
@@ -120,25 +124,39 @@ def test_error():
         check("1 point of the surface has NaN or infinite coordinates, the first is point 3" in text and
               f"On process {count - 1}." in text, text)
         check(filter.GetOutput().GetNumberOfPoints() == 0, "outputs are empty")
-    field = vtkPDirectionField()
-    field.SetInputData(mesh)
-    heard = messages_of(field)
-    field.Update()
-    field.SetInputData(own_piece())
-    field.Update()
-    check(field.GetOutput().GetPointData().HasArray("Direction0"), "after an error")
-    # What only the process with the whole surface notices.
-    field.SetDegree(3)
-    field.SetAlignment(vtkDirectionField.ALIGN_PRINCIPAL_CURVATURE)
-    del heard[:]
-    field.Update()
-    check("Degree" in "".join(heard), heard)
+    for way in WAYS:
+        field = vtkPDirectionField()
+        field.SetDistribution(way)
+        field.SetInputData(mesh)
+        heard = messages_of(field)
+        field.Update()
+        text = "".join(heard)
+        check("the first is point 3" in text and f"On process {count - 1}." in text, way, text)
+        field.SetInputData(own_piece())
+        field.Update()
+        check(field.GetOutput().GetPointData().HasArray("Direction0"), "after an error", way)
+        # What only the process with the whole surface notices, or all of them.
+        field.SetDegree(3)
+        field.SetAlignment(vtkDirectionField.ALIGN_PRINCIPAL_CURVATURE)
+        del heard[:]
+        field.Update()
+        check("Degree" in "".join(heard), way, heard)
+        # An array that one process lacks.
+        field = vtkPDirectionField()
+        field.SetDistribution(way)
+        field.SetAlignment(vtkDirectionField.ALIGN_POINT_VECTORS)
+        field.SetGuidanceVectors("From" if rank == 0 else "Nothing")
+        field.SetInputData(own_piece())
+        heard = messages_of(field)
+        field.Update()
+        check(heard and reduced(field.GetOutput().GetNumberOfCells()) == 0, way, heard)
 
 
 def test_stop():
     """Whoever is asked to stop stops all, wherever the work is done."""
-    for stopping in range(count):
+    for stopping, way in ((stopping, way) for stopping in range(count) for way in WAYS):
         field = vtkPDirectionField()
+        field.SetDistribution(way)
         field.SetInputData(own_piece())
         heard = messages_of(field)
         began = []
@@ -154,13 +172,13 @@ def test_stop():
                 time.sleep(0.01)
         field.AddObserver("ProgressEvent", wait)
         field.Update()
-        check(field.GetOutput().GetNumberOfPoints() == 0, "stopped by", stopping)
+        check(field.GetOutput().GetNumberOfPoints() == 0, "stopped by", stopping, way)
         check(not heard, heard)
         field.RemoveAllObservers()
         field.SetAbortExecute(0)
         field.Modified()
         field.Update()
-        check(field.GetOutput().GetPointData().HasArray("Direction0"), "after a stop")
+        check(field.GetOutput().GetPointData().HasArray("Direction0"), "after a stop", way)
 
 
 def test_empty():
@@ -168,6 +186,7 @@ def test_empty():
     for mesh in (Surfaces.poly_data(np.zeros((0, 3)), np.zeros((0, 3))),
                  Surfaces.poly_data(points[:5 * rank], np.zeros((0, 3)))):
         field = vtkPDirectionField()
+        field.SetDistribution(WAYS[-1])
         field.SetInputData(mesh)
         field.Update()
         check(field.GetOutput().GetNumberOfPoints() == mesh.GetNumberOfPoints(), "points")

@@ -137,7 +137,25 @@ void DistributedHierarchy::MakeSolver(std::size_t l, double shift)
 
 void DistributedHierarchy::Apply(Vec right, Vec solution, std::size_t l)
 {
-  this->Cycles += l == 0 ? 1 : 0;
+  if (l > 0)
+  {
+    this->ApplyCycle(right, solution, l);
+    return;
+  }
+  static const PetscLogEvent event = []
+  {
+    PetscLogEvent number = 0;
+    Require(PetscLogEventRegister("V-cycle", KSP_CLASSID, &number));
+    return number;
+  }();
+  ++this->Cycles;
+  Require(PetscLogEventBegin(event, 0, 0, 0, 0));
+  this->ApplyCycle(right, solution, 0);
+  Require(PetscLogEventEnd(event, 0, 0, 0, 0));
+}
+
+void DistributedHierarchy::ApplyCycle(Vec right, Vec solution, std::size_t l)
+{
   Level& level = this->Levels[l];
   Require(KSPSetInitialGuessNonzero(level.Solver, PETSC_FALSE));
   Require(KSPSolve(level.Solver, right, solution));
@@ -149,7 +167,7 @@ void DistributedHierarchy::Apply(Vec right, Vec solution, std::size_t l)
   Require(MatMult(level.System(), solution, level.Rest));
   Require(VecAYPX(level.Rest, -1.0, right));
   Require(MatMult(level.Restriction, level.Rest, coarser.Right));
-  this->Apply(coarser.Right, coarser.Solution, l + 1);
+  this->ApplyCycle(coarser.Right, coarser.Solution, l + 1);
   Require(MatMultAdd(level.Prolongator, coarser.Solution, solution, solution));
   Require(KSPSetInitialGuessNonzero(level.Solver, PETSC_TRUE));
   Require(KSPSolve(level.Solver, right, solution));

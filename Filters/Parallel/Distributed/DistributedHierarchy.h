@@ -52,13 +52,15 @@ public:
   double GetScale() const { return this->Scale; }
   /// Makes it a hierarchy for another shift, at least 0.
   void SetShift(double shift);
-  /// solution = B right on a level, B nearly the inverse of A + shift M, Hermitian and positive definite.
+  /// solution = B right on a level, B nearly the inverse of A + shift M, Hermitian and positive definite. PETSc's
+  /// option -log_view tells as "V-cycle" what those of the finest level take.
   void Apply(Vec right, Vec solution, std::size_t level = 0);
   /// How often Apply was called for the finest level.
   int GetCycles() const { return this->Cycles; }
 
 private:
   bool Coarsen();
+  void ApplyCycle(Vec right, Vec solution, std::size_t level);
   void MakeSolvers(double shift);
   void MakeSolver(std::size_t level, double shift);
 
