@@ -64,6 +64,14 @@ def half(size=24):
     return points[used], triangles.reshape(-1, 3)
 
 
+def turned(size=24):
+    """Closed, a third of its triangles inside out."""
+    points, triangles = potato(size)
+    flipped = np.random.default_rng(3).random(len(triangles)) < 1.0 / 3.0
+    triangles[flipped] = triangles[flipped][:, ::-1]
+    return points, triangles
+
+
 def pair(size=16):
     """Two components."""
     points, triangles = potato(size)

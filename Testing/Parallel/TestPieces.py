@@ -61,6 +61,8 @@ def compare(whole, part, degree, name):
     fields = [field.GetOutput().GetFieldData() for field in (whole, part)]
     wanted, found = (np.sort(Surfaces.array(data, "Eigenvalue")) for data in fields)
     check(np.allclose(found, wanted, rtol=1e-9, atol=1e-12), name, "eigenvalue", wanted, found)
+    repairs = [Surfaces.array(data, "Repairs").tolist() for data in fields]
+    check(repairs[0] == repairs[1], name, "repairs", repairs)
     for sums in ("IndexSum", "EulerCharacteristic"):
         wanted, found = (sorted(Surfaces.array(data, sums)) for data in fields)
         check(wanted == found, name, sums, wanted, found)
@@ -118,7 +120,8 @@ def compare_singularities(whole, part, name):
 
 
 SURFACES = {"closed": Surfaces.potato(15), "bounded": Surfaces.half(15), "pair": Surfaces.pair(11),
-            "strip": Surfaces.moebius(), "sheets": Surfaces.sheets()}
+            "strip": Surfaces.moebius(),
+            "turned": Surfaces.turned(11), "sheets": Surfaces.sheets()}
 WAYS = {"slabs": {}, "random": {}, "ids": {}, "one": {}, "empty": {},
         "slabs with ghosts": {"ghosts": True}, "random with ghosts": {"ghosts": True, "noise": 3e-8},
         "slabs with ids": {"ids": True, "noise": 3e-8}, "ids with ghosts": {"ghosts": True, "ids": True},
@@ -135,7 +138,7 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
 
 
 # What can be had without gathering.
-DISTRIBUTED_SURFACES = ("closed", "bounded", "pair")
+DISTRIBUTED_SURFACES = ("closed", "bounded", "pair", "turned")
 DISTRIBUTED_FIELDS = ("smoothest", "guided", "given", "unmerged", "multigrid")
 DISTRIBUTED_WITH_BOUNDARY = ("boundary", "bounded by")
 

@@ -3,6 +3,7 @@
 
 #include "Distributed/DistributedField.h"
 
+#include "Distributed/CommonWinding.h"
 #include "Distributed/ComponentSolution.h"
 #include "Distributed/DistributedGuide.h"
 #include "Distributed/DistributedMesh.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace DirectionFields::Parallel
@@ -188,8 +190,15 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   {
     return;
   }
-  const PieceWithSurroundings around = AddSurroundings(processes, messages, surface, piece, shared);
-  const DistributedMesh mesh(processes, messages, around, shared);
+  PieceWithSurroundings around = AddSurroundings(processes, messages, surface, piece, shared);
+  auto made = std::make_unique<DistributedMesh>(processes, messages, around, shared);
+  Index reversed = 0;
+  if (made->IsWoundOtherwise() && WindAlike(processes, messages, made->GetMesh(), around, reversed))
+  {
+    made.reset();
+    made = std::make_unique<DistributedMesh>(processes, messages, around, shared);
+  }
+  const DistributedMesh& mesh = *made;
   field.Reason = mesh.GetReason();
   if (!field.Reason.empty())
   {
@@ -220,6 +229,7 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
     });
   AddUpCounts(messages, mesh, field.Field, reports);
   AddUpRepairs(messages, around, mesh, field.Field.Repaired);
+  field.Field.Repaired.ReversedTriangles = reversed;
   SurfaceFigures own;
   processes.Together(
     [&]

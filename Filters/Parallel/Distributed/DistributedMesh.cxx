@@ -15,6 +15,8 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
+constexpr const char* CannotBeOriented = "it has only one side, as a Moebius strip has";
+
 /// Whether a point of the piece belongs to one of its own triangles.
 bool IsInPiece(const PieceWithSurroundings& piece, Index point)
 {
@@ -44,6 +46,11 @@ DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
       this->Geometry = std::make_unique<SurfaceGeometry>(piece.Surface);
       fault = this->FindFaults(piece);
     });
+  if (!messages.Any(!fault.empty()))
+  {
+    this->WoundOtherwise = messages.Any(this->GetMesh().GetRepairs().ReversedTriangles > 0);
+    fault = this->WoundOtherwise ? CannotBeOriented : "";
+  }
   // The first process with a fault speaks.
   const Messages::Collected<char> faults =
     messages.AllGather(std::vector<char>(fault.begin(), fault.end()));
@@ -69,9 +76,9 @@ std::string DistributedMesh::FindFaults(const PieceWithSurroundings& piece) cons
 {
   const TriangleMesh& mesh = this->GetMesh();
   const Repairs& repairs = mesh.GetRepairs();
-  if (repairs.NonOrientableComponents > 0 || repairs.ReversedTriangles > 0)
+  if (repairs.NonOrientableComponents > 0)
   {
-    return "its triangles are not all wound the same way";
+    return CannotBeOriented;
   }
   if (repairs.NonManifoldEdges > 0 || repairs.DuplicateTriangles > 0)
   {

@@ -29,6 +29,9 @@ public:
   /// on all processes.
   const std::string& GetReason() const { return this->Reason; }
 
+  /// Whether that is because triangles are wound against each other, which WindAlike may mend.
+  bool IsWoundOtherwise() const { return this->WoundOtherwise; }
+
   const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
   const TriangleMesh& GetMesh() const { return this->Geometry->Mesh; }
   bool IsOwned(Index vertex) const { return this->Owned[vertex] != 0; }
@@ -75,6 +78,7 @@ private:
   const Messages& Exchange;
   std::unique_ptr<SurfaceGeometry> Geometry;
   std::string Reason;
+  bool WoundOtherwise = false;
   /// The vertex of each point of the piece; None where there is none.
   std::vector<Index> VertexOfPoint;
   std::vector<char> Owned;

@@ -195,6 +195,7 @@ public:
       }
       own.Surface.Triangles.push_back(corners);
       own.Surface.Ghost.push_back(1);
+      own.OthersTriangles.push_back(triangle.Id);
     }
   }
 
@@ -240,6 +241,7 @@ PieceWithSurroundings AddSurroundings(Processes& processes, const Messages& mess
   const std::vector<vtkIdType> first = Processes::FirstOf(
     processes.AllGather({ static_cast<vtkIdType>(own.Surface.Triangles.size()) }));
   own.FirstTriangle = first[messages.Own()];
+  own.FirstTriangles = first;
 
   std::vector<SentTriangles> sent;
   processes.Together([&] { sent = around.FirstRing(own); });

@@ -31,6 +31,10 @@ struct PieceWithSurroundings
   std::vector<Index> InputTriangle;
   /// The number of the first own triangle among those of all pieces.
   vtkIdType FirstTriangle = 0;
+  /// That of each process, and the number of all.
+  std::vector<vtkIdType> FirstTriangles;
+  /// The number of each of the others' triangles.
+  std::vector<vtkIdType> OthersTriangles;
 };
 
 /// Asks the other processes for the surroundings. All processes call it; throws ProcessesError.
