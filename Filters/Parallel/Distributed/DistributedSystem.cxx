@@ -24,7 +24,8 @@ struct Context
 {
   DistributedHierarchy& Hierarchy;
   const std::function<bool(double)>& GoOn;
-  void* Default = nullptr;
+  /// The residual that is small enough.
+  double Enough = 0.0;
   bool IsStopped = false;
 };
 
@@ -40,20 +41,28 @@ PetscErrorCode ApplyCycle(PC preconditioner, Vec right, Vec solution)
   {
     return PETSC_ERR_LIB;
   }
-  return 0;
+  return NoError;
 }
 
 PetscErrorCode HasConverged(
-  KSP solver, PetscInt step, PetscReal residual, KSPConvergedReason* reason, void* data)
+  KSP, PetscInt step, PetscReal residual, KSPConvergedReason* reason, void* data)
 {
   auto* const context = static_cast<Context*>(data);
+  *reason = KSP_CONVERGED_ITERATING;
   if (context->GoOn && !context->GoOn(FractionDone(static_cast<int>(step))))
   {
     context->IsStopped = true;
     *reason = KSP_DIVERGED_ITS;
-    return 0;
   }
-  return KSPConvergedDefault(solver, step, residual, reason, context->Default);
+  else if (!std::isfinite(residual))
+  {
+    *reason = KSP_DIVERGED_NANORINF;
+  }
+  else if (residual <= context->Enough)
+  {
+    *reason = KSP_CONVERGED_RTOL;
+  }
+  return NoError;
 }
 
 OwnedVec NewVector(Mat matrix)
@@ -101,13 +110,12 @@ DistributedSystem::Solution SolveByGradients(Mat matrix, Vec right, double toler
     return solution;
   }
   OwnedKsp solver;
-  Context context{ hierarchy ? *hierarchy : any, goOn };
+  Context context{ hierarchy ? *hierarchy : any, goOn, tolerance * size };
   Require(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)), solver.New()));
   Require(KSPSetOperators(solver, matrix, matrix));
   Require(KSPSetType(solver, KSPCG));
   Require(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED));
   Require(KSPSetTolerances(solver, tolerance, 0.0, PETSC_DEFAULT, MostSteps));
-  Require(KSPConvergedDefaultCreate(&context.Default));
   Require(KSPSetConvergenceTest(solver, HasConverged, &context, nullptr));
   PC preconditioner = nullptr;
   Require(KSPGetPC(solver, &preconditioner));
@@ -126,7 +134,6 @@ DistributedSystem::Solution SolveByGradients(Mat matrix, Vec right, double toler
   PetscReal residual = 0.0;
   Require(KSPGetConvergedReason(solver, &reason));
   Require(KSPGetResidualNorm(solver, &residual));
-  Require(KSPConvergedDefaultDestroy(context.Default));
   Require(code);
   if (context.IsStopped)
   {

@@ -12,10 +12,13 @@
 
 namespace DirectionFields::Parallel
 {
+/// What callbacks return; newer releases have an enumeration.
+constexpr auto NoError = static_cast<PetscErrorCode>(0);
+
 /// Throws std::runtime_error where a function of PETSc has failed, on all processes alike.
 inline void Require(PetscErrorCode code)
 {
-  if (code != 0)
+  if (code != NoError)
   {
     const char* text = nullptr;
     PetscErrorMessage(code, &text, nullptr);
