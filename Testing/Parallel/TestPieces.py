@@ -185,6 +185,9 @@ def main():
             run(surface, way, "smoothest", distribute)
         for k, field in enumerate(FIELDS):
             run(surface, ("random", "slabs with ghosts")[k % 2], field, distribute)
+        # A process without any of the surface takes part in what its guidance needs.
+        for field in ("guided", "given", "boundary"):
+            run(surface, "empty", field, distribute)
 
 
 main()

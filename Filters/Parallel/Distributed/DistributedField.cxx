@@ -219,7 +219,7 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
       field.Field.Degree = options.Degree;
       const OutputPoints points(mesh.GetMesh(), around.Surface, {});
       AddSection(mesh.GetGeometry(), around.Surface, points, section, field.Field);
-      if (!guide.Kind.empty())
+      if (guide.IsConstrained)
       {
         const Vector3 zero = Vector3::Zero();
         field.Field.Constraint = points.Spread(guide.Kind, ConstraintKind::None);

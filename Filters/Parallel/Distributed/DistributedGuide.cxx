@@ -57,6 +57,7 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
   }
   if (options.ConstrainBoundary || options.ConstrainGuidance)
   {
+    guide.IsConstrained = true;
     processes.Together(
       [&]
       {
@@ -80,6 +81,7 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
   }
   if (options.Alignment == Alignment::PointVectors)
   {
+    guide.IsDrawn = true;
     guide.Drawn = std::move(given);
   }
   return guide;

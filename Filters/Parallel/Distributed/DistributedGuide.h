@@ -19,6 +19,10 @@ namespace DirectionFields::Parallel
 /// What a field on several processes is drawn to, and its constraints, over the vertices of the mesh.
 struct DistributedGuide
 {
+  /// Whether the field is drawn to anything, and whether any vertex may be constrained: the same on all processes,
+  /// for all must go the same way. The lists say nothing of that on a process without vertices.
+  bool IsDrawn = false;
+  bool IsConstrained = false;
   /// Right at owned vertices; empty for nothing.
   std::vector<Complex> Drawn;
   /// As Constraints, right at the vertices of the piece and next to it; empty where nothing of the whole surface is

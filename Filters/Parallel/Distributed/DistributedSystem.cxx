@@ -158,7 +158,7 @@ DistributedSystem::DistributedSystem(const Messages& messages, const Distributed
   , IsGiven(matrices.Vertices.size(), 0)
   , IsNearGiven(matrices.Vertices.size(), 0)
 {
-  if (!guide.Kind.empty())
+  if (guide.IsConstrained)
   {
     this->GivenValues = NewVector(matrices.Energy);
     double given = 0.0;
@@ -184,7 +184,7 @@ DistributedSystem::DistributedSystem(const Messages& messages, const Distributed
     this->Given = static_cast<Index>(messages.Sum(given));
     this->IsConstrained = this->Given > 0;
   }
-  if (!guide.Drawn.empty())
+  if (guide.IsDrawn)
   {
     this->MakeGuidance(messages, guide.Drawn);
   }
