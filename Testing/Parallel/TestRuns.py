@@ -11,6 +11,7 @@ import numpy as np
 from paraview import simple  # noqa: F401, starts MPI
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
@@ -194,6 +195,32 @@ def test_empty():
         check(field.GetOutput(1).GetPointData().HasArray("CellId"), "singularities")
 
 
+def test_arrays():
+    """Arrays that only one process has, without a name or of an earlier field, change nothing and stay as they are."""
+    for way in WAYS:
+        wanted = earlier = None
+        for kind in ("no more", "unnamed", "earlier"):
+            mesh = own_piece()
+            more = numpy_to_vtk(np.arange(mesh.GetNumberOfPoints()) + 1000.0 * rank, deep=True)
+            if kind == "unnamed" and rank != 1:
+                mesh.GetPointData().AddArray(more)
+            if kind == "earlier" and rank == 0:
+                mesh = earlier
+            field = vtkPDirectionField()
+            field.SetDistribution(way)
+            field.SetTolerance(1e-10)
+            field.SetInputData(mesh)
+            field.Update()
+            output = field.GetOutput().GetPointData()
+            found = [Surfaces.array(output, name)
+                     for name in ("Direction1", "RepresentationMagnitude", "EnergyDensity")]
+            wanted = wanted or found
+            earlier = earlier or field.GetOutput()
+            check(all(np.allclose(a, b, rtol=1e-5, atol=1e-5) for a, b in zip(found, wanted)), way, kind)
+            kept = np.arange(mesh.GetNumberOfPoints()) + 1000.0 * rank
+            check(not len(kept) or np.array_equal(Surfaces.vtk_to_numpy(more), kept), way, kind, "changed")
+
+
 def test_composite():
     """Blocks at the same place are one surface, also where a process has none of it or fewer of them."""
     serial = vtkDirectionField()
@@ -297,7 +324,7 @@ def test_limit():
     check("libpetsc-complex-dev" in "".join(heard) and field.GetOutput().GetNumberOfCells() == 0, heard)
 
 
-for test in (test_glyphs, test_error, test_stop, test_empty, test_composite,
+for test in (test_glyphs, test_error, test_stop, test_empty, test_arrays, test_composite,
              test_failure_upstream, test_limit):
     test()
 if rank == 0:

@@ -14,13 +14,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace DirectionFields::Parallel
 {
 namespace
 {
-/// The arrays of numbers that an output has beyond those of its input, all of whose components make a tuple.
+/// The arrays of numbers that an output has beyond those of its input, all of whose components make a tuple. They are
+/// in the order of their names, for where an input had such already they stay where they were. Arrays without a name
+/// are the input's: the field's own have one.
 class NewArrays
 {
 public:
@@ -29,11 +32,14 @@ public:
     for (int k = 0; k < output->GetNumberOfArrays(); ++k)
     {
       vtkDataArray* const array = output->GetArray(k);
-      if (array && array != input->GetArray(array->GetName()))
+      if (array && array->GetName() && array != input->GetArray(array->GetName()))
       {
         this->Arrays.push_back(array);
       }
     }
+    std::sort(this->Arrays.begin(), this->Arrays.end(),
+      [](vtkDataArray* a, vtkDataArray* b)
+      { return std::string(a->GetName()) < std::string(b->GetName()); });
   }
 
   void Append(vtkIdType item, std::vector<double>& values) const
