@@ -163,7 +163,6 @@ std::vector<vtkSmartPointer<vtkPolyData>> Cut(
   {
     parts.push_back(vtkSmartPointer<vtkPolyData>::New());
     copier.Copy(cells, parts.back());
-    parts.back()->GetFieldData()->ShallowCopy(whole->GetFieldData());
   }
   return parts;
 }
@@ -216,6 +215,8 @@ void ScatterParts(Processes& processes, const GatheredSurface& gathered, PartsBe
     controller->Receive(own, from, TagOfParts);
   }
   AddMissingArrays(processes, from, whole, own);
+  BroadcastFieldData(
+    processes, from, isThere ? whole->GetFieldData() : nullptr, own->GetFieldData());
   processes.Together([&] { UsePieceIds(gathered.Piece, belong, own); });
 }
 }

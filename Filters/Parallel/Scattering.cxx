@@ -13,6 +13,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -226,6 +228,84 @@ std::vector<vtkIdType> PointPlaces(const SurfacePiece& piece)
   points.insert(points.end(), piece.GhostPoints.Points.begin(), piece.GhostPoints.Points.end());
   return points;
 }
+
+/// Numbers and texts; VTK's own messages carry field data as text, which has not all digits, and none that its reader
+/// takes for the lowest number there is.
+void WriteFieldData(vtkFieldData* data, vtkMultiProcessStream& stream)
+{
+  std::vector<vtkAbstractArray*> arrays;
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const array = data->GetAbstractArray(k);
+    if (vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array))
+    {
+      arrays.push_back(array);
+    }
+  }
+  const auto text = [](const char* name) { return std::string(name ? name : ""); };
+  stream << static_cast<int>(arrays.size());
+  for (vtkAbstractArray* const array : arrays)
+  {
+    const int components = array->GetNumberOfComponents();
+    const auto tuples = static_cast<vtkTypeInt64>(array->GetNumberOfTuples());
+    stream << text(array->GetName()) << array->GetDataType() << components << tuples;
+    for (int c = 0; c < components; ++c)
+    {
+      stream << text(array->GetComponentName(c));
+    }
+    auto* const texts = vtkStringArray::SafeDownCast(array);
+    for (vtkIdType i = 0; i < tuples * components; ++i)
+    {
+      if (texts)
+      {
+        stream << texts->GetValue(i);
+      }
+      else
+      {
+        stream << static_cast<vtkDataArray*>(array)->GetComponent(i / components, i % components);
+      }
+    }
+  }
+}
+
+void ReadFieldData(vtkMultiProcessStream& stream, vtkFieldData* data)
+{
+  int arrays = 0;
+  stream >> arrays;
+  for (int k = 0; k < arrays; ++k)
+  {
+    std::string text;
+    int type = 0;
+    int components = 0;
+    vtkTypeInt64 tuples = 0;
+    stream >> text >> type >> components >> tuples;
+    const auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
+    array->SetName(text.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    for (int c = 0; c < components; ++c)
+    {
+      stream >> text;
+      if (!text.empty())
+      {
+        array->SetComponentName(c, text.c_str());
+      }
+    }
+    for (vtkIdType i = 0; i < tuples * components; ++i)
+    {
+      if (auto* const texts = vtkStringArray::SafeDownCast(array))
+      {
+        stream >> text;
+        texts->SetValue(i, text);
+        continue;
+      }
+      double value = 0.0;
+      stream >> value;
+      vtkDataArray::SafeDownCast(array)->SetComponent(i / components, i % components, value);
+    }
+    data->AddArray(array);
+  }
+}
 }
 
 void AddMissingArrays(Processes& processes, int from, vtkPolyData* whole, vtkPolyData* own)
@@ -254,16 +334,13 @@ void AddMissingArrays(Processes& processes, int from, vtkPolyData* whole, vtkPol
 void BroadcastFieldData(
   Processes& processes, int from, vtkFieldData* computed, vtkFieldData* output)
 {
-  vtkNew<vtkPolyData> carrier;
+  vtkMultiProcessStream stream;
   if (processes.Own() == from)
   {
-    carrier->GetFieldData()->ShallowCopy(computed);
+    WriteFieldData(computed, stream);
   }
-  processes.GetController()->Broadcast(carrier, from);
-  for (int k = 0; k < carrier->GetFieldData()->GetNumberOfArrays(); ++k)
-  {
-    output->AddArray(carrier->GetFieldData()->GetAbstractArray(k));
-  }
+  processes.GetController()->Broadcast(stream, from);
+  ReadFieldData(stream, output);
 }
 
 void ScatterData(

@@ -221,6 +221,30 @@ def test_arrays():
             check(not len(kept) or np.array_equal(Surfaces.vtk_to_numpy(more), kept), way, kind, "changed")
 
 
+def test_field_data():
+    """All processes have the same field data, whatever their numbers: here the lowest that there is."""
+    for way in WAYS:
+        mesh = own_piece()
+        places = Surfaces.vtk_to_numpy(mesh.GetPoints().GetData())
+        wanted = numpy_to_vtk(places[:, [1, 2, 0]].astype(float) + 0.3, deep=True)
+        wanted.SetName("Wanted")
+        mesh.GetPointData().AddArray(wanted)
+        field = vtkPDirectionField()
+        field.SetDistribution(way)
+        field.SetAlignment(vtkDirectionField.ALIGN_POINT_VECTORS)
+        field.SetGuidanceVectors("Wanted")
+        field.SetAlignmentStrength(1.0)
+        field.SetInputData(mesh)
+        heard = messages_of(field)
+        field.Update()
+        check(not heard, way, heard)
+        data = field.GetOutput().GetFieldData()
+        check(Surfaces.array(data, "Lambda")[0] == -sys.float_info.max, way)
+        figures = ("Eigenvalue", "Residual", "Energy")
+        found = [Surfaces.array(data, name)[0] for name in figures if data.HasArray(name)]
+        check(len(found) > 0 and reduced(sum(found)) == count * sum(found), way, found)
+
+
 def test_composite():
     """Blocks at the same place are one surface, also where a process has none of it or fewer of them."""
     serial = vtkDirectionField()
@@ -324,8 +348,8 @@ def test_limit():
     check("libpetsc-complex-dev" in "".join(heard) and field.GetOutput().GetNumberOfCells() == 0, heard)
 
 
-for test in (test_glyphs, test_error, test_stop, test_empty, test_arrays, test_composite,
-             test_failure_upstream, test_limit):
+for test in (test_glyphs, test_error, test_stop, test_empty, test_arrays, test_field_data,
+             test_composite, test_failure_upstream, test_limit):
     test()
 if rank == 0:
     # Open MPI 5 may lose what is still on its way when processes end.
