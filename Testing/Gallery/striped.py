@@ -26,7 +26,8 @@ class StripePanel:
         self.stripes = simple.StripePattern(Input=field, **properties)
         simple.Show(simple.OutputPort(self.stripes, 1), self.view)
         if lines:
-            simple.Show(lines, self.view).DiffuseColor = [0.85, 0.51, 0.18]
+            display = simple.Show(lines, self.view)
+            display.AmbientColor = display.DiffuseColor = [0.85, 0.51, 0.18]
 
     def spoil(self):
         self.stripes.Input = producer(turned(self.field))

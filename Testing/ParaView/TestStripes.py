@@ -50,30 +50,34 @@ def test_scan():
         assert count == number(branches, "BranchPoints") > 0
 
 
-def test_first_look():
-    """The bands of a new filter have the colors of stripes and of the surface."""
-    view = CreateRenderView(ViewSize=[300, 300], OrientationAxesVisibility=0)
-    stripes = StripePattern(Input=DirectionField(Input=OpenDataFile(sys.argv[3]), Degree=2))
-    display = Show(OutputPort(stripes, 1), view)
-    assert list(display.ColorArrayName)[:2] == ["CELLS", "Stripe"], display.ColorArrayName
-    lines = Show(OutputPort(stripes, 0), view)
-    assert lines.RenderLinesAsTubes
-    ResetCamera(view)
-    Render(view)
+def pixels(view):
+    """Red, green and blue of the pixels of a view."""
     picture = os.path.join(sys.argv[4], "Stripes.png")
     SaveScreenshot(picture, view)
+    from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOImage import vtkPNGReader
     reader = vtkPNGReader()
     reader.SetFileName(picture)
     reader.Update()
-    image = reader.GetOutput()
-    dark = light = 0
-    for y in range(0, 300, 3):
-        for x in range(0, 300, 3):
-            red, _, blue = (image.GetScalarComponentAsDouble(x, y, 0, c) for c in range(3))
-            light += red > 150 and red >= blue
-            dark += red < 70 and blue > 40 and red < blue - 30
-    assert min(dark, light) > 300, (dark, light)
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(float).T
+
+
+def test_first_look():
+    """The bands of a new filter have the colors of stripes and of the surface, and lines are seen on them."""
+    view = CreateRenderView(ViewSize=[300, 300], OrientationAxesVisibility=0)
+    stripes = StripePattern(Input=DirectionField(Input=OpenDataFile(sys.argv[3]), Degree=2))
+    display = Show(OutputPort(stripes, 1), view)
+    assert list(display.ColorArrayName)[:2] == ["CELLS", "Stripe"], display.ColorArrayName
+    ResetCamera(view)
+    red, _, blue = pixels(view)
+    light = ((red > 150) & (red >= blue)).sum()
+    dark = ((red < 70) & (blue > 40) & (red < blue - 30)).sum()
+    assert min(dark, light) > 2700, (dark, light)
+    lines = Show(OutputPort(stripes, 0), view)
+    lines.AmbientColor = lines.DiffuseColor = [1.0, 0.0, 0.0]
+    lines.Ambient, lines.Diffuse = 1.0, 0.0
+    red, _, blue = pixels(view)
+    assert ((red > 150) & (blue < 80)).sum() > 2700, ((red > 150) & (blue < 80)).sum()
     Delete(view)
 
 
