@@ -170,7 +170,6 @@ JumpPaths::JumpPaths(const IntrinsicGeometry& geometry, const TriangleMesh::Comp
   : Geometry(geometry)
   , Charts(charts)
   , FirstEdge(component.FirstEdge)
-  , FirstTriangle(component.FirstTriangle)
   , Jumps(component.Edges())
 {
   const TriangleMesh& mesh = geometry.Mesh;

@@ -48,7 +48,6 @@ private:
   const IntrinsicGeometry& Geometry;
   const FieldCharts& Charts;
   Index FirstEdge;
-  Index FirstTriangle;
   std::vector<std::vector<Jump>> Jumps;
   Index NumberOfVariables = 0;
   Index NumberOfLoops = 0;
