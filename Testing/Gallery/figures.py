@@ -388,6 +388,8 @@ def stripes_eigenvector(directory):
                                   AlignmentStrength=0.99, GuidanceVectors="Around")
     panels = [EigenStripesPanel(field, FROM_ABOVE, spacing),
               StripePanel(field, FROM_ABOVE, StripeDirection="Across Field", Spacing=spacing)]
+    for panel in panels:
+        panel.cell = 100
     eigen, relaxed = panels[0].eigen, panels[1]
     points = relaxed.field.points
     around = np.stack([-points[:, 1], points[:, 0], points[:, 2]], axis=1)

@@ -200,7 +200,7 @@ def compare(name, panels, image, baseline):
         print(f"{name}: {percent:.3f} % differ")
         return percent, SAME, DIFFERENT
     expected = read(baseline)
-    turns = ([patterns.turn(a, b) for a, b in zip(tiles(image), tiles(expected))]
+    turns = ([patterns.turn(a, b, panel.cell) for a, b, panel in zip(tiles(image), tiles(expected), panels)]
              if expected.shape == image.shape else [45.0])
     print(f"{name}: turned by {', '.join(f'{turn:.2f}' for turn in turns)} degrees")
     return max(turns), patterns.SAME, patterns.DIFFERENT

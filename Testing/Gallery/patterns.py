@@ -9,8 +9,6 @@ picture each color has.
 
 import numpy as np
 
-# Pictures are compared by cells of this many pixels, some stripes wide.
-CELL = 50
 # In degrees. Patterns that differ by where lines branch stay below the first, those of a field turned by ten degrees
 # above the second.
 SAME, DIFFERENT = 2.0, 3.2
@@ -18,28 +16,29 @@ SAME, DIFFERENT = 2.0, 3.2
 COLOR = 18.0
 
 
-def cells(values):
+def cells(values, size):
     """The means over the cells of a picture."""
-    rows, columns = (size // CELL for size in values.shape[:2])
-    values = values[:rows * CELL, :columns * CELL]
-    return values.reshape(rows, CELL, columns, CELL, *values.shape[2:]).mean(axis=(1, 3))
+    rows, columns = (pixels // size for pixels in values.shape[:2])
+    values = values[:rows * size, :columns * size]
+    return values.reshape(rows, size, columns, size, *values.shape[2:]).mean(axis=(1, 3))
 
 
-def runs(image):
+def runs(image, size):
     """How edges run in each cell: four times the angle of their gradients, as crossing stripes have two, by their squared
     lengths."""
     rises = np.gradient(image.astype(float).sum(axis=-1))
     gradient = rises[1] + 1j * rises[0]
-    return cells(gradient**4 / np.maximum(np.abs(gradient), 1e-9)**2)
+    return cells(gradient**4 / np.maximum(np.abs(gradient), 1e-9)**2, size)
 
 
-def turn(image, baseline):
-    """By how many degrees a pattern runs otherwise than another, in the mean over what there is of it."""
+def turn(image, baseline, size):
+    """By how many degrees a pattern runs otherwise than another, in the mean over what there is of it. They are compared
+    by cells of some pixels, which are to be some stripes wide."""
     if image.shape != baseline.shape:
         return 45.0
-    a, b = runs(image), runs(baseline)
+    a, b = runs(image, size), runs(baseline, size)
     weights = np.sqrt(np.abs(a) * np.abs(b))
     angles = np.degrees(np.abs(np.angle(a * np.conj(b)))) / 4.0
-    colors = np.abs(cells(image.astype(float)) - cells(baseline.astype(float))).max(axis=-1)
+    colors = np.abs(cells(image.astype(float), size) - cells(baseline.astype(float), size)).max(axis=-1)
     angles[colors > COLOR] = 45.0
     return float((weights * angles).sum() / weights.sum())

@@ -14,6 +14,8 @@ class StripePanel:
     """Stripes on a field, in two colors, with the lines of others on top if there are any."""
     # Rounding decides where stripes branch: pictures are compared by how they run.
     is_pattern = True
+    # ... in cells of this many pixels.
+    cell = 50
 
     def __init__(self, field, camera, lines=None, **properties):
         self.view = simple.CreateRenderView()

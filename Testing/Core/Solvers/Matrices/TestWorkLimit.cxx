@@ -5,6 +5,7 @@
 #include "Meshes/System.h"
 #include "Solvers/Matrices/WorkLimit.h"
 
+#include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
