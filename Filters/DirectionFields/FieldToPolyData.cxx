@@ -229,16 +229,16 @@ void AddComponentArrays(const Result& field, vtkFieldData* data)
     "SystemResidual", field, &ComponentReport::SystemResidual, data);
   AddUnitArrays(field, data);
 }
-}
 
-void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
-  const Progress& progress)
+/// Adds what the field itself says.
+void AddFieldOfType(const TriangulatedPolyData& input, const Result& field, int type,
+  vtkPolyData* output, const Progress& progress)
 {
   output->GetPointData()->RemoveArray(ArrayNames::OriginalPointIds);
   const std::vector<vtkIdType> unused = SplitPolyData(input, field, output);
   vtkPointData* data = output->GetPointData();
   AddScalars<vtkIntArray>(ArrayNames::ConstraintKind, field.Constraint, data);
-  if (output->GetPoints() && output->GetPoints()->GetDataType() == VTK_DOUBLE)
+  if (type == VTK_DOUBLE)
   {
     AddPointArrays<vtkDoubleArray>(field, data, progress);
   }
@@ -265,11 +265,19 @@ void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPo
   AddComponentArray<vtkIntArray>(
     "IndexSum", field, &ComponentReport::IndexSum, output->GetFieldData());
 }
+}
 
-void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const Progress& progress)
 {
-  AddGivenField(input, field, output, progress);
+  AddFieldOfType(input, field, output->GetPoints() ? output->GetPoints()->GetDataType() : VTK_FLOAT,
+    output, progress);
+}
+
+void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, int type,
+  vtkPolyData* output, const Progress& progress)
+{
+  AddFieldOfType(input, field, type, output, progress);
   AddComponentArrays(field, output->GetFieldData());
 }
 

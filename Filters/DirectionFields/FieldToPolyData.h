@@ -18,13 +18,14 @@ namespace DirectionFields
 {
 /// Adds the field's point, cell and field data to a copy of the polydata it was computed from, whose
 /// points and cells are split where the surface was split for the field. The directions, the magnitude
-/// and the curvature are double if the points are, else float.
+/// and the curvature are double if that is the type given, else float.
 ///
 /// Throws Stopped; the output is incomplete then.
-void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
-  const Progress& progress = {});
+/// @param type VTK's number of a type
+void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, int type,
+  vtkPolyData* output, const Progress& progress = {});
 
-/// The same without the figures of how the field was computed, for one that was not.
+/// The same without the figures of how the field was computed, for one that was not; in the type of the points.
 void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const Progress& progress = {});
 

@@ -256,14 +256,14 @@ void vtkDirectionField::ComputeOutputs(
 
   const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
   output->ShallowCopy(input);
-  DirectionFields::AddFieldArrays(surface, field, output, progress.Part(ProgressSolved, 1.0));
+  const int type = this->TypeOfArrays(input);
+  DirectionFields::AddFieldArrays(surface, field, type, output, progress.Part(ProgressSolved, 1.0));
   if (this->CellDirections)
   {
     DirectionFields::AddCellDirections(output);
   }
   DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
-  DirectionFields::MakeSingularPoints(surface, field, figures,
-    input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
+  DirectionFields::MakeSingularPoints(surface, field, figures, type, singularities);
   const std::string summary = DirectionFields::Summary(figures, field, options);
   for (vtkPolyData* const data : { output, singularities })
   {
@@ -312,6 +312,12 @@ bool vtkDirectionField::Compute(vtkInformation* request, vtkPolyData* input, vtk
     this->ReleaseStages();
   }
   return isComplete;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionField::TypeOfArrays(vtkPolyData* input) const
+{
+  return input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
 }
 
 //------------------------------------------------------------------------------

@@ -566,13 +566,15 @@ protected:
    * of the whole surface. It throws DirectionFields::Stopped, or returns what was aborted. The
    * options are those of the properties, the guidance is that of the input's arrays, empty where nothing asks for
    * it. IsSpeaker is false where another process gives the warnings. ReadTogether does the reading of the input,
-   * which comes before ComputeField.
+   * which comes before ComputeField. TypeOfArrays is VTK_DOUBLE where arrays and points of the field are to be
+   * double, by default as the input's points are.
    */
   virtual DirectionFields::Result ComputeField(vtkPolyData* input,
     const DirectionFields::Surface& surface, const DirectionFields::Options& options,
     DirectionFields::Internal::SurfaceFigures& figures);
   virtual bool IsSpeaker() const { return true; }
   virtual void ReadTogether(const std::function<void()>& read);
+  virtual int TypeOfArrays(vtkPolyData* input) const;
   DirectionFields::Options MakeOptions() const;
   DirectionFields::Guidance ReadGuidance(vtkPolyData* input);
   ///@}

@@ -247,8 +247,10 @@ public:
     std::vector<vtkIdType> numbers = joined.Number;
     numbers.insert(numbers.end(), copiedPoints.begin(), copiedPoints.end());
     Renumber(numbers, ghosts.Corners.Values);
-    ListParts(joined, pieces.FirstPoint, copiedPoints, firstCopied, polys, strips,
-      FindCells(polys, ghosts), ghosts, gathered);
+    const std::vector<vtkIdType> copiedCells = FindCells(polys, ghosts);
+    gathered.LostCopies = std::count(copiedCells.begin(), copiedCells.end(), -1);
+    ListParts(joined, pieces.FirstPoint, copiedPoints, firstCopied, polys, strips, copiedCells,
+      ghosts, gathered);
     gathered.Surface = vtkSmartPointer<vtkPolyData>::New();
     gathered.Surface->SetPoints(MakePoints(pieces.Coordinates, first, this->AreDouble));
     gathered.Surface->SetPolys(MakeCells(polys));

@@ -31,6 +31,8 @@ struct GatheredSurface
   vtkIdType Cells = 0;
   /// How many points of the surface belong to several pieces; 0 on the other processes.
   vtkIdType SharedPoints = 0;
+  /// How many polygons of the pieces are copies of polygons that no piece has; 0 on the other processes.
+  vtkIdType LostCopies = 0;
 
   /// This process's own piece.
   SurfacePiece Piece;

@@ -3,6 +3,7 @@
 
 #include "Scattering.h"
 
+#include "ArrayKinds.h"
 #include "SplitPiece.h"
 
 #include "vtkAbstractArray.h"
@@ -25,53 +26,6 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
-/// What is to be known of an array before its values come.
-struct ArrayKind
-{
-  std::string Name;
-  int Type = 0;
-  int Components = 0;
-  bool IsVectors = false;
-};
-
-using ArrayKinds = std::vector<ArrayKind>;
-
-/// Writes the kinds of arrays that are not those which were gathered.
-void WriteKinds(
-  vtkDataSetAttributes* computed, vtkDataSetAttributes* gathered, vtkMultiProcessStream& stream)
-{
-  std::vector<vtkDataArray*> arrays;
-  for (int k = 0; k < computed->GetNumberOfArrays(); ++k)
-  {
-    vtkDataArray* const array = computed->GetArray(k);
-    if (array && array->GetName() && gathered->GetArray(array->GetName()) != array &&
-      std::strcmp(array->GetName(), OriginalPointIdsName) != 0)
-    {
-      arrays.push_back(array);
-    }
-  }
-  stream << static_cast<int>(arrays.size());
-  for (vtkDataArray* const array : arrays)
-  {
-    stream << std::string(array->GetName()) << array->GetDataType()
-           << array->GetNumberOfComponents() << static_cast<int>(computed->GetVectors() == array);
-  }
-}
-
-ArrayKinds ReadKinds(vtkMultiProcessStream& stream)
-{
-  int count = 0;
-  stream >> count;
-  ArrayKinds kinds(static_cast<std::size_t>(count));
-  for (ArrayKind& kind : kinds)
-  {
-    int isVectors = 0;
-    stream >> kind.Name >> kind.Type >> kind.Components >> isVectors;
-    kind.IsVectors = isVectors != 0;
-  }
-  return kinds;
-}
-
 bool IsEverything(const std::vector<vtkIdType>& places, vtkIdType tuples)
 {
   if (static_cast<vtkIdType>(places.size()) != tuples)
@@ -120,15 +74,6 @@ void PutTuples(vtkDataArray* source, const std::vector<vtkIdType>& places, vtkDa
     std::memcpy(written + static_cast<std::size_t>(place) * bytes, read, bytes);
     read += bytes;
   }
-}
-
-vtkSmartPointer<vtkDataArray> NewArray(const ArrayKind& kind, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(kind.Type));
-  array->SetName(kind.Name.c_str());
-  array->SetNumberOfComponents(kind.Components);
-  array->SetNumberOfTuples(tuples);
-  return array;
 }
 
 /// The tuples of all processes, in the order of the processes.
@@ -321,13 +266,7 @@ void AddMissingArrays(Processes& processes, int from, vtkPolyData* whole, vtkPol
   for (vtkDataSetAttributes* const data : { static_cast<vtkDataSetAttributes*>(own->GetPointData()),
          static_cast<vtkDataSetAttributes*>(own->GetCellData()) })
   {
-    for (const ArrayKind& kind : ReadKinds(stream))
-    {
-      if (!data->HasArray(kind.Name.c_str()))
-      {
-        data->AddArray(NewArray(kind, 0));
-      }
-    }
+    AddZeros(ReadKinds(stream), 0, data);
   }
 }
 

@@ -25,6 +25,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPDirectionFieldPipeline.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -36,6 +37,32 @@
 using DirectionFields::Parallel::GatheredSurface;
 using DirectionFields::Parallel::Processes;
 
+namespace
+{
+/// Adds a warning to the field data.
+void AddWarning(const std::string& warning, vtkPolyData* output)
+{
+  vtkSmartPointer<vtkStringArray> warnings =
+    vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("Warnings"));
+  if (!warnings)
+  {
+    warnings = vtkSmartPointer<vtkStringArray>::New();
+    warnings->SetName("Warnings");
+    output->GetFieldData()->AddArray(warnings);
+  }
+  warnings->InsertNextValue(warning);
+}
+
+/// What to say of polygons that are copies of nothing.
+std::string DescribeLostCopies(vtkIdType count)
+{
+  return "Make ghost cells anew after the filters that take cells away: " + std::to_string(count) +
+    (count == 1 ? " ghost cell is a copy of a polygon that no process has, and shows"
+                : " ghost cells are copies of polygons that no process has, and show") +
+    " no field.";
+}
+}
+
 vtkStandardNewMacro(vtkPDirectionField);
 
 //------------------------------------------------------------------------------
@@ -44,6 +71,7 @@ vtkPDirectionField::vtkPDirectionField()
   , Distribution(AUTOMATIC)
   , GatherLimit(20000000)
   , Together(nullptr)
+  , WidestType(VTK_FLOAT)
   , SharedPoints(0)
   , Exchange(std::make_unique<DirectionFields::Parallel::PointExchange>())
 {
@@ -223,6 +251,9 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
 bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation* request,
   vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities, std::string& reason)
 {
+  const bool isDouble =
+    input->GetNumberOfPoints() > 0 && input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  this->WidestType = processes.Largest(isDouble ? 1 : 0) > 0 ? VTK_DOUBLE : VTK_FLOAT;
   this->Together = &processes;
   this->Reason.clear();
   bool isComplete = false;
@@ -250,12 +281,21 @@ bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation
   {
     DirectionFields::Parallel::SurfacePiece piece;
     processes.Together([&] { piece = DirectionFields::Parallel::ReadPiece(input); });
-    DirectionFields::Parallel::ExchangeValues(processes, *this->Exchange, piece, input, output);
+    const vtkIdType lost =
+      DirectionFields::Parallel::ExchangeValues(processes, *this->Exchange, piece, input, output);
     *this->Exchange = {};
     const std::vector<vtkIdType> have = processes.AllGather(
       { input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0 ? vtkIdType(1) : 0 });
     this->AddDistribution(
       2, std::accumulate(have.begin(), have.end(), vtkIdType(0)), this->SharedPoints, output);
+    if (lost > 0)
+    {
+      AddWarning(DescribeLostCopies(lost), output);
+      if (processes.Own() == 0)
+      {
+        vtkWarningMacro(<< DescribeLostCopies(lost));
+      }
+    }
   }
   return isComplete;
 }
@@ -316,6 +356,12 @@ bool vtkPDirectionField::IsSpeaker() const
 }
 
 //------------------------------------------------------------------------------
+int vtkPDirectionField::TypeOfArrays(vtkPolyData* input) const
+{
+  return this->Together ? this->WidestType : this->Superclass::TypeOfArrays(input);
+}
+
+//------------------------------------------------------------------------------
 void vtkPDirectionField::ReadTogether(const std::function<void()>& read)
 {
   if (!this->Together)
@@ -354,9 +400,18 @@ void vtkPDirectionField::ComputeGathered(Processes& processes, vtkInformation* r
   const GatheredSurface gathered =
     DirectionFields::Parallel::GatherSurface(processes, input, arrays);
   const bool isThere = gathered.Surface != nullptr;
+  std::vector<std::string> warnings;
   if (isThere && !warning.empty())
   {
-    vtkWarningMacro(<< warning);
+    warnings.push_back(warning);
+  }
+  if (gathered.LostCopies > 0)
+  {
+    warnings.push_back(DescribeLostCopies(gathered.LostCopies));
+  }
+  for (const std::string& one : warnings)
+  {
+    vtkWarningMacro(<< one);
   }
   vtkNew<vtkPolyData> whole;
   vtkNew<vtkPolyData> wholeSingularities;
@@ -365,17 +420,9 @@ void vtkPDirectionField::ComputeGathered(Processes& processes, vtkInformation* r
   if (isThere)
   {
     this->AddDistribution(1, gathered.Pieces, gathered.SharedPoints, whole);
-    if (!warning.empty())
+    for (const std::string& one : warnings)
     {
-      vtkSmartPointer<vtkStringArray> warnings =
-        vtkStringArray::SafeDownCast(whole->GetFieldData()->GetAbstractArray("Warnings"));
-      if (!warnings)
-      {
-        warnings = vtkSmartPointer<vtkStringArray>::New();
-        warnings->SetName("Warnings");
-        whole->GetFieldData()->AddArray(warnings);
-      }
-      warnings->InsertNextValue(warning);
+      AddWarning(one, whole);
     }
   }
   output->ShallowCopy(input);

@@ -26,7 +26,8 @@
  * @section Input Input
  * In addition to vtkDirectionField's: of a composite dataset each block is a surface of its own, whose pieces are
  * the blocks at the same place of the tree on all processes. Cells that vtkGhostType marks as duplicates do not
- * take part themselves, but have the field of the cells that they are copies of; zero where no process has these.
+ * take part themselves, but have the field of the cells that they are copies of; zero where no process has these, which
+ * is a warning.
  *
  * @section Output Output
  * As that of vtkDirectionField. Field data are those of the whole surface on each process; components are
@@ -121,6 +122,7 @@ protected:
     DirectionFields::Internal::SurfaceFigures& figures) override;
   bool IsSpeaker() const override;
   void ReadTogether(const std::function<void()>& read) override;
+  int TypeOfArrays(vtkPolyData* input) const override;
   ///@}
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -159,6 +161,9 @@ private:
   vtkIdType GatherLimit;
   /// What ComputeField takes part in; null where it computes for this process alone.
   DirectionFields::Parallel::Processes* Together;
+  /// The widest type of all pieces' points, in which all have their arrays: else a point of several pieces would
+  /// have rounded directions on some of them.
+  int WidestType;
   /// What it says besides the field.
   std::string Reason;
   vtkIdType SharedPoints;

@@ -25,7 +25,11 @@ void vtkPDirectionFieldPipeline::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 int vtkPDirectionFieldPipeline::Agree(vtkExecutive* pipeline, vtkInformation* request, int result)
 {
-  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  // The passes of an update that can fail: who fails in one of them makes none of the later ones.
+  const bool isPassOfUpdate = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) ||
+    request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) ||
+    request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
+  if (!isPassOfUpdate)
   {
     return result;
   }

@@ -26,7 +26,7 @@ public:
 
   /**
    * What a pipeline has of its inputs, as all processes of its filter have it: 0 with an error where any has
-   * failed. Only asks the others when the filter is to be executed and has several processes.
+   * failed. Only asks the others in the passes of an update, and where the filter has several processes.
    */
   static int Agree(vtkExecutive* pipeline, vtkInformation* request, int result);
 

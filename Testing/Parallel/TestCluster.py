@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example for clusters, run as it says: TestCluster.py MPIEXEC PVBATCH PLUGIN SOURCE OUTPUT
+"""The example for clusters, run as it says: TestCluster.py MPIEXEC PVBATCH PLUGIN SOURCE OUTPUT distributed|gathered
 
 By plain Python: pvpython is a process of MPI itself, which cannot start others. A process that dies in the midst
 of it must end all of them, soon."""
@@ -13,7 +13,7 @@ import sys
 import time
 import zlib
 
-mpiexec, pvbatch, plugin, source, output = sys.argv[1:]
+mpiexec, pvbatch, plugin, source, output, distributes = sys.argv[1:]
 example = os.path.join(source, "Examples", "cluster", "contour.py")
 batch = [mpiexec, "-n", "2", pvbatch, "--force-offscreen-rendering"]
 
@@ -38,7 +38,7 @@ while begin < len(data):
 assert len(set(zlib.decompress(pixels))) > 60, "an empty picture"
 
 # Each process writes down its number, waits until all have, and goes on to the field; the second one is
-# killed. Their outputs would run into one another.
+# killed before that. Their outputs would run into one another.
 script = os.path.join(output, "killed.py")
 with open(script, "w", encoding="utf-8") as text:
     text.write("""
@@ -75,4 +75,32 @@ rest = running.communicate(timeout=60)[0]
 assert running.returncode != 0, rest
 assert "a field without" not in rest
 assert time.time() - began < 60.0
+
+# The second process dies in the midst of what all solve together.
+dying = os.path.join(output, "dying.py")
+with open(dying, "w", encoding="utf-8") as text:
+    text.write("""
+import os, signal
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+simple.LoadPlugin(%r, remote=False, ns=vars(simple))
+field = simple.DirectionField(Input=simple.Sphere(ThetaResolution=100, PhiResolution=100))
+field.Distribution = "Distributed"
+field.Tolerance = 1e-12
+filter = field.SMProxy.GetClientSideObject()
+def die(source, event):
+    if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 1 and filter.GetProgress() > 0.3:
+        open(%r, "w").close()
+        os.kill(os.getpid(), signal.SIGKILL)
+filter.AddObserver("ProgressEvent", die)
+field.UpdatePipeline()
+print("a field without one of its pieces", flush=True)
+""" % (plugin, os.path.join(output, "dies")))
+if distributes == "distributed":
+    ended = subprocess.run([*batch, "--symmetric", dying], text=True, stdout=subprocess.PIPE,
+                           stderr=subprocess.STDOUT, check=False, timeout=120)
+    assert os.path.exists(os.path.join(output, "dies")), ended.stdout
+    assert time.time() - os.path.getmtime(os.path.join(output, "dies")) < 60.0
+    assert ended.returncode != 0, ended.stdout
+    assert "a field without" not in ended.stdout
 print("passed")

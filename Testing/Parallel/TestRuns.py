@@ -280,21 +280,33 @@ def test_composite():
 
 
 class Failing(VTKPythonAlgorithmBase):
-    """A source that fails on one process."""
+    """A source that fails on one process, in one of the passes of an update."""
 
-    def __init__(self):
+    def __init__(self, failing_pass):
         VTKPythonAlgorithmBase.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
-        self.Fails = True
+        self.Pass = failing_pass
+
+    def result(self, name):
+        return 0 if self.Pass == name and rank == count - 1 else 1
+
+    def RequestDataObject(self, request, inputs, outputs):
+        if not vtkPolyData.GetData(outputs):
+            outputs.GetInformationObject(0).Set(vtkPolyData.DATA_OBJECT(), vtkPolyData())
+        return self.result("data object")
+
+    def RequestInformation(self, request, inputs, outputs):
+        return self.result("information")
 
     def RequestData(self, request, inputs, outputs):
         vtkPolyData.GetData(outputs).ShallowCopy(own_piece())
-        return 0 if self.Fails and rank == count - 1 else 1
+        return self.result("data")
 
 
 def test_failure_upstream():
     """No process waits for one whose input has failed, and the next time all execute."""
-    for kind in (vtkPDirectionField, vtkPDirectionFieldGlyphs):
-        source = Failing()
+    passes = ("data object", "information", "data")
+    for kind, name in ((k, p) for k in (vtkPDirectionField, vtkPDirectionFieldGlyphs) for p in passes):
+        source = Failing(name)
         field = vtkPDirectionField()
         field.SetInputConnection(source.GetOutputPort())
         filter = field
@@ -303,8 +315,10 @@ def test_failure_upstream():
             filter.SetInputConnection(field.GetOutputPort())
         heard = messages_of(filter)
         filter.Update()
-        check(f"has failed on process {0 if filter is not field else count - 1}" in "".join(heard), heard)
-        source.Fails = False
+        # Where there are two of our filters all processes have failed for the second one.
+        check(f"has failed on process {0 if filter is not field else count - 1}" in "".join(heard), name, heard)
+        check(len(heard) == 1, name, heard)
+        source.Pass = None
         source.Modified()
         filter.Update()
         check(reduced(filter.GetOutput().GetNumberOfCells()) > 0, "after a failure")
@@ -348,7 +362,27 @@ def test_limit():
     check("libpetsc-complex-dev" in "".join(heard) and field.GetOutput().GetNumberOfCells() == 0, heard)
 
 
-for test in (test_glyphs, test_error, test_stop, test_empty, test_arrays, test_field_data,
+def test_controllers():
+    """Processes that have worked in another company before: first all but the last, then all, then each one but the first."""
+    if len(WAYS) < 2:
+        return
+    points, triangles = Surfaces.potato(9)
+    for first, last in ((0, count - 1), (0, count), (1, count)):
+        isThere = first <= rank < last
+        part = controller.PartitionController(1 if isThere else 0, rank)
+        if isThere:
+            owner = Surfaces.owners(points, triangles, "slabs", last - first)
+            field = vtkPDirectionField()
+            field.SetController(part)
+            field.SetDistribution(vtkPDirectionField.DISTRIBUTED)
+            field.SetInputData(Surfaces.piece(points, triangles, {}, owner, rank - first))
+            heard = messages_of(field)
+            field.Update()
+            used = Surfaces.array(field.GetOutput().GetFieldData(), "Distribution").reshape(-1)
+        check(not isThere or (not heard and used[0] == 2 and used[1] == last - first), first, last)
+
+
+for test in (test_controllers, test_glyphs, test_error, test_stop, test_empty, test_arrays, test_field_data,
              test_composite, test_failure_upstream, test_limit):
     test()
 if rank == 0:

@@ -9,6 +9,7 @@
 #include "Sections/DoubleCover.h"
 #include "Sections/Singularities.h"
 #include "Support/Free.h"
+#include "Support/PointOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +31,18 @@ constexpr int LonelyRounds = 2;
 /// Angles of a triangle that differ by less than this are equal up to rounding.
 constexpr double EqualAngles = 1e-9;
 
+/// Which of two neighbours of a vertex ties go to. Neither winding nor numbering may matter, for the pieces of a
+/// surface on several processes are numbered in another way than the whole.
+bool ComesFirst(const SurfaceGeometry& geometry, Index one, Index other)
+{
+  const Vector3& here = geometry.Positions[one];
+  const Vector3& there = geometry.Positions[other];
+  return here == there ? geometry.Mesh.Point(one) < geometry.Mesh.Point(other)
+                       : LessAsInGrids(here, there);
+}
+
 /// Whether the edge that leaves a boundary vertex weighs more in the energy than the one that arrives: its
-/// cotangent is that of the angle opposite of it. Ties go to the neighbour with the lower point, so that
-/// the winding does not matter.
+/// cotangent is that of the angle opposite of it.
 bool WeighsMore(const SurfaceGeometry& geometry, Index leaving, Index arriving)
 {
   const TriangleMesh& mesh = geometry.Mesh;
@@ -40,7 +50,7 @@ bool WeighsMore(const SurfaceGeometry& geometry, Index leaving, Index arriving)
   const double here = geometry.Lengths.CornerAngle(mesh, TriangleMesh::Previous(arriving));
   return std::abs(there - here) > EqualAngles
     ? there < here
-    : mesh.Point(mesh.Head(leaving)) < mesh.Point(mesh.Tail(arriving));
+    : ComesFirst(geometry, mesh.Head(leaving), mesh.Tail(arriving));
 }
 
 /// Least squares need a factor whose time and memory grow faster than the surface.

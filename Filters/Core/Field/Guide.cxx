@@ -139,21 +139,29 @@ Guide::Guide(
 
 ComponentGuide Guide::Of(const TriangleMesh& mesh, std::size_t c) const
 {
+  ComponentGuide part =
+    GuideOf(mesh, c, this->Drawn, this->Constrained.Kind, this->Constrained.Value);
+  part.Share = this->Shares.empty() ? 1.0 : this->Shares[c];
+  return part;
+}
+
+ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t c, const std::vector<Complex>& drawn,
+  const std::vector<ConstraintKind>& kind, const std::vector<Complex>& value)
+{
   const TriangleMesh::Component& component = mesh.GetComponents()[c];
   ComponentGuide part;
-  if (!this->Drawn.empty())
+  if (!drawn.empty())
   {
-    part.Guidance = Eigen::Map<const ComplexVector>(
-      this->Drawn.data() + component.FirstVertex, component.Vertices());
+    part.Guidance =
+      Eigen::Map<const ComplexVector>(drawn.data() + component.FirstVertex, component.Vertices());
   }
-  part.Share = this->Shares.empty() ? 1.0 : this->Shares[c];
   std::vector<Complex> values;
-  for (Index v = component.FirstVertex; this->Constrained.Any() && v < component.EndVertex; ++v)
+  for (Index v = component.FirstVertex; !kind.empty() && v < component.EndVertex; ++v)
   {
-    if (this->Constrained.Kind[v] != ConstraintKind::None)
+    if (kind[v] != ConstraintKind::None)
     {
       part.Given.Vertices.push_back(v - component.FirstVertex);
-      values.push_back(this->Constrained.Value[v]);
+      values.push_back(value[v]);
     }
   }
   part.Given.Values =

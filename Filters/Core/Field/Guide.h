@@ -41,6 +41,13 @@ private:
   std::vector<double> Shares;
 };
 
+/// The part of one component.
+/// @param drawn       what the field is drawn to, over the vertices of the mesh; empty for nothing
+/// @param kind, value as in Constraints
+ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t component,
+  const std::vector<Complex>& drawn, const std::vector<ConstraintKind>& kind,
+  const std::vector<Complex>& value);
+
 /// Whether the options need the curvature of the surface.
 bool UsesCurvature(const Options& options);
 }

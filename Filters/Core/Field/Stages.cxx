@@ -3,11 +3,9 @@
 
 #include "Field/Stages.h"
 
+#include "Field/ComponentSetup.h"
 #include "Geometry/DihedralAngles.h"
 #include "Geometry/IntrinsicTriangulation.h"
-#include "Sections/Assembly.h"
-#include "Sections/DoubleCover.h"
-#include "Sections/ReferenceSection.h"
 #include "Sections/SectionDirections.h"
 #include "Support/Division.h"
 #include "Support/Threads.h"
@@ -49,11 +47,6 @@ Stages::Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, 
 Stages::Stages(const Surface& surface)
   : Stages(std::make_shared<const Surface>(surface))
 {
-}
-
-double Stages::GetScale(std::size_t component, int degree) const
-{
-  return 2.0 * Pi * degree / this->Geometry.Lengths.ComponentArea[component];
 }
 
 const BoundaryPoints& Stages::GetBoundaryPoints()
@@ -160,7 +153,7 @@ EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
   const double vertices = this->Geometry.Mesh.GetNumberOfVertices();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    stage.Components.push_back(this->MakeComponent(options, c, triangulation,
+    stage.Components.push_back(SetUpComponent(this->Geometry, c, triangulation, options,
       progress.Part(components[c].FirstVertex / vertices, components[c].EndVertex / vertices)));
   }
   this->Energy = std::move(stage);
@@ -182,28 +175,5 @@ UnitStage& Stages::GetUnit(EnergyStage& energy, std::size_t component, const Opt
       this->Geometry.Mesh.GetComponents()[component], options, energy.Components[component]);
   }
   return *energy.Units[component];
-}
-
-ComponentStage Stages::MakeComponent(const Options& options, std::size_t c,
-  const IntrinsicGeometry& triangulation, const Progress& progress) const
-{
-  const TriangleMesh::Component& component = this->Geometry.Mesh.GetComponents()[c];
-  Operators matrices =
-    AssembleOperators(triangulation, component, options.Degree, options.EnergyBias);
-  EigenpairSettings settings;
-  settings.Tolerance = options.Tolerance;
-  settings.MaximumIterations = options.MaximumIterations;
-  settings.Scale = this->GetScale(c, options.Degree);
-  const ReferenceSection reference(this->Geometry, component, options.Degree);
-  SmallestPairs pairs = FindSmallestPairs(
-    matrices, [&] { return reference.Start(); }, options.Solver, settings, progress);
-  reference.FixPhase(pairs.First.Vector);
-  if (component.IsCover)
-  {
-    DoubleCover(this->Geometry, component, options.Degree)
-      .MakeSymmetric(pairs.First.Vector, matrices.Mass);
-  }
-  return ComponentStage(
-    std::move(matrices), std::move(pairs), settings.Scale, this->Geometry.Lengths.Unit[c]);
 }
 }

@@ -61,9 +61,6 @@ public:
   /// How many points became one with an earlier one.
   Index CountMergedPoints() const;
 
-  /// The order of magnitude of a component's smallest eigenvalue: 2 pi n / area, in 1 / unit^2.
-  double GetScale(std::size_t component, int degree) const;
-
   /// Throws Stopped.
   EnergyStage& GetEnergy(const Options& options, const Progress& progress);
   const BoundaryPoints& GetBoundaryPoints();
@@ -78,10 +75,6 @@ public:
 
 private:
   Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh);
-
-  /// @param triangulation that the energy is integrated on
-  ComponentStage MakeComponent(const Options& options, std::size_t c,
-    const IntrinsicGeometry& triangulation, const Progress& progress) const;
 
   std::shared_ptr<const Surface> Input;
   MergePoints Merges;

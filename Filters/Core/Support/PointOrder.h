@@ -15,6 +15,12 @@ inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)
 {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
+
+/// The same with z before y before x: that is how the points of grids are numbered, of which it keeps the order.
+inline bool LessAsInGrids(const Vector3& a, const Vector3& b)
+{
+  return LexicographicallyLess(a.reverse(), b.reverse());
+}
 }
 
 #endif

@@ -7,7 +7,11 @@
 #include "Distributed/DistributedHierarchy.h"
 #include "Distributed/DistributedMatrices.h"
 #include "Distributed/DistributedSystem.h"
+#include "Distributed/StopSignal.h"
+#include "Field/ComponentSetup.h"
+#include "Field/Guide.h"
 #include "Field/SystemFactors.h"
+#include "Progress.h"
 #include "Sections/ReferenceSection.h"
 #include "Solvers/Systems/SystemSolution.h"
 #include "Support/Division.h"
@@ -16,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <new>
 
 namespace DirectionFields::Parallel
 {
@@ -47,12 +52,8 @@ public:
     const TriangleMesh& triangles = mesh.GetMesh();
     double box[6];
     std::fill(box, box + 6, -std::numeric_limits<double>::max());
-    for (std::size_t c = 0; c < triangles.GetComponents().size(); ++c)
+    for (const std::size_t c : mesh.PartsOf(component))
     {
-      if (mesh.ComponentOf(c) != component)
-      {
-        continue;
-      }
       const TriangleMesh::Component& part = triangles.GetComponents()[c];
       this->Parts.push_back({ part, ReferenceSection(mesh.GetGeometry(), part, degree), {} });
       for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
@@ -216,12 +217,15 @@ void FixPhase(const Messages& messages, const DistributedMesh& mesh, int compone
   Require(VecScale(vector, phase.Of(section)));
 }
 
-void SolveComponent(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
+/// Solves for a component that lies across processes.
+/// @param rowOf as in AssembleMatrices
+void SolveAcross(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
   int component, const DistributedGuide& guide, const Options& options,
-  const std::function<bool(double)>& goOn, std::vector<Complex>& section, ComponentReport& report)
+  const std::function<bool(double)>& goOn, std::vector<PetscInt>& rowOf,
+  std::vector<Complex>& section, ComponentReport& report)
 {
-  const DistributedMatrices matrices =
-    AssembleMatrices(processes, messages, mesh, component, options.Degree, options.EnergyBias);
+  const DistributedMatrices matrices = AssembleMatrices(
+    processes, messages, mesh, component, options.Degree, options.EnergyBias, rowOf);
   DistributedSettings settings;
   settings.Tolerance = options.Tolerance;
   settings.MaximumIterations = options.MaximumIterations;
@@ -242,6 +246,119 @@ void SolveComponent(Processes& processes, const Messages& messages, const Distri
   report.Converged =
     pair.Residual <= pair.RequiredResidual && report.SystemResidual <= SystemTolerance(options);
 }
+
+/// Which components of the whole surface are solved for in which way.
+struct Shares
+{
+  /// Those that are on this process alone.
+  std::vector<int> Own;
+  /// Those that lie across processes.
+  std::vector<int> Across;
+  /// The part of this process's vertices that the own ones have.
+  double OwnPart = 0.0;
+};
+
+Shares SharesOf(const Messages& messages, const DistributedMesh& mesh)
+{
+  Shares shares;
+  double vertices = 0.0;
+  for (int component = 0; component < mesh.CountComponents(); ++component)
+  {
+    if (mesh.ProcessOf(component) < 0)
+    {
+      shares.Across.push_back(component);
+    }
+    else if (mesh.ProcessOf(component) == messages.Own())
+    {
+      shares.Own.push_back(component);
+      vertices += mesh.GetMesh().GetComponents()[mesh.PartsOf(component).front()].Vertices();
+    }
+  }
+  shares.OwnPart = shares.Across.empty()
+    ? 1.0
+    : vertices / std::max<Index>(1, mesh.GetMesh().GetNumberOfVertices());
+  return shares;
+}
+
+/// Solves for a component that is on this process alone, as one process does.
+void SolveAlone(const DistributedMesh& mesh, int component, const DistributedGuide& guide,
+  const Options& options, const Progress& progress, std::vector<Complex>& section,
+  ComponentReport& report)
+{
+  const SurfaceGeometry& geometry = mesh.GetGeometry();
+  const std::size_t part = mesh.PartsOf(component).front();
+  ComponentStage stage =
+    SetUpComponent(geometry, part, geometry, options, progress.Part(0.0, 0.65));
+  const ComponentGuide own = GuideOf(geometry.Mesh, part,
+    guide.IsDrawn ? guide.Drawn : std::vector<Complex>(), guide.Kind, guide.Value);
+  const ComplexVector u = stage.Solve(own, options, progress.Part(0.65, 1.0), report);
+  std::copy(u.begin(), u.end(), section.begin() + geometry.Mesh.GetComponents()[part].FirstVertex);
+  report.Constraints = static_cast<Index>(own.Given.Vertices.size());
+}
+
+/// Solves on each process for the components that it has alone, on all processes at once.
+/// @param goOn says nothing of the other processes
+void SolveOwn(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
+  const Shares& shares, const DistributedGuide& guide, const Options& options,
+  const std::function<bool(double)>& goOn, std::vector<Complex>& section,
+  std::vector<ComponentReport>& reports)
+{
+  StopSignal signal(messages);
+  const ProgressFunction goOnOrStop = [&](double done)
+  { return goOn(shares.OwnPart * done) && !signal.IsRaised(); };
+  const Progress progress(goOnOrStop);
+  const auto count = static_cast<double>(shares.Own.size());
+  const auto solve = [&]
+  {
+    try
+    {
+      for (std::size_t k = 0; k < shares.Own.size(); ++k)
+      {
+        const int component = shares.Own[k];
+        SolveAlone(mesh, component, guide, options,
+          progress.Part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count),
+          section, reports[component]);
+      }
+    }
+    catch (const Stopped&)
+    {
+      signal.Raise();
+      throw ProcessesError("");
+    }
+    catch (...)
+    {
+      signal.Raise();
+      throw;
+    }
+  };
+  try
+  {
+    processes.Together(solve);
+  }
+  catch (...)
+  {
+    signal.Finish();
+    throw;
+  }
+  signal.Finish();
+}
+
+/// Tells all processes what each has to say of the components that it has alone.
+void ShareReports(
+  const Messages& messages, const Shares& shares, std::vector<ComponentReport>& reports)
+{
+  std::vector<ComponentReport> own;
+  for (const int component : shares.Own)
+  {
+    own.push_back(reports[component]);
+  }
+  const std::vector<int> components = messages.AllGather(shares.Own).Values;
+  const std::vector<ComponentReport> all = messages.AllGather(own).Values;
+  for (std::size_t k = 0; k < components.size(); ++k)
+  {
+    reports[components[k]] = all[k];
+  }
+}
 }
 
 std::vector<Complex> SolveDistributed(Processes& processes, const Messages& messages,
@@ -249,14 +366,36 @@ std::vector<Complex> SolveDistributed(Processes& processes, const Messages& mess
   const std::function<bool(double)>& goOn, std::vector<ComponentReport>& reports)
 {
   std::vector<Complex> section;
+  std::vector<PetscInt> rowOf;
   processes.Together(
-    [&] { section.assign(static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices()), 0.0); });
-  reports.resize(static_cast<std::size_t>(mesh.CountComponents()));
-  for (int c = 0; c < mesh.CountComponents(); ++c)
+    [&]
+    {
+      section.assign(static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices()), 0.0);
+      rowOf.resize(section.size());
+      reports.resize(static_cast<std::size_t>(mesh.CountComponents()));
+    });
+  const Shares shares = SharesOf(messages, mesh);
+  SolveOwn(processes, messages, mesh, shares, guide, options, goOn, section, reports);
+  ShareReports(messages, shares, reports);
+  const auto count = static_cast<double>(shares.Across.size());
+  for (std::size_t k = 0; k < shares.Across.size(); ++k)
   {
     const auto part = [&](double done)
-    { return !messages.Any(!goOn((c + done) / mesh.CountComponents())); };
-    SolveComponent(processes, messages, mesh, c, guide, options, part, section, reports[c]);
+    {
+      const double all =
+        shares.OwnPart + (1.0 - shares.OwnPart) * (static_cast<double>(k) + done) / count;
+      return !messages.Any(!goOn(all));
+    };
+    const int component = shares.Across[k];
+    try
+    {
+      SolveAcross(processes, messages, mesh, component, guide, options, part, rowOf, section,
+        reports[component]);
+    }
+    catch (const std::bad_alloc&)
+    {
+      EndAllForMemory("");
+    }
   }
   mesh.Complete(section);
   return section;

@@ -85,6 +85,8 @@ void KeepInput(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
   result.Normal.resize(points);
   result.XAxis.resize(points);
   result.OriginalPoint.resize(points);
+  // Sheets come apart nowhere but at the rim of the surroundings, where triangles are missing.
+  result.SplitTriangles.clear();
   if (!result.Constraint.empty())
   {
     result.Constraint.resize(points);

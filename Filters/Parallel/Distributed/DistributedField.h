@@ -62,13 +62,14 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
   const std::function<bool(double)>& goOn);
 
-/// Gives points of several pieces the same bits on all of them, those of their owner: rounding depends on what
-/// else a process computes. Then gives copies of other pieces' points and cells what these have; zero where no
+/// Gives all outputs the same new arrays, and points of several pieces the same bits on all of them, those of their owner:
+/// rounding depends on what else a process computes. Then gives copies of other pieces' points and cells what these have; zero where no
 /// process has them. All processes call it; throws ProcessesError.
 /// @param input  whose arrays stay as they are
 /// @param output gets the values, in all arrays of numbers that the input does not have
-void ExchangeValues(Processes& processes, const PointExchange& exchange, const SurfacePiece& piece,
-  vtkPolyData* input, vtkPolyData* output);
+/// @return how many polygons of all pieces are copies of polygons that no piece has
+vtkIdType ExchangeValues(Processes& processes, const PointExchange& exchange,
+  const SurfacePiece& piece, vtkPolyData* input, vtkPolyData* output);
 }
 
 #endif

@@ -7,12 +7,32 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
+#include <new>
 #include <utility>
 
 namespace DirectionFields::Parallel
 {
 namespace
 {
+/// What PETSc's matrices, hierarchy and vectors take for an own row, and what it takes besides.
+constexpr std::size_t BytesOfRow = 2000;
+constexpr std::size_t BytesOfSolver = 1 << 21;
+
+/// Throws std::bad_alloc where the solver will not get its memory: where PETSc itself notices, the other processes
+/// wait in one of its functions, which nothing but the end of all wakes them from.
+void RequireMemory(std::size_t rows)
+{
+  // The compiler may leave out allocations of no use, unless their address is.
+  void* volatile room = std::malloc(BytesOfSolver + rows * BytesOfRow);
+  const bool isThere = room != nullptr;
+  std::free(room);
+  if (!isThere)
+  {
+    throw std::bad_alloc();
+  }
+}
+
 /// Own rows, compressed, with columns of the whole.
 struct Rows
 {
@@ -56,22 +76,18 @@ void AppendRows(const DistributedMesh& mesh, const TriangleMesh::Component& part
 }
 
 DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, int component, int degree, double energyBias)
+  const DistributedMesh& mesh, int component, int degree, double energyBias,
+  std::vector<PetscInt>& rowOf)
 {
   DistributedMatrices matrices;
   const TriangleMesh& triangles = mesh.GetMesh();
-  std::vector<std::size_t> parts;
+  const std::vector<std::size_t>& parts = mesh.PartsOf(component);
   double unit = 0.0;
   processes.Together(
     [&]
     {
-      for (std::size_t c = 0; c < triangles.GetComponents().size(); ++c)
+      for (const std::size_t c : parts)
       {
-        if (mesh.ComponentOf(c) != component)
-        {
-          continue;
-        }
-        parts.push_back(c);
         unit = std::max(unit, mesh.GetGeometry().Lengths.Unit[c]);
         const TriangleMesh::Component& part = triangles.GetComponents()[c];
         for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
@@ -87,22 +103,17 @@ DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messa
   const auto own = static_cast<vtkIdType>(matrices.Vertices.size());
   const std::vector<vtkIdType> first = Processes::FirstOf(processes.AllGather({ own }));
   matrices.FirstRow = static_cast<PetscInt>(first[messages.Own()]);
-  std::vector<PetscInt> rowOf;
-  processes.Together(
-    [&]
-    {
-      rowOf.assign(static_cast<std::size_t>(triangles.GetNumberOfVertices()), -1);
-      for (std::size_t k = 0; k < matrices.Vertices.size(); ++k)
-      {
-        rowOf[matrices.Vertices[k]] = matrices.FirstRow + static_cast<PetscInt>(k);
-      }
-    });
-  mesh.Complete(rowOf);
+  for (std::size_t k = 0; k < matrices.Vertices.size(); ++k)
+  {
+    rowOf[matrices.Vertices[k]] = matrices.FirstRow + static_cast<PetscInt>(k);
+  }
+  mesh.Complete(rowOf, component);
   Rows rows;
   double area = 0.0;
   processes.Together(
     [&]
     {
+      RequireMemory(matrices.Vertices.size());
       for (const std::size_t c : parts)
       {
         const double ratio = mesh.GetGeometry().Lengths.Unit[c] / matrices.Unit;

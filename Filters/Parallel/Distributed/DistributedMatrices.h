@@ -31,9 +31,11 @@ struct DistributedMatrices
 
 /// All processes call it, those without vertices of the component, too; throws ProcessesError, and
 /// std::runtime_error on all.
-/// @param component of the whole surface
+/// @param component of the whole surface that lies across processes
+/// @param rowOf     room for a row of each vertex of the mesh, whatever is in it
 DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, int component, int degree, double energyBias);
+  const DistributedMesh& mesh, int component, int degree, double energyBias,
+  std::vector<PetscInt>& rowOf);
 }
 
 #endif

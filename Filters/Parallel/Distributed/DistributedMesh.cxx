@@ -70,6 +70,11 @@ DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
   {
     this->Reason = "its pieces do not agree on what is around the points that they share";
   }
+  else if (messages.Any(this->HasDoubtfulEdges(processes, piece)))
+  {
+    this->Reason =
+      "some of its edges are so short that only the whole tells which triangles have no area";
+  }
 }
 
 std::string DistributedMesh::FindFaults(const PieceWithSurroundings& piece) const
@@ -161,7 +166,7 @@ void DistributedMesh::FindExchange(
   const TriangleMesh& mesh = this->GetMesh();
   const auto processCount = static_cast<std::size_t>(this->Exchange.Count());
   std::vector<std::vector<vtkIdType>> wanted(processCount);
-  this->Received.resize(processCount);
+  this->AllTravellers.Received.resize(processCount);
   processes.Together(
     [&]
     {
@@ -180,7 +185,7 @@ void DistributedMesh::FindExchange(
           const vtkIdType number = piece.Number[mesh.Point(v)];
           const int owner = shared.OwnerOf(number);
           wanted[owner].push_back(number);
-          this->Received[owner].push_back(v);
+          this->AllTravellers.Received[owner].push_back(v);
         }
       }
     });
@@ -196,12 +201,12 @@ void DistributedMesh::FindExchange(
           ownVertex.emplace(piece.Number[mesh.Point(v)], v);
         }
       }
-      this->Sent.resize(asked.size());
+      this->AllTravellers.Sent.resize(asked.size());
       for (std::size_t p = 0; p < asked.size(); ++p)
       {
         for (const vtkIdType number : asked[p])
         {
-          this->Sent[p].push_back(ownVertex.at(number));
+          this->AllTravellers.Sent[p].push_back(ownVertex.at(number));
         }
       }
     });
@@ -275,11 +280,122 @@ void DistributedMesh::JoinComponents(
   {
     numberOfRoot.emplace(root, this->Components++);
   }
+  const auto componentOf = [&](int part)
+  {
+    const auto there = numberOfRoot.find(Find(parents, part));
+    return there == numberOfRoot.end() ? -1 : there->second;
+  };
+  // Which process has the only part of each.
+  std::vector<int> count(static_cast<std::size_t>(this->Components), 0);
+  this->ProcessOfComponent.assign(count.size(), -1);
+  for (std::size_t p = 0; p + 1 < all.First.size(); ++p)
+  {
+    for (int k = all.First[p]; k < all.First[p + 1]; ++k)
+    {
+      const int component = componentOf(k);
+      if (component >= 0)
+      {
+        const bool isOnly = ++count[component] == 1;
+        this->ProcessOfComponent[component] = isOnly ? static_cast<int>(p) : -1;
+      }
+    }
+  }
+  this->Parts.resize(count.size());
   for (std::size_t c = 0; c < parts.size(); ++c)
   {
-    const auto there = numberOfRoot.find(Find(parents, begin + static_cast<int>(c)));
-    this->ComponentOfPart.push_back(there == numberOfRoot.end() ? -1 : there->second);
+    const int component = componentOf(begin + static_cast<int>(c));
+    this->ComponentOfPart.push_back(component);
+    if (component >= 0)
+    {
+      this->Parts[component].push_back(c);
+    }
   }
+  processes.Together([&] { this->FindTravellersOfComponents(partOf); });
+}
+
+void DistributedMesh::FindTravellersOfComponents(const std::vector<int>& partOf)
+{
+  this->TravellersOf.resize(static_cast<std::size_t>(this->Components));
+  for (int component = 0; component < this->Components; ++component)
+  {
+    if (this->ProcessOf(component) < 0)
+    {
+      this->TravellersOf[component].Sent.resize(this->AllTravellers.Sent.size());
+      this->TravellersOf[component].Received.resize(this->AllTravellers.Sent.size());
+    }
+  }
+  const auto share = [&](const std::vector<std::vector<Index>>& all,
+                       std::vector<std::vector<Index>> Travellers::*list)
+  {
+    for (std::size_t p = 0; p < all.size(); ++p)
+    {
+      for (const Index vertex : all[p])
+      {
+        const int component = this->ComponentOfPart[partOf[vertex]];
+        if (component >= 0 && this->ProcessOf(component) < 0)
+        {
+          (this->TravellersOf[component].*list)[p].push_back(vertex);
+        }
+      }
+    }
+  };
+  share(this->AllTravellers.Sent, &Travellers::Sent);
+  share(this->AllTravellers.Received, &Travellers::Received);
+}
+
+bool DistributedMesh::HasDoubtfulEdges(
+  Processes& processes, const PieceWithSurroundings& piece) const
+{
+  // Metric lengthens edges that are shorter than a part of the mean.
+  constexpr double shortest = 1e-9;
+  const SurfaceGeometry& geometry = *this->Geometry;
+  const TriangleMesh& mesh = geometry.Mesh;
+  const auto lengthOf = [&](Index e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    return (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).stableNorm();
+  };
+  // Of the edges of each component the sum of the lengths and the number: each counts where its end of the lower number
+  // is owned, as all edges at that end are known there.
+  std::vector<double> sums;
+  processes.Together([&] { sums.assign(2 * static_cast<std::size_t>(this->Components), 0.0); });
+  for (int component = 0; component < this->Components; ++component)
+  {
+    for (const std::size_t c : this->Parts[component])
+    {
+      const TriangleMesh::Component& part = mesh.GetComponents()[c];
+      for (Index e = part.FirstEdge; e < part.EndEdge; ++e)
+      {
+        const Index tail = mesh.Tail(mesh.HalfEdge(e));
+        const Index head = mesh.Head(mesh.HalfEdge(e));
+        const bool isTailFirst = piece.Number[mesh.Point(tail)] < piece.Number[mesh.Point(head)];
+        if (this->IsOwned(isTailFirst ? tail : head))
+        {
+          sums[2 * component] += lengthOf(e);
+          sums[2 * component + 1] += 1.0;
+        }
+      }
+    }
+  }
+  this->Exchange.Sum(sums.data(), static_cast<int>(sums.size()));
+  for (int component = 0; component < this->Components; ++component)
+  {
+    const double mean = sums[2 * component] / std::max(1.0, sums[2 * component + 1]);
+    for (const std::size_t c : this->Parts[component])
+    {
+      const double here = geometry.Lengths.Unit[c];
+      const TriangleMesh::Component& part = mesh.GetComponents()[c];
+      for (Index e = part.FirstEdge; e < part.EndEdge && this->ProcessOf(component) < 0; ++e)
+      {
+        const double length = lengthOf(e);
+        if ((length < shortest * here) != (length < shortest * mean))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
 }
 
 bool DistributedMesh::Disagrees(const PieceWithSurroundings& piece) const

@@ -40,16 +40,41 @@ public:
   /// The component of the whole surface that a component of the mesh belongs to; -1 for one of which no point
   /// belongs to the piece.
   int ComponentOf(std::size_t part) const { return this->ComponentOfPart[part]; }
+  /// The components of the mesh that belong to one of the whole surface, in ascending order.
+  const std::vector<std::size_t>& PartsOf(int component) const { return this->Parts[component]; }
+  /// The process on which a component of the whole surface is wholly, as one component of the mesh there; -1 where it
+  /// lies across processes. The same on all of them.
+  int ProcessOf(int component) const { return this->ProcessOfComponent[component]; }
 
   /// Fills in the values of the vertices that others own and that belong to the piece or are next to it.
   /// @param values one for each vertex of the mesh
   template <typename T>
   void Complete(std::vector<T>& values) const
   {
-    std::vector<std::vector<T>> sent(this->Sent.size());
-    for (std::size_t p = 0; p < this->Sent.size(); ++p)
+    this->Complete(values, this->AllTravellers);
+  }
+  /// The same for one component of the whole surface that lies across processes.
+  template <typename T>
+  void Complete(std::vector<T>& values, int component) const
+  {
+    this->Complete(values, this->TravellersOf[component]);
+  }
+
+private:
+  /// The vertices whose values go to each process, and those whose values come from it.
+  struct Travellers
+  {
+    std::vector<std::vector<Index>> Sent;
+    std::vector<std::vector<Index>> Received;
+  };
+
+  template <typename T>
+  void Complete(std::vector<T>& values, const Travellers& travellers) const
+  {
+    std::vector<std::vector<T>> sent(travellers.Sent.size());
+    for (std::size_t p = 0; p < sent.size(); ++p)
     {
-      for (const Index vertex : this->Sent[p])
+      for (const Index vertex : travellers.Sent[p])
       {
         sent[p].push_back(values[vertex]);
       }
@@ -59,12 +84,11 @@ public:
     {
       for (std::size_t k = 0; k < received[p].size(); ++k)
       {
-        values[this->Received[p][k]] = received[p][k];
+        values[travellers.Received[p][k]] = received[p][k];
       }
     }
   }
 
-private:
   /// Why the own mesh is none that others' fit to; empty where it is one.
   std::string FindFaults(const PieceWithSurroundings& piece) const;
   bool HasChangedEdgesNearGhosts(const PieceWithSurroundings& piece) const;
@@ -73,7 +97,13 @@ private:
     Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared);
   void JoinComponents(
     Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared);
+  /// Shares out among the components of the whole surface what travels.
+  /// @param partOf the component of the mesh of each vertex
+  void FindTravellersOfComponents(const std::vector<int>& partOf);
   bool Disagrees(const PieceWithSurroundings& piece) const;
+  /// Whether an edge is short beside the mean edge of its part here, but not beside that of the whole component, or
+  /// the other way round. All processes call it.
+  bool HasDoubtfulEdges(Processes& processes, const PieceWithSurroundings& piece) const;
 
   const Messages& Exchange;
   std::unique_ptr<SurfaceGeometry> Geometry;
@@ -84,9 +114,11 @@ private:
   std::vector<char> Owned;
   std::vector<int> ComponentOfPart;
   int Components = 0;
-  /// The vertices whose values go to each process, and those whose values come from it.
-  std::vector<std::vector<Index>> Sent;
-  std::vector<std::vector<Index>> Received;
+  /// For each component of the whole surface; nothing travels for those that are on one process.
+  std::vector<std::vector<std::size_t>> Parts;
+  std::vector<int> ProcessOfComponent;
+  Travellers AllTravellers;
+  std::vector<Travellers> TravellersOf;
 };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "ArrayKinds.h"
 #include "Distributed/DistributedField.h"
 #include "Distributed/Messages.h"
 #include "Distributed/OwnCommunicator.h"
@@ -8,6 +9,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -21,6 +23,33 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
+/// Gives an output the new arrays that other processes have: what a process without points or cells has nothing to say
+/// of, as the kinds of constraints, is missing there, and all are to have the same arrays.
+void AddOthersArrays(Processes& processes, const Messages& messages, vtkIdType tuples,
+  vtkDataSetAttributes* input, vtkDataSetAttributes* output)
+{
+  std::vector<unsigned char> own;
+  processes.Together(
+    [&]
+    {
+      vtkMultiProcessStream stream;
+      WriteKinds(output, input, stream);
+      stream.GetRawData(own);
+    });
+  const Messages::Collected<unsigned char> all = messages.AllGather(own);
+  processes.Together(
+    [&]
+    {
+      for (std::size_t p = 0; p + 1 < all.First.size(); ++p)
+      {
+        vtkMultiProcessStream stream;
+        stream.SetRawData(all.Values.data() + all.First[p],
+          static_cast<unsigned int>(all.First[p + 1] - all.First[p]));
+        AddZeros(ReadKinds(stream), tuples, output);
+      }
+    });
+}
+
 /// The arrays of numbers that an output has beyond those of its input, all of whose components make a tuple. They are
 /// in the order of their names, for where an input had such already they stay where they were. Arrays without a name
 /// are the input's: the field's own have one.
@@ -212,7 +241,8 @@ void ForEachCell(const PieceCells& cells, const std::vector<vtkIdType>& numbers,
 
 /// Gives copied polygons the values of the polygons with the same corners.
 /// @param numbers of own points, then of those that only copied cells have
-void CopyCells(Processes& processes, const Messages& messages, const SurfacePiece& piece,
+/// @return how many of this piece's are copies of nothing
+vtkIdType CopyCells(Processes& processes, const Messages& messages, const SurfacePiece& piece,
   const std::vector<vtkIdType>& numbers, const NewArrays& arrays)
 {
   std::vector<vtkIdType> asked;
@@ -258,25 +288,31 @@ void CopyCells(Processes& processes, const Messages& messages, const SurfacePiec
           }
         });
     });
-  answers.Take(cells);
+  const std::vector<vtkIdType> found = answers.Take(cells);
+  return std::count(found.begin(), found.end(), -1);
 }
 }
 
-void ExchangeValues(Processes& processes, const PointExchange& exchange, const SurfacePiece& piece,
-  vtkPolyData* input, vtkPolyData* output)
+vtkIdType ExchangeValues(Processes& processes, const PointExchange& exchange,
+  const SurfacePiece& piece, vtkPolyData* input, vtkPolyData* output)
 {
   const OwnCommunicator communicator(processes.GetController());
   const Messages messages(communicator.Handle);
+  AddOthersArrays(processes, messages, output->GetNumberOfPoints(), input->GetPointData(),
+    output->GetPointData());
+  AddOthersArrays(
+    processes, messages, output->GetNumberOfCells(), input->GetCellData(), output->GetCellData());
   const NewArrays points(input->GetPointData(), output->GetPointData());
   const NewArrays cells(input->GetCellData(), output->GetCellData());
   TakeOwners(processes, messages, exchange, points);
   if (!messages.Any(!piece.Ghosts.Cells.empty() || !piece.GhostPoints.Points.empty()))
   {
-    return;
+    return 0;
   }
   std::vector<vtkIdType> numbers = exchange.Numbers;
   const std::vector<vtkIdType> copied = CopyPoints(processes, messages, exchange, piece, points);
   numbers.insert(numbers.end(), copied.begin(), copied.end());
-  CopyCells(processes, messages, piece, numbers, cells);
+  const vtkIdType lost = CopyCells(processes, messages, piece, numbers, cells);
+  return static_cast<vtkIdType>(messages.Sum(static_cast<double>(lost)));
 }
 }

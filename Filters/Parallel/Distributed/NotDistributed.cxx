@@ -19,8 +19,9 @@ DistributedField ComputeDistributed(Processes&, const Surface&, const SurfacePie
   throw std::logic_error("This build has no PETSc.");
 }
 
-void ExchangeValues(
+vtkIdType ExchangeValues(
   Processes&, const PointExchange&, const SurfacePiece&, vtkPolyData*, vtkPolyData*)
 {
+  return 0;
 }
 }

@@ -6,6 +6,7 @@
 
 #include <petscksp.h>
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,12 +62,19 @@ using OwnedKsp = Owned<KSP, KSPDestroy>;
 using OwnedIndices = Owned<IS, ISDestroy>;
 using OwnedScatter = Owned<VecScatter, VecScatterDestroy>;
 
-/// Starts PETSc on the processes of a communicator, once. They are ended with the program, by the
-/// system: whoever has started MPI ends it, and may have done so before any destructor runs.
+/// Starts PETSc on those processes of a communicator that have not started it; all of them call it. It is ended with
+/// the program, by the system: whoever has started MPI ends it, and may have done so before any destructor runs.
 ///
-/// What fails on one process only, as too little memory does, ends all processes with PETSc's message: the
-/// others wait in a call of PETSc's that nothing can wake them from.
+/// What fails on one process only within PETSc, as too little memory does, ends all processes with PETSc's message.
 void StartPetsc(MPI_Comm communicator);
+
+/// Ends all processes where there is too little memory on this one while the others are in functions of PETSc, which
+/// nothing can wake them from.
+void EndAllForMemory(const char* message);
+
+/// Does work of each process's own between functions of PETSc, which must not communicate. Where there is too little
+/// memory on any process all throw the same ProcessesError.
+void DoOnAll(MPI_Comm communicator, const std::function<void()>& work);
 }
 
 #endif

@@ -209,8 +209,9 @@ OwnedMat MakeProlongator(Mat energy, Mat mass, int level)
   const BlockRows ownMass(massBlocks.Own);
   const BlockRows others(energyBlocks.Others);
   const BlockRows othersMass(massBlocks.Others);
-  const Aggregates aggregates = AggregateOwn(own, ownMass, level);
   MPI_Comm communicator = PetscObjectComm(reinterpret_cast<PetscObject>(energy));
+  Aggregates aggregates;
+  DoOnAll(communicator, [&] { aggregates = AggregateOwn(own, ownMass, level); });
   auto count = static_cast<PetscInt>(aggregates.Count);
   PetscInt end = 0;
   MPI_Scan(&count, &end, 1, MPIU_INT, MPI_SUM, communicator);
@@ -218,40 +219,48 @@ OwnedMat MakeProlongator(Mat energy, Mat mass, int level)
   MPI_Allreduce(&count, &total, 1, MPIU_INT, MPI_SUM, communicator);
 
   ColumnData here;
-  for (PetscInt i = 0; i < own.Count; ++i)
+  const auto describeOwn = [&]
   {
-    for (PetscInt k = own.Begin[i]; k < own.Begin[i + 1]; ++k)
+    for (PetscInt i = 0; i < own.Count; ++i)
     {
-      if (own.Columns[k] == i)
+      for (PetscInt k = own.Begin[i]; k < own.Begin[i + 1]; ++k)
       {
-        here.Diagonal.push_back(own.Values[k]);
+        if (own.Columns[k] == i)
+        {
+          here.Diagonal.push_back(own.Values[k]);
+        }
       }
+      here.Aggregate.emplace_back(static_cast<double>(end - count + aggregates.Number[i]));
+      here.Phase.emplace_back(aggregates.Phase[i]);
     }
-    here.Aggregate.emplace_back(static_cast<double>(end - count + aggregates.Number[i]));
-    here.Phase.emplace_back(aggregates.Phase[i]);
-  }
+  };
+  DoOnAll(communicator, describeOwn);
   ColumnValues exchange(energy, energyBlocks);
   const ColumnData there{ exchange.Of(here.Diagonal), exchange.Of(here.Aggregate),
     exchange.Of(here.Phase) };
   ProlongatorRows rows;
   const double part = StrongPart * std::pow(StrongPartDecay, level);
-  for (PetscInt i = 0; i < own.Count; ++i)
+  const auto smooth = [&]
   {
-    const double diagonal = here.Diagonal[i].real();
-    RowSmoother row(part, diagonal);
-    for (PetscInt k = own.Begin[i]; k < own.Begin[i + 1]; ++k)
+    for (PetscInt i = 0; i < own.Count; ++i)
     {
-      if (own.Columns[k] != i)
+      const double diagonal = here.Diagonal[i].real();
+      RowSmoother row(part, diagonal);
+      for (PetscInt k = own.Begin[i]; k < own.Begin[i + 1]; ++k)
       {
-        row.Add(own.Values[k], ownMass.Values[k], own.Columns[k], here);
+        if (own.Columns[k] != i)
+        {
+          row.Add(own.Values[k], ownMass.Values[k], own.Columns[k], here);
+        }
       }
+      for (PetscInt k = others.Begin[i]; k < others.Begin[i + 1]; ++k)
+      {
+        row.Add(others.Values[k], othersMass.Values[k], others.Columns[k], there);
+      }
+      row.Finish(diagonal, here.Aggregate[i], here.Phase[i], rows);
     }
-    for (PetscInt k = others.Begin[i]; k < others.Begin[i + 1]; ++k)
-    {
-      row.Add(others.Values[k], othersMass.Values[k], others.Columns[k], there);
-    }
-    row.Finish(diagonal, here.Aggregate[i], here.Phase[i], rows);
-  }
+  };
+  DoOnAll(communicator, smooth);
   OwnedMat prolongator;
   Require(MatCreateMPIAIJWithArrays(communicator, own.Count, count, PETSC_DETERMINE, total,
     rows.Begin.data(), rows.Columns.data(), rows.Values.data(), prolongator.New()));

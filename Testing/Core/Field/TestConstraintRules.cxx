@@ -4,12 +4,16 @@
 #include "DirectionField.h"
 #include "Meshes/Surfaces.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace DirectionFields;
 using namespace Meshes;
@@ -201,6 +205,37 @@ TEST(ConstraintRules, WhatIsNotThereChangesNothingAndIsSaid)
   EXPECT_EQ(result.Notes.size(), 3u);
   EXPECT_EQ(result.Representation, plain.Representation);
   EXPECT_EQ(result.SingularityIndex, plain.SingularityIndex);
+}
+
+TEST(ConstraintRules, CornersOfLinesDependOnNoNumbers)
+{
+  // The two directions of a right-angled corner cancel for lines, and on a grid both edges weigh the same.
+  const Surface square = Square(6, 1.0);
+  Options options;
+  options.Degree = 2;
+  options.ConstrainBoundary = true;
+  const Result wanted = DirectionField(square).Compute(options);
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    std::vector<Index> newPoint;
+    std::vector<Index> newTriangle;
+    Surface shuffled = Shuffled(square, seed, newPoint, newTriangle);
+    for (Triangle& triangle : shuffled.Triangles)
+    {
+      if (seed % 2 == 1)
+      {
+        std::swap(triangle[0], triangle[1]);
+      }
+    }
+    const Result found = DirectionField(shuffled).Compute(options);
+    for (std::size_t i = 0; i < newPoint.size(); ++i)
+    {
+      ASSERT_EQ(found.Constraint[newPoint[i]], wanted.Constraint[i]);
+      const Vector3 cross =
+        found.ConstraintDirection[newPoint[i]].cross(wanted.ConstraintDirection[i]);
+      EXPECT_LT(cross.norm(), 1e-12) << "point " << i << ", seed " << seed;
+    }
+  }
 }
 
 TEST(ConstraintRules, LonelyCurvatureIsDropped)

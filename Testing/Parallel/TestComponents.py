@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many components, of which most are on one process alone: mpiexec -n 3 pvbatch --symmetric TestComponents.py PACKAGES
+
+Those are solved for as one process does, on all processes at once; what lies across processes is solved for by all."""
+import sys
+
+sys.path.insert(0, sys.argv[1])
+
+import numpy as np
+
+import Surfaces
+from Comparing import check, compare, compare_singularities, count, make, rank, total
+from directionfields_vtk import vtkDirectionField, vtkPDirectionField
+
+DIRECT, MULTIGRID = vtkDirectionField.SOLVER_DIRECT, vtkDirectionField.SOLVER_MULTIGRID
+
+
+def many():
+    """Closed and bounded components beside each other, and which process has which triangle."""
+    points, triangles, owner, first = [], [], [], 0
+    for k in range(8):
+        own, corners = (Surfaces.half if k % 3 == 2 else Surfaces.potato)(7 + k % 4)
+        points.append(own * (1.0, 1.0 + 0.1 * k, 1.0) + (3.0 * k, 0.0, 0.0))
+        triangles.append(corners + first)
+        first += len(own)
+        # The last three lie across processes.
+        owner.append(np.full(len(corners), k % count) if k < 5 else
+                     Surfaces.owners(own, corners, ("slabs", "random", "scattered")[k - 5], count))
+    return np.concatenate(points), np.concatenate(triangles), np.concatenate(owner)
+
+
+def test_fields():
+    points, triangles, owner = many()
+    arrays = {"Wanted": points[:, [1, 2, 0]] + 0.3, "Few": (points[:, 1] > 0.9) * 1.5}
+    guided = {"Alignment": vtkDirectionField.ALIGN_POINT_VECTORS, "GuidanceVectors": "Wanted"}
+    for options in ({}, {"ConstrainBoundary": 1, "Degree": 2}, guided,
+                    {**guided, "GuidanceWeights": "Few", "ConstrainGuidance": 1, "ConstrainBoundary": 1}):
+        whole = make(vtkDirectionField, options, Surfaces.piece(points, triangles, arrays, owner * 0, 0))
+        part = make(vtkPDirectionField, {**options, "Distribution": vtkPDirectionField.DISTRIBUTED},
+                    Surfaces.piece(points, triangles, arrays, owner, rank))
+        name = f"components {options}"
+        data = [field.GetOutput().GetFieldData() for field in (whole, part)]
+        check(Surfaces.array(data[1], "Distribution").reshape(-1)[0] == 2, name)
+        compare(whole, part, options.get("Degree", 4), name)
+        compare_singularities(whole, part, name)
+        # Those of one process are solved for in the same way as if it had nothing else.
+        order = [np.argsort(Surfaces.array(each, "SmoothnessEnergy")) for each in data]
+        for figure in ("SolverUsed", "Lambda", "SmoothnessEnergy"):
+            wanted, found = (Surfaces.array(each, figure)[k] for each, k in zip(data, order))
+            if figure == "SolverUsed":
+                check(sorted(found) == [MULTIGRID] * 3 + [DIRECT] * 5, name, found)
+                check((wanted == DIRECT).all(), name, wanted)
+            else:
+                check(np.allclose(found, wanted, rtol=1e-8), name, figure, wanted, found)
+
+
+def test_stop():
+    """Whoever is stopped while it solves for components of its own stops all, and the next time all go on."""
+    points, triangles, owner = many()
+    for stopping in range(count):
+        field = vtkPDirectionField()
+        field.SetDistribution(vtkPDirectionField.DISTRIBUTED)
+        field.SetInputData(Surfaces.piece(points, triangles, {}, owner, rank))
+        heard = []
+        field.AddObserver("ErrorEvent", lambda *_: heard.append(1))
+
+        def stop(source, event):
+            if rank == stopping and source.GetProgress() > 0.1:
+                source.SetAbortExecute(1)
+        field.AddObserver("ProgressEvent", stop)
+        field.Update()
+        check(field.GetOutput().GetNumberOfPoints() == 0 and not heard, "stopped by", stopping)
+        field.RemoveAllObservers()
+        field.SetAbortExecute(0)
+        field.Modified()
+        field.Update()
+        check(total(field.GetOutput().GetNumberOfCells()) == len(triangles), "after a stop")
+
+
+for test in (test_fields, test_stop):
+    test()
+if rank == 0:
+    # Open MPI 5 may lose what is still on its way when processes end.
+    print("passed", flush=True)
