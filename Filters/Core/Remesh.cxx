@@ -3,9 +3,9 @@
 
 #include "Remesh.h"
 
-#include "Faces/FaceCleanup.h"
-#include "Faces/FaceSmoothing.h"
+#include "Faces/FaceShaping.h"
 #include "Faces/FoldedQuads.h"
+#include "Faces/QuadSplit.h"
 #include "Field/ComponentFields.h"
 #include "Field/Guidance.h"
 #include "Field/Guide.h"
@@ -13,8 +13,9 @@
 #include "LatticeMap/FeatureLines.h"
 #include "Quads/ComponentCells.h"
 #include "Quads/FaceSources.h"
+#include "Quads/FeatureTurns.h"
+#include "Quads/JoinedFaces.h"
 #include "Quads/PreparedSurface.h"
-#include "Quads/QuadSplit.h"
 #include "Quads/Seams.h"
 #include "Quads/SizeAdvice.h"
 #include "Quads/WantedSizes.h"
@@ -195,8 +196,8 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
 }
 
 /// The cells of all components, with the same vertices on all sides of seams.
-std::vector<ComponentCells> CellsOf(const CellInput& input, const Seams& seams,
-  const RemeshOptions& options, const Progress& progress, RemeshResult& result)
+std::vector<ComponentCells> CellsOf(
+  const CellInput& input, const Seams& seams, const Progress& progress, RemeshResult& result)
 {
   const std::vector<TriangleMesh::Component>& components = input.Geometry.Mesh.GetComponents();
   std::vector<ComponentCells> all;
@@ -210,126 +211,55 @@ std::vector<ComponentCells> CellsOf(const CellInput& input, const Seams& seams,
       result.Notes.push_back("Component " + std::to_string(all.size() - 1) +
         " could not be remeshed, since " + all.back().Failure + ". It is as it was.");
     }
+    result.KeptVertices += all.back().KeptVertices;
+    result.FlippedTriangles += all.back().FlippedTriangles;
   }
   seams.Equalize(all);
-  if (options.PureQuads && options.Element == Element::Quads)
-  {
-    for (ComponentCells& cells : all)
-    {
-      SplitIntoQuads(cells);
-    }
-  }
   return all;
 }
 
-/// Puts the cells of all components into one mesh, in which the sides of seams share their vertices.
-/// @param line       the feature that each vertex stays on, 0 for the surface, -1 for those that stay
-/// @param isBoundary of each vertex; seams count
-void AppendAll(const std::vector<ComponentCells>& components, const Seams& seams,
-  RemeshResult& result, std::vector<Index>& line, std::vector<char>& isBoundary)
+/// The cells of all components in one mesh.
+FaceMesh JoinedCells(const std::vector<ComponentCells>& cells, const Seams& seams,
+  const std::vector<char>& isTurn, RemeshResult& result)
 {
   Index open = 0;
-  const std::vector<Index> joined = seams.Joined(components, open);
+  FaceMesh mesh = JoinFaces(cells, seams, isTurn, open);
   if (open > 0)
   {
     result.Notes.push_back(std::to_string(open) +
       " seams between sheets of the surface are open in the mesh, since the faces there are too few. More faces, or "
       "shorter edges, would join them.");
   }
-  std::vector<Index> number(joined.size(), None);
-  std::size_t k = 0;
-  for (const ComponentCells& cells : components)
-  {
-    for (const ComponentCells::Vertex& vertex : cells.Vertices)
-    {
-      const auto own = static_cast<Index>(k++);
-      if (joined[own] != own)
-      {
-        number[own] = number[joined[own]];
-        line[number[own]] = vertex.IsCorner ? -1 : line[number[own]];
-        continue;
-      }
-      number[own] = static_cast<Index>(result.Points.size());
-      result.Points.push_back(vertex.Position);
-      result.FieldIndex.push_back(vertex.SingularityIndex);
-      result.Kind.push_back(vertex.IsCorner ? VertexKind::Corner
-          : vertex.IsBoundary               ? VertexKind::Boundary
-          : vertex.Line > 0                 ? VertexKind::Feature
-          : vertex.IsCone                   ? VertexKind::Cone
-                                            : VertexKind::Surface);
-      line.push_back(vertex.IsCorner ? -1 : vertex.Line);
-      isBoundary.push_back(vertex.IsBoundary ? 1 : 0);
-    }
-  }
-  k = 0;
-  for (const ComponentCells& cells : components)
-  {
-    for (const Faces::Face& face : cells.Cells.Corners)
-    {
-      std::array<Index, 4> corners{};
-      for (int c = 0; c < 4; ++c)
-      {
-        corners[c] = face[c] == None ? None : number[face[c] + k];
-      }
-      result.Faces.push_back(corners);
-    }
-    k += cells.Vertices.size();
-    result.Regular.insert(
-      result.Regular.end(), cells.Cells.IsRegular.begin(), cells.Cells.IsRegular.end());
-    result.KeptVertices += cells.KeptVertices;
-    result.FlippedTriangles += cells.FlippedTriangles;
-  }
+  return mesh;
 }
 
-/// Takes out the faces and vertices that are no longer used. Returns the faces.
-Faces Compress(const FaceStars& stars, RemeshResult& result, std::vector<char>& isBoundary)
+/// What a surface is to its mesh.
+struct Ground
 {
-  std::vector<Index> number(result.Points.size(), None);
-  Index left = 0;
-  for (std::size_t v = 0; v < number.size(); ++v)
-  {
-    if (!stars.At(static_cast<Index>(v)).empty())
-    {
-      number[v] = left;
-      result.Points[left] = result.Points[v];
-      result.Kind[left] = result.Kind[v];
-      result.FieldIndex[left] = result.FieldIndex[v];
-      isBoundary[left] = isBoundary[v];
-      ++left;
-    }
-  }
-  result.Points.resize(left);
-  result.Kind.resize(left);
-  result.FieldIndex.resize(left);
-  isBoundary.resize(left);
-  Faces faces = stars.Compressed();
-  for (Faces::Face& face : faces.Corners)
-  {
-    for (Index& v : face)
-    {
-      v = v == None ? None : number[v];
-    }
-  }
-  result.Faces = faces.Corners;
-  result.Regular = faces.IsRegular;
-  return faces;
-}
+  const RemeshOptions& Options;
+  const Surface& Input;
+  const PreparedSurface& Prepared;
+  const ClosestPoints& Triangles;
+  const std::vector<ClosestPoints>& Lines;
+  /// Wanted, relative to elsewhere, at each point of the input.
+  const std::vector<double>& Sizes;
+};
 
 /// The wanted length of edges at each point of a mesh.
-std::vector<double> WantedLengths(const RemeshOptions& options, const Surface& input,
-  const std::vector<double>& sizes, const PreparedSurface& prepared, const ClosestPoints& surface,
-  const RemeshResult& result)
+std::vector<double> WantedLengths(
+  const Ground& ground, const std::vector<Vector3>& points, double edgeLength)
 {
-  std::vector<double> wanted(result.Points.size(), result.EdgeLength);
-  if (!options.Sizing.empty())
+  std::vector<double> wanted(points.size(), edgeLength);
+  if (!ground.Options.Sizing.empty())
   {
-    const PointSources sources = SourcesOf(prepared, surface, result.Points);
+    const PointSources sources = SourcesOf(ground.Prepared, ground.Triangles, points);
     for (std::size_t v = 0; v < wanted.size(); ++v)
     {
       double size = 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        size += sources.Weights[v][c] * sizes[input.Triangles[sources.Triangle[v]][c]];
+        size +=
+          sources.Weights[v][c] * ground.Sizes[ground.Input.Triangles[sources.Triangle[v]][c]];
       }
       wanted[v] *= size;
     }
@@ -337,31 +267,51 @@ std::vector<double> WantedLengths(const RemeshOptions& options, const Surface& i
   return wanted;
 }
 
-/// Moves the vertices so that faces become regular, and turns edges where that leaves fewer irregular vertices. Steps
-/// before that tell which faces can become good; those after it bring the others into line.
-Faces Shaped(const RemeshOptions& options, const Faces& faces, const SmoothingDomain& domain,
-  const Progress& progress, RemeshResult& result, std::vector<char>& isBoundary)
+/// Shapes the faces. Those of pure quads are mended before they are split, too, while they may still become triangles:
+/// the parts of a bad face are no better.
+void Shape(const Ground& ground, double edgeLength, const Progress& progress, FaceMesh& mesh)
 {
-  const int steps = options.SmoothingIterations;
-  if (steps == 0)
+  const RemeshOptions& options = ground.Options;
+  const bool areQuads = options.Element == Element::Quads;
+  const bool isPure = areQuads && options.PureQuads;
+  const auto shape = [&](double length, bool mayMakeTriangles, bool isDraft, const Progress& part)
   {
-    return faces;
-  }
-  FaceStars stars(faces, static_cast<Index>(result.Points.size()));
-  MovableFaces movable(stars, domain, result.Points);
-  const int before = 2 * steps / 3;
-  RelaxFaces(movable, before, progress.Part(0.0, 0.5));
-  if (options.Element == Element::Quads)
+    ShapeFaces(mesh, { options.SmoothingIterations, areQuads, mayMakeTriangles, isDraft },
+      ground.Triangles, ground.Lines, WantedLengths(ground, mesh.Points, length), part);
+    if (mayMakeTriangles)
+    {
+      CutFoldedQuads(mesh.Cells, mesh.Points);
+    }
+  };
+  if (!isPure)
   {
-    CleanUpFaces(stars, movable, isBoundary, result.FieldIndex, progress.Part(0.5, 0.6));
+    shape(edgeLength, true, false, progress);
+    return;
   }
-  RelaxFaces(movable, steps - before, progress.Part(0.6, 0.8));
-  ImproveFaces(movable, progress.Part(0.8, 1.0));
-  return stars.GetChanges().empty() ? faces : Compress(stars, result, isBoundary);
+  shape(2.0 * edgeLength, true, true, progress.Part(0.0, 0.3));
+  SplitIntoQuads(mesh);
+  shape(edgeLength, false, false, progress.Part(0.3, 1.0));
+}
+
+/// Puts a mesh into the result.
+void Take(const FaceMesh& mesh, RemeshResult& result)
+{
+  result.Points = mesh.Points;
+  result.Faces = mesh.Cells.Corners;
+  result.Regular = mesh.Cells.IsRegular;
+  for (const FaceMesh::Vertex& vertex : mesh.Vertices)
+  {
+    result.FieldIndex.push_back(vertex.SingularityIndex);
+    result.Kind.push_back(vertex.Line < 0 ? VertexKind::Corner
+        : vertex.IsBoundary               ? VertexKind::Boundary
+        : vertex.Line > 0                 ? VertexKind::Feature
+        : vertex.IsCone                   ? VertexKind::Cone
+                                          : VertexKind::Surface);
+  }
 }
 
 /// Counts what a mesh is made of.
-void Count(const RemeshOptions& options, const std::vector<char>& isBoundary, RemeshResult& result)
+void Count(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult& result)
 {
   std::vector<int> valence(result.Points.size(), 0);
   for (const std::array<Index, 4>& face : result.Faces)
@@ -377,7 +327,7 @@ void Count(const RemeshOptions& options, const std::vector<char>& isBoundary, Re
   }
   for (std::size_t v = 0; v < valence.size(); ++v)
   {
-    const bool isRegular = valence[v] == DegreeOf(options.Element) || isBoundary[v] != 0;
+    const bool isRegular = valence[v] == DegreeOf(options.Element) || mesh.Vertices[v].IsBoundary;
     result.IrregularVertices += isRegular ? 0 : 1;
   }
 }
@@ -404,7 +354,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     const std::vector<double> sizes = SizesAt(options, this->Input->Points.size());
     const double area = RelativeArea(*this->Input, sizes);
     result.EdgeLength = EdgeLengthFor(area, options);
-    const double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
+    double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
     const std::vector<double> longest = LongestEdges(sizes, area, coarse);
     if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
     {
@@ -421,6 +371,13 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     {
       size[v] = continued[mesh.Point(v)];
     }
+    if (!options.UseEdgeLength)
+    {
+      const double factor =
+        std::max(1.0, LeastEdgeLength(geometry, size, options.NumberOfFaces) / result.EdgeLength);
+      result.EdgeLength *= factor;
+      coarse *= factor;
+    }
     std::vector<double> perLength(size.size());
     for (std::size_t v = 0; v < size.size(); ++v)
     {
@@ -435,38 +392,36 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     {
       features.IsEnd[v] = 1;
     }
-    std::vector<Index> line;
-    std::vector<char> isBoundary;
     SizeAdvice advice(result.EdgeLength, DegreeOf(options.Element));
     for (const TriangleMesh::Component& component : mesh.GetComponents())
     {
       advice.AddComponent(geometry, component, perLength);
     }
-    AppendAll(CellsOf(input, *kept.Joints, options, progress.Part(AfterField, AfterCells), result),
-      *kept.Joints, result, line, isBoundary);
-    result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
-    Faces faces{ result.Faces, result.Regular };
-    const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
-    const SmoothingDomain domain{ kept.Original, lines, std::move(line),
-      WantedLengths(options, *this->Input, sizes, kept.Prepared, kept.Original, result) };
-    faces = Shaped(options, faces, domain, progress.Part(AfterCells, 0.97), result, isBoundary);
-    if (!options.PureQuads && CutFoldedQuads(faces, result.Points) > 0)
+    const std::vector<ComponentCells> cells =
+      CellsOf(input, *kept.Joints, progress.Part(AfterField, AfterCells), result);
+    std::vector<double> reach(size.size());
+    for (std::size_t v = 0; v < size.size(); ++v)
     {
-      result.Faces = faces.Corners;
-      result.Regular = faces.IsRegular;
+      reach[v] = 0.5 * result.EdgeLength * size[v];
     }
+    FaceMesh faces = JoinedCells(cells, *kept.Joints, FindTurns(geometry, features, reach), result);
+    result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
+    const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
+    Shape({ options, *this->Input, kept.Prepared, kept.Original, lines, sizes }, result.EdgeLength,
+      progress.Part(AfterCells, 0.97), faces);
+    Take(faces, result);
     PointSources sources = SourcesOf(kept.Prepared, kept.Original, result.Points);
     result.SourceTriangle = std::move(sources.Triangle);
     result.SourceWeights = std::move(sources.Weights);
     FaceSources faceSources = SourcesOf(kept.Prepared, kept.Original, result.Points, result.Faces);
     result.FaceSource = std::move(faceSources.Triangle);
     result.MaximumDistance = faceSources.LargestDistance;
-    advice.AddMesh(result.Points, faces, result.KeptVertices);
+    advice.AddMesh(result.Points, faces.Cells, result.KeptVertices);
     const std::vector<std::string> sentences = advice.GetSentences();
     result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
-    Count(options, isBoundary, result);
+    Count(options, faces, result);
     result.EulerCharacteristicAfter =
-      EulerCharacteristic(static_cast<Index>(result.Points.size()), faces);
+      EulerCharacteristic(static_cast<Index>(result.Points.size()), faces.Cells);
     result.Repaired = kept.Prepared.GetRepairs();
   }
   catch (const Stopped&)

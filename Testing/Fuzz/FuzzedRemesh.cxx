@@ -22,7 +22,9 @@ RemeshOptions ReadOptions(const Bytes& bytes)
   RemeshOptions options;
   options.Element = bytes.At(0) % 3 == 2 ? Element::Triangles : Element::Quads;
   // The default takes long for so many inputs.
-  options.NumberOfFaces = Whole(bytes.At(1), 100, 1, 240) * (bytes.At(2) % 4 == 3 ? 10 : 1);
+  // Billions would be made, too, and ten times the largest number is none.
+  options.NumberOfFaces =
+    std::clamp(Whole(bytes.At(1), 100, 1, 240), -1, 241) * (bytes.At(2) % 4 == 3 ? 10 : 1);
   options.UseEdgeLength = bytes.At(3) % 4 == 1;
   options.EdgeLength = Real(bytes.At(4), 0.5, 0.05, 4.0);
   options.PureQuads = bytes.At(5) % 2 != 0;

@@ -3,10 +3,9 @@
 
 #include "Faces/FaceCleanup.h"
 
-#include "Faces/FaceEdits.h"
+#include "Faces/FaceRules.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace DirectionFields::Internal
 {
@@ -24,6 +23,8 @@ constexpr double GoodEnough = 0.3;
 /// New faces are at least as good as this.
 constexpr double Least = 0.2;
 constexpr int Moves = 6;
+/// Middles of faces are to be as near the surface as this, in lengths of edges.
+constexpr double FarthestMiddle = 0.5;
 
 class Cleanup
 {
@@ -33,6 +34,7 @@ public:
     , Places(places)
     , Edits(faces, std::move(rules))
     , IsHopeless(faces.GetNumberOfVertices(), 0)
+    , IsNearHub(FindVerticesNearHubs(faces, places))
   {
   }
 
@@ -41,7 +43,8 @@ public:
     const std::vector<Index>& star = this->Cells.At(v);
     const bool hasTriangle = std::any_of(
       star.begin(), star.end(), [&](Index f) { return Faces::Size(this->Cells.Face(f)) == 3; });
-    return this->IsHopeless[v] == 0 && (hasTriangle || this->Edits.Irregularity(v) > 0);
+    return this->IsHopeless[v] == 0 && this->IsNearHub[v] == 0 &&
+      (hasTriangle || this->Edits.Irregularity(v) > 0);
   }
 
   /// Returns whether something was found for a vertex.
@@ -54,7 +57,7 @@ public:
     {
       if (this->Search({ v }, 0, edits))
       {
-        for (const Index w : this->TouchedSince(this->Start))
+        for (const Index w : this->Cells.TouchedSince(this->Start))
         {
           this->IsHopeless[w] = 0;
           for (const Index u : this->Cells.Neighbours(w))
@@ -81,6 +84,10 @@ private:
     std::vector<Candidate> candidates;
     for (const Index v : vertices)
     {
+      if (this->IsNearHub[v] != 0)
+      {
+        continue;
+      }
       for (const FaceEdits::Edit& edit : this->Edits.Find(v))
       {
         const int now = grown + this->Edits.GrowthBy(edit);
@@ -114,27 +121,9 @@ private:
     return false;
   }
 
-  /// The corners, ascending, of what was changed, as it was and as it is.
-  std::vector<Index> TouchedSince(std::size_t change) const
-  {
-    std::vector<Index> touched;
-    const std::vector<FaceStars::Change>& changes = this->Cells.GetChanges();
-    for (std::size_t k = change; k < changes.size(); ++k)
-    {
-      for (const Faces::Face& face : { changes[k].Corners, this->Cells.Face(changes[k].Face) })
-      {
-        std::copy_if(
-          face.begin(), face.end(), std::back_inserter(touched), [](Index v) { return v != None; });
-      }
-    }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    return touched;
-  }
-
   std::vector<Index> IrregularSince(std::size_t change) const
   {
-    std::vector<Index> touched = this->TouchedSince(change);
+    std::vector<Index> touched = this->Cells.TouchedSince(change);
     touched.erase(std::remove_if(touched.begin(), touched.end(),
                     [&](Index v) { return this->Edits.Irregularity(v) == 0; }),
       touched.end());
@@ -146,7 +135,7 @@ private:
   bool Settle()
   {
     ++this->Looks;
-    const std::vector<Index> touched = this->TouchedSince(this->Start);
+    const std::vector<Index> touched = this->Cells.TouchedSince(this->Start);
     std::vector<Vector3>& points = this->Places.GetPoints();
     double before = GoodEnough;
     const std::vector<FaceStars::Change>& changes = this->Cells.GetChanges();
@@ -179,7 +168,7 @@ private:
     {
       after = std::min(after, this->Cells.At(v).empty() ? 1.0 : this->Places.LeastQuality(v));
     }
-    if (after >= std::max(before, Least))
+    if (after >= std::max(before, Least) && this->AreNear(touched))
     {
       return true;
     }
@@ -190,88 +179,31 @@ private:
     return false;
   }
 
+  /// Whether the middles of the faces that were changed are near the surface.
+  bool AreNear(const std::vector<Index>& touched) const
+  {
+    return std::all_of(touched.begin(), touched.end(),
+      [&](Index v)
+      { return this->Cells.At(v).empty() || this->Places.LargestDistance(v) <= FarthestMiddle; });
+  }
+
   FaceStars& Cells;
   MovableFaces& Places;
   FaceEdits Edits;
   /// Nothing was found for a vertex, and nothing has changed around it since.
   std::vector<char> IsHopeless;
+  /// A vertex with many faces is near.
+  std::vector<char> IsNearHub;
   std::size_t Start = 0;
   int Tried = 0;
   int Looks = 0;
 };
-
-/// The angle of a face at one of its corners.
-double AngleAt(const std::vector<Vector3>& points, const Faces::Face& face, Index v)
-{
-  const int size = Faces::Size(face);
-  const auto at = static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
-  const Vector3 a = points[face[(at + 1) % size]] - points[v];
-  const Vector3 b = points[face[(at + size - 1) % size]] - points[v];
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// How many faces there should be at a vertex on lines: as many as there is room for in each sector between them.
-Index FacesBetweenLines(const FaceStars& faces, const std::vector<Vector3>& points,
-  const std::vector<FaceEdits::Rule>& rules, Index v)
+void CleanUpFaces(FaceStars& faces, MovableFaces& places,
+  const std::vector<FaceMesh::Vertex>& vertices, const Progress& progress)
 {
-  const std::vector<Index>& star = faces.At(v);
-  std::vector<char> isSeen(star.size(), 0);
-  Index sum = 0;
-  for (std::size_t i = 0; i < star.size(); ++i)
-  {
-    if (isSeen[i] != 0)
-    {
-      continue;
-    }
-    double angle = 0.0;
-    std::vector<std::size_t> sector = { i };
-    isSeen[i] = 1;
-    for (std::size_t k = 0; k < sector.size(); ++k)
-    {
-      const Index f = star[sector[k]];
-      angle += AngleAt(points, faces.Face(f), v);
-      const Faces::Face& face = faces.Face(f);
-      const int size = Faces::Size(face);
-      const auto at = static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
-      for (const Index w : { face[(at + 1) % size], face[(at + size - 1) % size] })
-      {
-        const Index g = rules[w].IsOnLine ? None : faces.Across(f, v, w);
-        const auto next = std::lower_bound(star.begin(), star.end(), g);
-        if (g != None && isSeen[next - star.begin()] == 0)
-        {
-          isSeen[next - star.begin()] = 1;
-          sector.push_back(next - star.begin());
-        }
-      }
-    }
-    sum += std::max<Index>(1, static_cast<Index>(std::lround(angle / (0.5 * Pi))));
-  }
-  return sum;
-}
-}
-
-void CleanUpFaces(FaceStars& faces, MovableFaces& places, const std::vector<char>& isBoundary,
-  const std::vector<int>& index, const Progress& progress)
-{
-  std::vector<FaceEdits::Rule> rules(faces.GetNumberOfVertices());
-  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
-  {
-    FaceEdits::Rule& rule = rules[v];
-    rule.IsBoundary = isBoundary[v] != 0;
-    rule.IsOnLine = rule.IsBoundary || !places.IsOnSurface(v);
-    rule.IsLocked =
-      !rule.IsOnLine && index[v] != 0 && static_cast<Index>(faces.At(v).size()) == 4 - index[v];
-    rule.IsFree = !rule.IsOnLine && !rule.IsLocked;
-    rule.Target = rule.IsLocked ? 4 - index[v] : 4;
-  }
-  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
-  {
-    if (rules[v].IsOnLine && !faces.At(v).empty())
-    {
-      rules[v].Target = FacesBetweenLines(faces, places.GetPoints(), rules, v);
-    }
-  }
-  Cleanup cleanup(faces, places, std::move(rules));
+  Cleanup cleanup(faces, places, RulesFor(faces, places, vertices));
   bool hasChanged = true;
   for (int k = 0; k < Passes && hasChanged; ++k)
   {

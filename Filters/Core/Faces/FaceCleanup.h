@@ -17,10 +17,8 @@ namespace DirectionFields::Internal
 /// M. Tarini, N. Pietroni, P. Cignoni, D. Panozzo, E. Puppo: Practical quad mesh simplification, 2010). Vertices and
 /// edges on features and the boundary stay, and so do vertices whose number of faces their singularity explains.
 /// Takes time in proportion to the irregular vertices. Throws Stopped.
-/// @param isBoundary of each vertex
-/// @param index      of the field at each vertex, in quarters
-void CleanUpFaces(FaceStars& faces, MovableFaces& places, const std::vector<char>& isBoundary,
-  const std::vector<int>& index, const Progress& progress = {});
+void CleanUpFaces(FaceStars& faces, MovableFaces& places,
+  const std::vector<FaceMesh::Vertex>& vertices, const Progress& progress = {});
 }
 
 #endif

@@ -64,6 +64,11 @@ int FaceEdits::Growth(Index v, Index more) const
 int FaceEdits::GrowthBy(const Edit& edit) const
 {
   int grown = 0;
+  if (edit.Way != None && edit.Second == None)
+  {
+    const Faces::Face& face = this->Cells.Face(edit.First);
+    return this->Growth(face[edit.Way], 1) + this->Growth(face[edit.Way + 2], 1) + 2 * PerTriangle;
+  }
   if (edit.Way != None)
   {
     const std::vector<Index> polygon = this->PolygonOf(edit.First, edit.Second);
@@ -122,7 +127,7 @@ std::vector<FaceEdits::Edit> FaceEdits::Find(Index v) const
       const Index g = this->Cells.Across(f, a, b);
       // An edge at the vertex is found from both of its faces.
       const bool isFirst = (a != v && b != v) || f < g;
-      if (g != None && isFirst && !(this->Rules[a].IsOnLine && this->Rules[b].IsOnLine))
+      if (g != None && isFirst && !this->Cells.IsLineEdge(a, b))
       {
         const int other = Faces::Size(this->Cells.Face(g));
         const int ways = size + other == 6 ? 2 : size + other == 7 ? 5 : 3;
@@ -143,6 +148,60 @@ std::vector<FaceEdits::Edit> FaceEdits::Find(Index v) const
     }
   }
   return edits;
+}
+
+std::vector<FaceEdits::Edit> FaceEdits::FindForBadFaces(Index v) const
+{
+  std::vector<Edit> edits;
+  for (const Index w : this->Cells.LineEnds(v))
+  {
+    edits.push_back({ v, w, None });
+    edits.push_back({ w, v, None });
+  }
+  for (const Index f : this->Cells.At(v))
+  {
+    const Faces::Face& face = this->Cells.Face(f);
+    for (int c = 0; Faces::Size(face) == 4 && c < 4; ++c)
+    {
+      if (c < 2)
+      {
+        edits.push_back({ f, None, c });
+      }
+      const Index a = face[c];
+      const Index b = face[(c + 1) % 4];
+      const Index g = this->Cells.Across(f, a, b);
+      // Find looks at the edges of triangles.
+      if (g != None && (f < g || (a != v && b != v)) && Faces::Size(this->Cells.Face(g)) == 4 &&
+        !this->Cells.IsLineEdge(a, b))
+      {
+        edits.push_back({ a, b, None });
+        edits.push_back({ b, a, None });
+      }
+    }
+  }
+  return edits;
+}
+
+bool FaceEdits::IsAlongLine(Index goes, Index stays) const
+{
+  const std::vector<Index>& ends = this->Cells.LineEnds(goes);
+  return this->Rules[goes].MayLeaveLine && ends.size() == 2 &&
+    (ends[0] == stays || ends[1] == stays) && !this->Cells.IsLineEdge(ends[0], ends[1]) &&
+    !this->Cells.AreJoined(ends[0], ends[1]);
+}
+
+bool FaceEdits::Cut(Index f, Index way)
+{
+  const Faces::Face face = this->Cells.Face(f);
+  const Index a = face[way];
+  const Index b = face[way + 2];
+  if (this->Cells.AreJoined(a, b))
+  {
+    return false;
+  }
+  this->Cells.Set(f, { a, face[way + 1], b, None });
+  this->Cells.Add({ a, b, face[(way + 3) % 4], None });
+  return true;
 }
 
 std::vector<Index> FaceEdits::PolygonOf(Index f, Index g) const
@@ -209,6 +268,7 @@ bool FaceEdits::Merge(Index goes, Index stays, const std::vector<Index>& around)
   std::vector<Index> between;
   const std::vector<Index> faces = this->Cells.At(goes);
   int common = 0;
+  int beside = 0;
   for (const Index f : faces)
   {
     const Faces::Face& face = this->Cells.Face(f);
@@ -220,6 +280,7 @@ bool FaceEdits::Merge(Index goes, Index stays, const std::vector<Index>& around)
       continue;
     }
     ++common;
+    beside += size == 3 || (own + 2) % 4 != other ? 1 : 0;
     if (size == 3 || (own + 2) % 4 == other)
     {
       for (const Index w : face)
@@ -231,8 +292,10 @@ bool FaceEdits::Merge(Index goes, Index stays, const std::vector<Index>& around)
       }
     }
   }
-  const bool areJoined = this->Cells.AreJoined(goes, stays);
-  if (common != (areJoined ? 2 : 1) || between.empty())
+  const bool areJoined = beside > 0;
+  const bool isOutside = this->Rules[goes].IsBoundary && this->Rules[stays].IsBoundary &&
+    this->Cells.IsLineEdge(goes, stays) && beside == 1;
+  if (common != (areJoined && !isOutside ? 2 : 1) || (areJoined && beside != common))
   {
     return false;
   }
@@ -261,6 +324,10 @@ bool FaceEdits::Merge(Index goes, Index stays, const std::vector<Index>& around)
     const bool isFlat = size < 3 || (hasBoth && size == 3 && !areJoined);
     this->Cells.Set(f, isFlat ? Nothing : left);
   }
+  if (this->Rules[goes].IsOnLine)
+  {
+    this->Cells.ShortenLine(goes, stays);
+  }
   return true;
 }
 
@@ -271,17 +338,22 @@ bool FaceEdits::Do(const Edit& edit)
   bool isDone = false;
   if (edit.Way != None)
   {
-    if (!this->Cells.IsFace(edit.First) || !this->Cells.IsFace(edit.Second))
+    if (!this->Cells.IsFace(edit.First) ||
+      (edit.Second != None && !this->Cells.IsFace(edit.Second)))
     {
       return false;
+    }
+    if (edit.Second == None)
+    {
+      return Faces::Size(this->Cells.Face(edit.First)) == 4 && this->Cut(edit.First, edit.Way);
     }
     touched = this->PolygonOf(edit.First, edit.Second);
     isDone = !touched.empty() && this->Exchange(edit, touched);
   }
   else
   {
-    if (!this->Rules[edit.First].IsFree || this->Cells.At(edit.First).empty() ||
-      this->Cells.At(edit.Second).empty())
+    const bool mayGo = this->Rules[edit.First].IsFree || this->IsAlongLine(edit.First, edit.Second);
+    if (!mayGo || this->Cells.At(edit.First).empty() || this->Cells.At(edit.Second).empty())
     {
       return false;
     }

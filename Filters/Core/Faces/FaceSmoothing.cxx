@@ -17,9 +17,21 @@ constexpr double GoodEnough = 0.5;
 /// Vertices with worse faces may jump.
 constexpr double Bad = 0.3;
 
-void Step(MovableFaces& faces)
+void Step(MovableFaces& faces, std::vector<MovableFaces::Regular>& regular)
 {
   const std::vector<Vector3> old = faces.GetPoints();
+  // Each face once, not at each of its corners.
+  ParallelFor(faces.GetNumberOfFaces(), PieceSize,
+    [&](Index begin, Index end)
+    {
+      for (Index f = begin; f < end; ++f)
+      {
+        if (faces.IsFace(f))
+        {
+          regular[f] = faces.RegularFace(f, old);
+        }
+      }
+    });
   ParallelFor(faces.GetNumberOfVertices(), PieceSize,
     [&](Index begin, Index end)
     {
@@ -27,7 +39,7 @@ void Step(MovableFaces& faces)
       {
         if (faces.IsFree(v))
         {
-          faces.GetPoints()[v] = faces.Projected(v, 0.5 * (old[v] + faces.Ideal(v, old)), old);
+          faces.GetPoints()[v] = faces.Relaxed(v, old, regular);
         }
       }
     });
@@ -60,9 +72,10 @@ void CarefulSweep(MovableFaces& faces)
 
 void RelaxFaces(MovableFaces& faces, int steps, const Progress& progress)
 {
+  std::vector<MovableFaces::Regular> regular(faces.GetNumberOfFaces());
   for (int k = 0; k < steps; ++k)
   {
-    Step(faces);
+    Step(faces, regular);
     progress.Report((k + 1.0) / steps);
   }
 }

@@ -4,12 +4,15 @@
 #include "Faces/FaceStars.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace DirectionFields::Internal
 {
-FaceStars::FaceStars(const Faces& faces, Index vertices)
+FaceStars::FaceStars(
+  const Faces& faces, Index vertices, const std::vector<FaceMesh::LineEdge>& lines)
   : Cells(faces)
   , Stars(vertices)
+  , Lines(vertices)
 {
   for (Index f = 0; f < this->GetNumberOfFaces(); ++f)
   {
@@ -18,6 +21,30 @@ FaceStars::FaceStars(const Faces& faces, Index vertices)
       this->Stars[faces.Corners[f][c]].push_back(f);
     }
   }
+  for (const FaceMesh::LineEdge& edge : lines)
+  {
+    // Where sheets meet, an edge is one of each of them.
+    if (!this->IsLineEdge(edge.Ends[0], edge.Ends[1]))
+    {
+      Insert(this->Lines[edge.Ends[0]], edge.Ends[1]);
+      Insert(this->Lines[edge.Ends[1]], edge.Ends[0]);
+    }
+  }
+}
+
+void FaceStars::Insert(std::vector<Index>& sorted, Index item)
+{
+  sorted.insert(std::lower_bound(sorted.begin(), sorted.end(), item), item);
+}
+
+void FaceStars::Erase(std::vector<Index>& sorted, Index item)
+{
+  sorted.erase(std::lower_bound(sorted.begin(), sorted.end(), item));
+}
+
+bool FaceStars::IsLineEdge(Index v, Index w) const
+{
+  return std::binary_search(this->Lines[v].begin(), this->Lines[v].end(), w);
 }
 
 std::vector<Index> FaceStars::Neighbours(Index v) const
@@ -66,8 +93,7 @@ void FaceStars::Put(Index f, const Faces::Face& corners)
   {
     if (v != None)
     {
-      std::vector<Index>& star = this->Stars[v];
-      star.erase(std::lower_bound(star.begin(), star.end(), f));
+      Erase(this->Stars[v], f);
     }
   }
   this->Cells.Corners[f] = corners;
@@ -75,10 +101,30 @@ void FaceStars::Put(Index f, const Faces::Face& corners)
   {
     if (v != None)
     {
-      std::vector<Index>& star = this->Stars[v];
-      star.insert(std::lower_bound(star.begin(), star.end(), f), f);
+      Insert(this->Stars[v], f);
     }
   }
+}
+
+std::vector<Index> FaceStars::TouchedSince(std::size_t changes) const
+{
+  std::vector<Index> touched;
+  const auto add = [&](const Faces::Face& face)
+  {
+    std::copy_if(
+      face.begin(), face.end(), std::back_inserter(touched), [](Index v) { return v != None; });
+  };
+  for (std::size_t k = changes; k < this->Changes.size(); ++k)
+  {
+    add(this->Changes[k].Corners);
+    if (this->Changes[k].Face != None)
+    {
+      add(this->Cells.Corners[this->Changes[k].Face]);
+    }
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
 }
 
 void FaceStars::Set(Index f, const Faces::Face& corners)
@@ -88,12 +134,41 @@ void FaceStars::Set(Index f, const Faces::Face& corners)
   this->Cells.IsRegular[f] = 0;
 }
 
+void FaceStars::Add(const Faces::Face& corners)
+{
+  this->Cells.Corners.push_back({ None, None, None, None });
+  this->Cells.IsRegular.push_back(0);
+  this->Set(this->GetNumberOfFaces() - 1, corners);
+}
+
+void FaceStars::ShortenLine(Index goes, Index stays)
+{
+  const std::vector<Index> ends = this->Lines[goes];
+  const Index other = ends[ends[0] == stays ? 1 : 0];
+  this->Changes.push_back({ None, { goes, stays, other, None }, 0 });
+  this->Lines[goes].clear();
+  Erase(this->Lines[stays], goes);
+  Erase(this->Lines[other], goes);
+  Insert(this->Lines[stays], other);
+  Insert(this->Lines[other], stays);
+}
+
 void FaceStars::UndoTo(std::size_t changes)
 {
   while (this->Changes.size() > changes)
   {
     const Change change = this->Changes.back();
     this->Changes.pop_back();
+    if (change.Face == None)
+    {
+      const auto [goes, stays, other, none] = change.Corners;
+      this->Lines[goes] = { std::min(stays, other), std::max(stays, other) };
+      Erase(this->Lines[stays], other);
+      Erase(this->Lines[other], stays);
+      Insert(this->Lines[stays], goes);
+      Insert(this->Lines[other], goes);
+      continue;
+    }
     this->Put(change.Face, change.Corners);
     this->Cells.IsRegular[change.Face] = change.IsRegular;
   }

@@ -4,18 +4,19 @@
 #ifndef DirectionFields_FaceStars_h
 #define DirectionFields_FaceStars_h
 
-#include "Faces/Faces.h"
+#include "Faces/FaceMesh.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
 /// Faces and which of them are at each vertex, while they are changed. Numbers stay: a face that is taken away has
-/// None for its first corner, until Compress.
+/// None for its first corner, until Compressed.
 class FaceStars
 {
 public:
-  FaceStars(const Faces& faces, Index vertices);
+  /// @param lines edges that are parts of features or of the boundary
+  FaceStars(const Faces& faces, Index vertices, const std::vector<FaceMesh::LineEdge>& lines = {});
 
   Index GetNumberOfFaces() const { return static_cast<Index>(this->Cells.Corners.size()); }
   Index GetNumberOfVertices() const { return static_cast<Index>(this->Stars.size()); }
@@ -30,7 +31,12 @@ public:
   /// The face at v's and w's edge besides f, or None.
   Index Across(Index f, Index v, Index w) const;
 
-  /// A face as it was before a change.
+  /// Where the edges of lines lead to from a vertex, ascending.
+  const std::vector<Index>& LineEnds(Index v) const { return this->Lines[v]; }
+  bool IsLineEdge(Index v, Index w) const;
+
+  /// A face as it was before a change. Without a face, a vertex of a line that has become one with the second corner,
+  /// the line having gone on to the third.
   struct Change
   {
     Index Face;
@@ -39,8 +45,15 @@ public:
   };
   /// What has been changed, in the order of time.
   const std::vector<Change>& GetChanges() const { return this->Changes; }
+  /// The corners, ascending, of what was changed, as it was and as it is.
+  std::vector<Index> TouchedSince(std::size_t changes) const;
   /// Puts other corners in the place of those of a face, which is no cell of the lattice from then on.
   void Set(Index f, const Faces::Face& corners);
+  /// Adds a face, which is no cell of the lattice.
+  void Add(const Faces::Face& corners);
+  /// Lets a line that leads through a vertex go past it: from one of the two next vertices, which is to take its place,
+  /// straight to the other.
+  void ShortenLine(Index goes, Index stays);
   /// Takes changes back until so many are left.
   void UndoTo(std::size_t changes);
   /// The faces that are there, in the same order.
@@ -48,9 +61,12 @@ public:
 
 private:
   void Put(Index f, const Faces::Face& corners);
+  static void Insert(std::vector<Index>& sorted, Index item);
+  static void Erase(std::vector<Index>& sorted, Index item);
 
   Faces Cells;
   std::vector<std::vector<Index>> Stars;
+  std::vector<std::vector<Index>> Lines;
   std::vector<Change> Changes;
 };
 }

@@ -18,6 +18,30 @@ Vector3 AreaVector(const Faces::Face& face, const std::vector<Vector3>& points)
   return 0.5 * u.cross(face[3] == None ? Vector3(-(points[face[1]] - points[face[0]])) : v);
 }
 
+/// Of regular polygons of one number of corners: the weights that fit one to given corners, the corners of one whose
+/// first is 1, and the length of an edge.
+struct Roots
+{
+  explicit Roots(int size)
+    : EdgePerRadius(2.0 * std::sin(Pi / size))
+  {
+    for (int c = 0; c < size; ++c)
+    {
+      this->Weight[c] = std::polar(1.0 / size, -2.0 * Pi * c / size);
+      this->Corner[c] = std::polar(1.0, 2.0 * Pi * c / size);
+    }
+  }
+  std::array<Complex, 4> Weight;
+  std::array<Complex, 4> Corner;
+  double EdgePerRadius;
+};
+
+const Roots& RootsOf(int size)
+{
+  static const Roots three(3);
+  static const Roots four(4);
+  return size == 3 ? three : four;
+}
 }
 
 Vector3 MovableFaces::NormalAt(Index v, const std::vector<Vector3>& points) const
@@ -30,52 +54,94 @@ Vector3 MovableFaces::NormalAt(Index v, const std::vector<Vector3>& points) cons
   return sum;
 }
 
+MovableFaces::Regular MovableFaces::RegularFace(Index f, const std::vector<Vector3>& points) const
+{
+  const Faces::Face& face = this->Cells.Face(f);
+  const int size = Faces::Size(face);
+  Vector3 center = Vector3::Zero();
+  double length = 0.0;
+  for (int c = 0; c < size; ++c)
+  {
+    center += points[face[c]] / size;
+    length += this->Domain.EdgeLength[face[c]] / size;
+  }
+  Regular regular;
+  regular.Area = AreaVector(face, points);
+  const Vector3 normal = regular.Area.normalized();
+  Vector3 x = points[face[0]] - center;
+  x -= normal * normal.dot(x);
+  x.normalize();
+  const Vector3 y = normal.cross(x);
+  const Roots& roots = RootsOf(size);
+  Complex best = 0.0;
+  for (int c = 0; c < size; ++c)
+  {
+    const Vector3 p = points[face[c]] - center;
+    best += Complex(p.dot(x), p.dot(y)) * roots.Weight[c];
+  }
+  const double radius = length / roots.EdgePerRadius;
+  const double modulus = std::abs(best);
+  best *= modulus > 0.0 ? 0.9 + 0.1 * std::min(radius / modulus, 2.0) : 0.0;
+  for (int c = 0; c < size; ++c)
+  {
+    const Complex z = best * roots.Corner[c];
+    const Vector3 place = center + z.real() * x + z.imag() * y;
+    regular.Corners[c] = place.allFinite() ? place : points[face[c]];
+  }
+  return regular;
+}
+
 Vector3 MovableFaces::Ideal(Index v, const std::vector<Vector3>& points) const
 {
   Vector3 sum = Vector3::Zero();
   for (const Index f : this->Cells.At(v))
   {
-    const Faces::Face& face = this->Cells.Face(f);
-    const int size = Faces::Size(face);
-    Vector3 center = Vector3::Zero();
-    double length = 0.0;
-    for (int c = 0; c < size; ++c)
-    {
-      center += points[face[c]] / size;
-      length += this->Domain.EdgeLength[face[c]] / size;
-    }
-    const Vector3 normal = AreaVector(face, points).normalized();
-    Vector3 x = points[face[0]] - center;
-    x -= normal * normal.dot(x);
-    x.normalize();
-    const Vector3 y = normal.cross(x);
-    Complex best = 0.0;
-    int own = 0;
-    for (int c = 0; c < size; ++c)
-    {
-      const Vector3 p = points[face[c]] - center;
-      best += Complex(p.dot(x), p.dot(y)) * std::polar(1.0 / size, -2.0 * Pi * c / size);
-      own = face[c] == v ? c : own;
-    }
-    const double radius = length / (2.0 * std::sin(Pi / size));
-    const double modulus = std::abs(best);
-    best *= modulus > 0.0 ? 0.9 + 0.1 * std::min(radius / modulus, 2.0) : 0.0;
-    const Complex z = best * std::polar(1.0, 2.0 * Pi * own / size);
-    const Vector3 place = center + z.real() * x + z.imag() * y;
-    sum += place.allFinite() ? place : points[v];
+    sum += this->RegularFace(f, points).Corners[this->CornerAt(f, v)];
   }
   return sum / static_cast<double>(this->Cells.At(v).size());
+}
+
+Vector3 MovableFaces::Relaxed(
+  Index v, const std::vector<Vector3>& points, const std::vector<Regular>& regular) const
+{
+  Vector3 ideal = Vector3::Zero();
+  Vector3 normal = Vector3::Zero();
+  for (const Index f : this->Cells.At(v))
+  {
+    ideal += regular[f].Corners[this->CornerAt(f, v)];
+    normal += regular[f].Area;
+  }
+  ideal /= static_cast<double>(this->Cells.At(v).size());
+  return this->Projected(v, 0.5 * (points[v] + ideal), normal, points[v]);
 }
 
 Vector3 MovableFaces::Projected(
   Index v, const Vector3& place, const std::vector<Vector3>& points) const
 {
+  const Vector3 normal =
+    this->Domain.Line[v] > 0 ? Vector3(Vector3::Zero()) : this->NormalAt(v, points);
+  return this->Projected(v, place, normal, points[v]);
+}
+
+Vector3 MovableFaces::Projected(
+  Index v, const Vector3& place, const Vector3& normal, const Vector3& otherwise) const
+{
   const double reach = 4.0 * this->Domain.EdgeLength[v];
   const Index line = this->Domain.Line[v];
   const ClosestPoints::Answer answer = line > 0
     ? this->Domain.Lines[line - 1].Find(place, Vector3::Zero(), reach)
-    : this->Domain.Surface.Find(place, this->NormalAt(v, points), reach);
-  return answer.Triangle != None ? answer.Position : points[v];
+    : this->Domain.Surface.Find(place, normal, reach, this->Nearest[v]);
+  if (line <= 0 && answer.Place != None)
+  {
+    this->Nearest[v] = answer.Place;
+  }
+  return answer.Triangle != None ? answer.Position : otherwise;
+}
+
+int MovableFaces::CornerAt(Index f, Index v) const
+{
+  const Faces::Face& face = this->Cells.Face(f);
+  return static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
 }
 
 double MovableFaces::LeastQuality(Index v) const
@@ -97,9 +163,8 @@ double MovableFaces::LeastQuality(Index v) const
   return least;
 }
 
-double MovableFaces::Distance(Index f) const
+double MovableFaces::Distance(const Faces::Face& face) const
 {
-  const Faces::Face& face = this->Cells.Face(f);
   const int size = Faces::Size(face);
   Vector3 middle = Vector3::Zero();
   double length = 0.0;

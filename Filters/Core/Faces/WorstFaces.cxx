@@ -39,7 +39,7 @@ void MoveToBetterPlace(MovableFaces& faces, Index v, double size)
 {
   constexpr int directions = 12;
   std::vector<Vector3>& points = faces.GetPoints();
-  const double before = Score(faces, v);
+  const double before = faces.IsHub(v) ? Best : Score(faces, v);
   if (before >= Best)
   {
     return;

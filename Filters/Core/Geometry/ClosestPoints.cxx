@@ -178,12 +178,12 @@ void ClosestPoints::Consider(
   if (squared < best.SquaredDistance ||
     (squared == best.SquaredDistance && (best.Triangle == None || number < best.Triangle)))
   {
-    best = { number, point, squared, weights };
+    best = { number, point, squared, weights, at };
   }
 }
 
 ClosestPoints::Answer ClosestPoints::Find(
-  const Vector3& givenPlace, const Vector3& normal, double distance) const
+  const Vector3& givenPlace, const Vector3& normal, double distance, Index guess) const
 {
   Answer best;
   if (this->Triangles.empty() || !givenPlace.allFinite())
@@ -192,6 +192,10 @@ ClosestPoints::Answer ClosestPoints::Find(
   }
   const Vector3 place = this->Scale * givenPlace;
   best.SquaredDistance = (this->Scale * distance) * (this->Scale * distance);
+  if (guess != None)
+  {
+    this->Consider(guess, place, normal, best);
+  }
   struct Entry
   {
     double Distance;

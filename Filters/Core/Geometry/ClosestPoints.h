@@ -32,11 +32,14 @@ public:
     double SquaredDistance = 0.0;
     /// Of the triangle's corners, at least 0; they sum up to 1.
     std::array<double, 3> Weights{};
+    /// Where the triangle is in the tree, for the next search near it.
+    Index Place = None;
   };
   /// The closest point of all, of the triangles whose normals have a positive product with this one unless
   /// it is zero; of equally close triangles the first one.
+  /// @param guess Answer::Place of a triangle that may be near, or None: what is far need not be looked at then
   Answer Find(const Vector3& place, const Vector3& normal = Vector3::Zero(),
-    double distance = std::numeric_limits<double>::infinity()) const;
+    double distance = std::numeric_limits<double>::infinity(), Index guess = None) const;
 
   /// Weights of the point of a triangle that is closest to a place (C. Ericson: Real-Time Collision
   /// Detection, 2005, section 5.1.5). Squares of the coordinates must neither overflow nor vanish.

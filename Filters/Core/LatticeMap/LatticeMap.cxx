@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 namespace DirectionFields::Internal
 {
@@ -174,6 +176,28 @@ namespace
 /// Features of up to this many edges are given up where the map is folded along this part of them.
 constexpr double LongestFolded = 8.0;
 constexpr double FoldedPart = 0.2;
+/// Rounding few integers may change the area a lot. Where triangles are so thin that no map of them is any good, the
+/// targets may ask for, and the map may cover, many times the area of the surface. Beyond this difference, as a
+/// logarithm, the map is made anew for edges of another length: the faces should be as many as were asked for, and the
+/// work to come grows with the area covered.
+constexpr double MostOff = 0.1;
+constexpr int MostScalings = 4;
+/// Parts of so few cells are off by chance; only beyond this many times their area, and a cell for each triangle,
+/// that matters.
+constexpr double FewCells = 16.0;
+constexpr double MostArea = 4.0;
+/// Features that are closer than an edge need more cells at any length of edges. Maps are used up to so many times
+/// more.
+constexpr double MostBeyond = 16.0;
+/// More could not be numbered.
+constexpr double MostCells = 1e8;
+
+double MeanPerLength(const LatticeMap::Settings& settings, const ChartedMesh::MapTriangle& triangle)
+{
+  return (settings.PerLength[triangle.Vertex[0]] + settings.PerLength[triangle.Vertex[1]] +
+           settings.PerLength[triangle.Vertex[2]]) /
+    3.0;
+}
 
 /// The area that the targets ask for, in parallelograms of the lattice.
 double WantedArea(
@@ -182,13 +206,26 @@ double WantedArea(
   double wanted = 0.0;
   for (const ChartedMesh::MapTriangle& t : mesh.Triangles)
   {
-    const double size = (settings.PerLength[t.Vertex[0]] + settings.PerLength[t.Vertex[1]] +
-                          settings.PerLength[t.Vertex[2]]) /
-      3.0;
+    const double size = MeanPerLength(settings, t);
     const double area = 0.5 * (std::conj(t.Target[0]) * -t.Target[2]).imag();
     wanted += size * size * std::max(0.0, area);
   }
   return wanted / plane.Combined(0.0, 1.0).imag();
+}
+
+/// The area that the triangles have in space, in parallelograms of the lattice.
+double AreaInSpace(
+  const ChartedMesh& mesh, const LatticeMap::Settings& settings, const Lattice& plane)
+{
+  double area = 0.0;
+  for (const ChartedMesh::MapTriangle& t : mesh.Triangles)
+  {
+    const double size = MeanPerLength(settings, t);
+    const Vector3 a = size * (mesh.Positions[t.Vertex[1]] - mesh.Positions[t.Vertex[0]]);
+    const Vector3 b = size * (mesh.Positions[t.Vertex[2]] - mesh.Positions[t.Vertex[0]]);
+    area += 0.5 * a.cross(b).norm();
+  }
+  return area / plane.Combined(0.0, 1.0).imag();
 }
 }
 
@@ -207,31 +244,90 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
     return reached > 0.25 * wanted && wanted > 0.0 ? std::sqrt(wanted / reached) : 1.0;
   };
   const Eigen::VectorXd side = energy.RightHandSide();
-  Eigen::VectorXd x;
+  const double actual = AreaInSpace(mesh, settings, this->Plane);
+  const double most = MostArea * actual + static_cast<double>(mesh.Triangles.size());
+  if (actual > MostCells)
+  {
+    this->Failure = "its grid would have more than 100 million cells";
+    return;
+  }
+  // A map of the targets times a factor, or nothing.
+  std::function<Eigen::VectorXd(double)> solve;
+  double scale = 1.0;
+  std::optional<LatticeSystem> system;
+  Eigen::VectorXd relaxed;
   if (this->NumberOfIntegers > MostRounded)
   {
-    x = SolveInRounds(energy.Entries, side, energy.Reals);
+    solve = [&](double factor)
+    { return SolveInRounds(energy.Entries, factor * side, energy.Reals); };
   }
   else
   {
-    const LatticeSystem system(energy.Entries, energy.Count, energy.Reals);
+    system.emplace(energy.Entries, energy.Count, energy.Reals);
     progress.Report(0.7);
-    if (system.IsDefinite())
+    if (system->IsDefinite())
     {
-      x = system.Solve(side);
-      const double scale = scaleOf(x);
-      Eigen::VectorXd integers = scale * x.tail(this->NumberOfIntegers);
-      RoundGreedily(system.TrailingFactor(), integers, energy.Least());
-      x = system.SolveWith(scale * side, integers);
+      relaxed = system->Solve(side);
+      scale = scaleOf(relaxed);
     }
+    solve = [&](double factor) -> Eigen::VectorXd
+    {
+      if (!system->IsDefinite())
+      {
+        return {};
+      }
+      Eigen::VectorXd integers = factor * relaxed.tail(this->NumberOfIntegers);
+      RoundGreedily(system->TrailingFactor(), integers, energy.Least());
+      return system->SolveWith(factor * side, integers);
+    };
   }
-  if (x.size() == 0 && energy.Count > 0)
+  // The one whose area is nearest, and how far it is off, as a logarithm.
+  Eigen::VectorXd best;
+  double bestArea = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  bool isBest = false;
+  for (int k = 0; k <= MostScalings; ++k)
   {
-    this->Failure = "the equations of its grid could not be solved";
-    return;
+    Eigen::VectorXd x = solve(scale);
+    if (x.size() == 0 && energy.Count > 0)
+    {
+      this->Failure = "the equations of its grid could not be solved";
+      return;
+    }
+    progress.Report(0.9);
+    this->Evaluate(mesh, unknowns, x);
+    if (this->Failure != nullptr)
+    {
+      return;
+    }
+    const double covered = this->AreaCovered(true);
+    const double area = covered > most ? covered : this->AreaCovered(false);
+    const double off = std::abs(std::log(area / actual));
+    // Where the map is folded through and through, its area says nothing.
+    const bool isFolded = !(area > 0.25 * actual);
+    const bool isRight =
+      !settings.KeepsArea || isFolded || off <= MostOff || (actual < FewCells && covered <= most);
+    isBest = off < least || isRight;
+    if (isBest)
+    {
+      least = off;
+      bestArea = area;
+      best = std::move(x);
+    }
+    if (isRight)
+    {
+      break;
+    }
+    scale *= std::sqrt(std::max(actual, 1.0) / area);
   }
-  progress.Report(0.9);
-  this->Evaluate(mesh, unknowns, x);
+  if (!isBest)
+  {
+    this->Evaluate(mesh, unknowns, best);
+  }
+  if (settings.KeepsArea && bestArea > MostBeyond * most)
+  {
+    this->Failure = "its grid would have far more cells than it is to have faces";
+  }
 }
 
 void LatticeMap::Evaluate(
@@ -242,6 +338,7 @@ void LatticeMap::Evaluate(
     this->Failure = "its grid has too many lines, or its equations are not well posed";
     return;
   }
+  this->CollapsedFeatures.clear();
   const Index count = unknowns.Solved.GetNumberOfVariables();
   std::vector<std::int64_t> value(count, 0);
   std::vector<Index> slot(count, None);
@@ -340,6 +437,20 @@ Index LatticeMap::CountFlipped() const
     flipped += this->IsFlipped(t) ? 1 : 0;
   }
   return flipped;
+}
+
+double LatticeMap::AreaCovered(bool withFolds) const
+{
+  double area = 0.0;
+  for (std::size_t h = 0; h < this->Corners.size(); h += 3)
+  {
+    const LatticePoint u = this->Corners[h + 1] - this->Corners[h];
+    const LatticePoint v = this->Corners[h + 2] - this->Corners[h];
+    const double twice = static_cast<double>(u.A) * static_cast<double>(v.B) -
+      static_cast<double>(u.B) * static_cast<double>(v.A);
+    area += withFolds ? std::max(0.0, 0.5 * twice) : 0.5 * twice;
+  }
+  return area / (static_cast<double>(Lattice::Unit) * static_cast<double>(Lattice::Unit));
 }
 
 void LatticeMap::FindFoldedFeatures(

@@ -52,6 +52,9 @@ public:
 private:
   struct Energy;
   bool IsFlipped(Index t) const;
+  /// The area of the images of the triangles, in parallelograms of the lattice. Those that are turned over count as
+  /// nothing with folds, else as negative.
+  double AreaCovered(bool withFolds) const;
   void FindFoldedFeatures(const ChartedMesh& mesh, const std::vector<IsolineStretch>& stretches);
   void Evaluate(const ChartedMesh& mesh, MapUnknowns& unknowns, const Eigen::VectorXd& free);
 

@@ -4,31 +4,26 @@
 #ifndef DirectionFields_LatticeSystem_h
 #define DirectionFields_LatticeSystem_h
 
+#include "LatticeMap/SupernodalCholesky.h"
 #include "Types.h"
 
-#include <Eigen/SparseCore>
-
-#include <memory>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
 /// A sparse symmetric system K x = b some of whose unknowns, the last ones, are to be integers. Its factor
 /// K = L L^T keeps them last: the trailing block of L is the factor of the Schur complement, which is left of the
-/// matrix once the others are eliminated. It is factored by CHOLMOD where that was built in, else by Eigen.
+/// matrix once the others are eliminated.
 class LatticeSystem
 {
 public:
   using Entry = Eigen::Triplet<double, std::int32_t>;
-  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
+  using Matrix = SupernodalCholesky::Matrix;
 
   /// @param entries of the lower triangle, which add up; are taken
   /// @param size    rows
   /// @param reals   rows before those of the integers
   LatticeSystem(std::vector<Entry>& entries, Index size, Index reals);
-  ~LatticeSystem();
-  LatticeSystem(const LatticeSystem&) = delete;
-  LatticeSystem& operator=(const LatticeSystem&) = delete;
 
   /// False where the matrix is not positive definite up to rounding.
   bool IsDefinite() const { return this->Definite; }
@@ -40,13 +35,9 @@ public:
   const Eigen::MatrixXd& TrailingFactor() const { return this->Trailing; }
 
 private:
-  class Backend;
-  class EigenBackend;
-  class CholmodBackend;
-
   Index Size;
   Index Reals;
-  std::unique_ptr<Backend> Factor;
+  SupernodalCholesky Factor;
   Eigen::MatrixXd Trailing;
   bool Definite = false;
 };

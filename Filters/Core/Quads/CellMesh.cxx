@@ -198,7 +198,7 @@ Index CellMesh::AddTriangle()
   return t;
 }
 
-Index CellMesh::SplitTriangle(Index t, const LatticePoint& place, const Vector3& position)
+Index CellMesh::SplitTriangle(Index t, LatticePoint place, const Vector3& position)
 {
   const auto v = static_cast<Index>(this->Positions.size());
   this->Positions.push_back(position);
@@ -238,7 +238,7 @@ Index CellMesh::SplitTriangle(Index t, const LatticePoint& place, const Vector3&
   return v;
 }
 
-Index CellMesh::SplitEdge(Index h, const LatticePoint& place, const Vector3& position)
+Index CellMesh::SplitEdge(Index h, LatticePoint place, const Vector3& position)
 {
   const auto v = static_cast<Index>(this->Positions.size());
   this->Positions.push_back(position);

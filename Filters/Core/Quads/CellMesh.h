@@ -87,9 +87,9 @@ public:
   /// twin to its own opposite corner.
   void Flip(Index h);
   /// Puts a vertex on an edge, at coordinates in the chart of the half-edge's triangle. Returns it.
-  Index SplitEdge(Index h, const LatticePoint& place, const Vector3& position);
+  Index SplitEdge(Index h, LatticePoint place, const Vector3& position);
   /// Puts a vertex inside a triangle.
-  Index SplitTriangle(Index t, const LatticePoint& place, const Vector3& position);
+  Index SplitTriangle(Index t, LatticePoint place, const Vector3& position);
   /// Puts triangles between the vertices of a ring, counter-clockwise by their places in it, in the place
   /// of those around a vertex. One edge between two places of the ring, or None, is a feature from then on. On the
   /// boundary the last place and the first one are joined by the new boundary.

@@ -6,6 +6,7 @@
 #include "LatticeMap/LatticeMap.h"
 #include "LatticeMap/NarrowCorners.h"
 #include "Quads/CellMesh.h"
+#include "Quads/DoubleEdges.h"
 #include "Quads/FoldRepair.h"
 #include "Quads/LatticePoints.h"
 #include "Quads/Pairing.h"
@@ -42,6 +43,12 @@ ComponentCells Unchanged(
     out.Cells.Corners.push_back({ mesh.Tail(h) - component.FirstVertex,
       mesh.Tail(h + 1) - component.FirstVertex, mesh.Tail(h + 2) - component.FirstVertex, None });
     out.Cells.IsRegular.push_back(0);
+    for (Index k = h; k < h + 3; ++k)
+    {
+      // No edge is to be turned.
+      out.LineEdges.push_back(
+        { { mesh.Tail(k) - component.FirstVertex, mesh.Head(k) - component.FirstVertex }, 0 });
+    }
   }
   return out;
 }
@@ -173,6 +180,7 @@ void Extract(const TriangleMesh::Component& component, const ChartedMesh& charte
   const LatticeMap& map, const Progress& progress, ComponentCells& out)
 {
   CellMesh cells(charted, map);
+  SplitDoubleEdges(cells);
   InsertLatticePoints(cells);
   progress.Report(0.3);
   out.KeptVertices = Reduce(cells, progress);

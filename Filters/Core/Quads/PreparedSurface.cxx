@@ -5,9 +5,11 @@
 
 #include "LatticeMap/FeatureLines.h"
 #include "Mesh/MergePoints.h"
+#include "MeshError.h"
 
 #include <map>
 #include <numeric>
+#include <string>
 
 namespace DirectionFields::Internal
 {
@@ -54,6 +56,22 @@ std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3
   }
   return isChosen;
 }
+
+/// Sums of a few coordinates, as middles of faces take, must not overflow.
+void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+{
+  constexpr double most = 1e300;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    if (!(points[point].lpNorm<Eigen::Infinity>() < most))
+    {
+      throw MeshError(MeshError::Kind::NonFinitePoint, point,
+        "Point " + std::to_string(point) +
+          " has a coordinate of 1e300 or more, too large to be computed with. Scale the surface down.");
+    }
+  }
+}
 }
 
 PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
@@ -63,6 +81,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
   const TriangleMesh& mesh = merged.Mesh;
+  RequireRange(mesh, input.Points);
   this->Repaired = mesh.GetRepairs();
   const auto firstOf = [&](Index point)
   { return merged.FirstPoint.empty() ? point : merged.FirstPoint[point]; };

@@ -53,4 +53,25 @@ std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, 
   }
   return lengths;
 }
+
+double LeastEdgeLength(
+  const SurfaceGeometry& geometry, const std::vector<double>& sizes, Index faces)
+{
+  // A strip has two of its edges on the boundary, a single face four.
+  constexpr double mostPerFace = 8.0;
+  const TriangleMesh& mesh = geometry.Mesh;
+  double length = 0.0;
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (mesh.Twin(h) == None)
+    {
+      const Index tail = mesh.Tail(h);
+      const Index head = mesh.Head(h);
+      length += 2.0 / (sizes[tail] + sizes[head]) *
+        (geometry.Positions[head] - geometry.Positions[tail]).stableNorm();
+    }
+  }
+  return length / (mostPerFace * static_cast<double>(faces));
+}
 }

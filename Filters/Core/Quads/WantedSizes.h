@@ -4,6 +4,7 @@
 #ifndef DirectionFields_WantedSizes_h
 #define DirectionFields_WantedSizes_h
 
+#include "Geometry/SurfaceGeometry.h"
 #include "Surface.h"
 
 #include <vector>
@@ -18,6 +19,12 @@ double RelativeArea(const Surface& surface, const std::vector<double>& sizes);
 /// triangles are few already. Sizes within a factor of two share such a mesh, and what is computed on it.
 /// @param area as RelativeArea
 std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, double edgeLength);
+
+/// The least length of edges that gives about so many faces where the surface is thinner than a face: these are at the
+/// boundary then, and its length counts, not the area.
+/// @param sizes one at each vertex, above 0
+double LeastEdgeLength(
+  const SurfaceGeometry& geometry, const std::vector<double>& sizes, Index faces);
 }
 
 #endif

@@ -56,9 +56,25 @@ struct Square
     {
       rules[v].IsBoundary = rules[v].IsOnLine = this->IsBoundary[v] != 0;
       rules[v].IsFree = !rules[v].IsBoundary;
+      rules[v].MayLeaveLine = rules[v].IsBoundary;
       rules[v].Target = rules[v].IsBoundary ? 2 : 4;
     }
     return rules;
+  }
+
+  /// The edges on the boundary.
+  std::vector<FaceMesh::LineEdge> GetLineEdges() const
+  {
+    std::vector<FaceMesh::LineEdge> edges;
+    for (Index k = 0; k < Cells; ++k)
+    {
+      const Index row = Cells + 1;
+      edges.push_back({ { k, k + 1 }, 1 });
+      edges.push_back({ { k * row + Cells, (k + 1) * row + Cells }, 1 });
+      edges.push_back({ { Cells * row + k, Cells * row + k + 1 }, 1 });
+      edges.push_back({ { k * row, (k + 1) * row }, 1 });
+    }
+    return edges;
   }
 
   /// Cleans up, with indices of singularities at some vertices.
@@ -78,7 +94,13 @@ struct Square
     }
     MovableFaces movable(stars, domain, this->Points);
     index.resize(this->Points.size(), 0);
-    CleanUpFaces(stars, movable, this->IsBoundary, index);
+    std::vector<FaceMesh::Vertex> vertices(this->Points.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+    {
+      vertices[v].IsBoundary = this->IsBoundary[v] != 0;
+      vertices[v].SingularityIndex = index[v];
+    }
+    CleanUpFaces(stars, movable, vertices);
     return stars.Compressed();
   }
 
@@ -140,43 +162,59 @@ TEST(FaceEdits, KeepTheTopologyAndTellHowIrregularTheyMakeIt)
 {
   std::mt19937 engine(3);
   const Square square({ 18, 21, 44 });
+  const std::vector<FaceMesh::LineEdge> lines = square.GetLineEdges();
+  const FaceStars before(square.Cover, square.CountPoints(), lines);
+  int shortened = 0;
   for (int run = 0; run < 20; ++run)
   {
-    FaceStars stars(square.Cover, square.CountPoints());
+    FaceStars stars(square.Cover, square.CountPoints(), lines);
     FaceEdits edits(stars, square.GetRules());
     int done = 0;
     for (int k = 0; k < 200; ++k)
     {
+      const auto v = static_cast<Index>(engine() % square.Points.size());
       const std::vector<FaceEdits::Edit> all =
-        edits.Find(static_cast<Index>(engine() % square.Points.size()));
+        engine() % 3 == 0 ? edits.FindForBadFaces(v) : edits.Find(v);
       if (all.empty())
       {
         continue;
       }
       const FaceEdits::Edit& edit = all[engine() % all.size()];
-      const int before = IrregularityOf(stars, edits);
+      const int sum = IrregularityOf(stars, edits);
       const int grown = edits.GrowthBy(edit);
       if (edits.Do(edit))
       {
-        EXPECT_EQ(IrregularityOf(stars, edits), before + grown);
+        EXPECT_EQ(IrregularityOf(stars, edits), sum + grown);
         ++done;
       }
       else
       {
-        EXPECT_EQ(IrregularityOf(stars, edits), before);
+        EXPECT_EQ(IrregularityOf(stars, edits), sum);
       }
     }
     EXPECT_GT(done, 20);
     ExpectDisk(stars.Compressed());
     for (Index v = 0; v < stars.GetNumberOfVertices(); ++v)
     {
-      EXPECT_TRUE(square.IsBoundary[v] == 0 || !stars.At(v).empty());
+      // The boundary leads through all of its vertices that are left.
+      EXPECT_EQ(
+        stars.LineEnds(v).size(), square.IsBoundary[v] != 0 && !stars.At(v).empty() ? 2u : 0u);
+      for (const Index w : stars.LineEnds(v))
+      {
+        EXPECT_TRUE(stars.AreJoined(v, w));
+      }
+      shortened += square.IsBoundary[v] != 0 && stars.At(v).empty() ? 1 : 0;
       EXPECT_TRUE(square.IsBoundary[v] != 0 || stars.At(v).empty() || stars.At(v).size() > 2);
     }
     stars.UndoTo(0);
     EXPECT_EQ(stars.Compressed().Corners, square.Cover.Corners);
     EXPECT_EQ(stars.Compressed().IsRegular, square.Cover.IsRegular);
+    for (Index v = 0; v < stars.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_EQ(stars.LineEnds(v), before.LineEnds(v));
+    }
   }
+  EXPECT_GT(shortened, 20);
 }
 
 TEST(FaceCleanup, TurnsEdgesAndJoinsTriangles)

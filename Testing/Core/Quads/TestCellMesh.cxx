@@ -5,6 +5,7 @@
 #include "LatticeMap/LatticeMap.h"
 #include "Meshes/Surfaces.h"
 #include "Quads/CellMesh.h"
+#include "Quads/DoubleEdges.h"
 #include "Quads/LatticePoints.h"
 #include "Quads/Pairing.h"
 #include "Quads/VertexRemoval.h"
@@ -133,4 +134,27 @@ TEST(CellMesh, CollapsesKeepTheTopology)
     }
   }
   EXPECT_GT(collapsed, 0);
+}
+
+TEST(CellMesh, DoubleEdgesAreSplit)
+{
+  for (const int degree : { 4, 6 })
+  {
+    const std::unique_ptr<CellMesh> mesh = MakeMesh(Meshes::Potato(1), degree, 2.0);
+    ASSERT_NE(mesh, nullptr);
+    const Index euler = mesh->EulerCharacteristic();
+    const Vector3 middle = (mesh->Position(mesh->Tail(0)) + mesh->Position(mesh->Tail(1)) +
+                             mesh->Position(mesh->Tail(2))) /
+      3.0;
+    // A spoke of the vertex inside of a triangle is turned into a second edge between the other two corners.
+    const Index inside = mesh->SplitTriangle(0, mesh->Place(0), middle);
+    std::vector<Index> star;
+    mesh->GetStar(inside, star);
+    ASSERT_EQ(star.size(), 3U);
+    mesh->Flip(star.front());
+    EXPECT_EQ(FlawOf(*mesh), "an edge twice");
+    SplitDoubleEdges(*mesh);
+    EXPECT_EQ(FlawOf(*mesh), "");
+    EXPECT_EQ(mesh->EulerCharacteristic(), euler);
+  }
 }

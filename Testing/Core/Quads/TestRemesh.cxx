@@ -221,6 +221,50 @@ TEST(Remesh, KeepsTheTopologyOfAnySurface)
   }
 }
 
+TEST(Remesh, ThinTrianglesDoNotMakeManyTimesTheFaces)
+{
+  // One vertex is a thousand times as far away as the others, which are noise: angles at it, scaled to those of a
+  // plane, would ask for millions of faces.
+  for (const Element element : { Element::Quads, Element::Triangles })
+  {
+    Surface needles = Meshes::Jittered(Meshes::Potato(1), 0.5, 1);
+    needles.Points[0] *= 1000.0;
+    const RemeshResult mesh = Remeshed(needles, 500, element, 0);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_GT(mesh.Faces.size(), 100U);
+    EXPECT_LT(mesh.Faces.size(), 4 * 500U);
+  }
+}
+
+TEST(Remesh, StripsThinnerThanAFaceHaveAboutTheFacesThatWereAskedFor)
+{
+  // Of edges that fit the area there would be ten thousand.
+  const Surface strip =
+    Meshes::Transformed(Meshes::Square(6), Vector3(1.0, 1e-6, 1.0).asDiagonal(), Vector3::Zero());
+  const RemeshResult mesh = Remeshed(strip, 100);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_GT(mesh.Faces.size(), 100U);
+  EXPECT_LT(mesh.Faces.size(), 1000U);
+}
+
+TEST(Remesh, RefusesCoordinatesWhoseSumsOverflow)
+{
+  Surface far = Meshes::Square(3);
+  for (Vector3& point : far.Points)
+  {
+    point = 1e290 * point + Vector3(1.7e308, 0.0, 0.0);
+  }
+  EXPECT_THROW(Remeshed(far, 20), MeshError);
+}
+
+TEST(Remesh, DoesNotTryMoreFacesThanCanBeNumbered)
+{
+  const RemeshResult mesh = Remeshed(Meshes::Square(3), 2147483647);
+  EXPECT_EQ(mesh.Faces.size(), 18U);
+  ASSERT_FALSE(mesh.Notes.empty());
+  EXPECT_NE(mesh.Notes.front().find("cells"), std::string::npos) << mesh.Notes.front();
+}
+
 TEST(Remesh, PureQuadsAreQuadsOnly)
 {
   RemeshOptions options;
@@ -232,6 +276,23 @@ TEST(Remesh, PureQuadsAreQuadsOnly)
     EXPECT_EQ(Meshes::FlawOf(mesh), "");
     EXPECT_EQ(mesh.Triangles, 0);
     EXPECT_NEAR(mesh.Quads, 800.0, 120.0);
+  }
+}
+
+TEST(Remesh, PureQuadsAreNeitherFoldedNorFlat)
+{
+  // Coarse maps of these have bad faces at features and in handles, the parts of which would be no better.
+  RemeshOptions options;
+  options.PureQuads = true;
+  for (const auto& [surface, faces] :
+    { std::pair<Surface, Index>(Meshes::ChamferedCube(4), 200), { Meshes::ChamferedCube(4), 800 },
+      { Meshes::ChamferedCube(6), 200 }, { Meshes::DoubleTorus(), 200 } })
+  {
+    options.NumberOfFaces = faces;
+    const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.Triangles, 0);
+    EXPECT_GT(LeastQuality(mesh), 0.3) << faces;
   }
 }
 

@@ -4,16 +4,13 @@
 #ifndef DirectionFields_QuadSplit_h
 #define DirectionFields_QuadSplit_h
 
-#include "Faces/Faces.h"
-#include "Quads/ComponentCells.h"
-
-#include <vector>
+#include "Faces/FaceMesh.h"
 
 namespace DirectionFields::Internal
 {
 /// Splits every face of k corners into k quads: with a vertex in the middle of each edge and one in the middle of
 /// the face. Edges between two vertices of one feature stay on it.
-void SplitIntoQuads(ComponentCells& cells);
+void SplitIntoQuads(FaceMesh& mesh);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Quads/QuadSplit.h"
+#include "Faces/QuadSplit.h"
 
 #include <algorithm>
 
@@ -48,13 +48,15 @@ private:
 };
 }
 
-void SplitIntoQuads(ComponentCells& cells)
+void SplitIntoQuads(FaceMesh& mesh)
 {
-  const Faces coarse = std::move(cells.Cells);
-  cells.Cells = {};
+  const Faces coarse = std::move(mesh.Cells);
+  mesh.Cells = {};
   // The middle of edge e is vertex first + e.
-  const auto first = static_cast<Index>(cells.Vertices.size());
-  Edges edges(cells.Vertices.size());
+  const auto first = static_cast<Index>(mesh.Points.size());
+  Edges edges(mesh.Points.size());
+  // How many faces each edge has.
+  std::vector<int> faces;
   for (const Faces::Face& face : coarse.Corners)
   {
     const int size = Faces::Size(face);
@@ -62,41 +64,41 @@ void SplitIntoQuads(ComponentCells& cells)
     {
       const Index a = face[c];
       const Index b = face[(c + 1) % size];
-      const Index middle = first + edges.Find(a, b);
-      if (middle == static_cast<Index>(cells.Vertices.size()))
+      const Index e = edges.Find(a, b);
+      if (e == static_cast<Index>(faces.size()))
       {
-        ComponentCells::Vertex vertex;
-        vertex.Position = 0.5 * (cells.Vertices[a].Position + cells.Vertices[b].Position);
-        vertex.IsBoundary = true;
-        cells.Vertices.push_back(vertex);
+        mesh.Points.emplace_back(0.5 * (mesh.Points[a] + mesh.Points[b]));
+        mesh.Vertices.emplace_back();
+        faces.push_back(0);
       }
-      else
-      {
-        cells.Vertices[middle].IsBoundary = false;
-      }
+      ++faces[e];
     }
   }
-  std::vector<ComponentCells::LineEdge> halves;
-  for (const ComponentCells::LineEdge& edge : cells.LineEdges)
+  for (std::size_t e = 0; e < faces.size(); ++e)
+  {
+    mesh.Vertices[first + e].IsBoundary = faces[e] != 2;
+  }
+  std::vector<FaceMesh::LineEdge> halves;
+  for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
   {
     const Index middle = first + edges.Find(edge.Ends[0], edge.Ends[1]);
-    cells.Vertices[middle].Line = edge.Line;
+    mesh.Vertices[middle].Line = edge.Line;
     halves.push_back({ { edge.Ends[0], middle }, edge.Line });
     halves.push_back({ { edge.Ends[1], middle }, edge.Line });
   }
-  cells.LineEdges = std::move(halves);
+  mesh.LineEdges = std::move(halves);
   for (std::size_t f = 0; f < coarse.Corners.size(); ++f)
   {
     const Faces::Face& face = coarse.Corners[f];
     const int size = Faces::Size(face);
-    const auto center = static_cast<Index>(cells.Vertices.size());
-    ComponentCells::Vertex vertex;
-    vertex.Position.setZero();
+    const auto center = static_cast<Index>(mesh.Points.size());
+    Vector3 sum = Vector3::Zero();
     for (int c = 0; c < size; ++c)
     {
-      vertex.Position += cells.Vertices[face[c]].Position / size;
+      sum += mesh.Points[face[c]];
     }
-    cells.Vertices.push_back(vertex);
+    mesh.Points.emplace_back(sum / size);
+    mesh.Vertices.emplace_back();
     const auto middleAfter = [&](int c)
     {
       const Index a = face[c % size];
@@ -105,8 +107,8 @@ void SplitIntoQuads(ComponentCells& cells)
     };
     for (int c = 0; c < size; ++c)
     {
-      cells.Cells.Corners.push_back({ face[c], middleAfter(c), center, middleAfter(c + size - 1) });
-      cells.Cells.IsRegular.push_back(coarse.IsRegular[f]);
+      mesh.Cells.Corners.push_back({ face[c], middleAfter(c), center, middleAfter(c + size - 1) });
+      mesh.Cells.IsRegular.push_back(coarse.IsRegular[f]);
     }
   }
 }
