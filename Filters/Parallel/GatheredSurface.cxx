@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace DirectionFields::Parallel
@@ -78,6 +79,24 @@ std::vector<vtkIdType> FirstOfEach(const JoinedPoints& joined)
     first[joined.Number[i]] = static_cast<vtkIdType>(i);
   }
   return first;
+}
+
+/// Numbers the surface's points as their ids do, which is as before the surface was cut into pieces: the order
+/// of points decides what geometry leaves open, such as the sign of vectors along sharp edges.
+void OrderByGlobalIds(const std::vector<vtkIdType>& globalIds, JoinedPoints& joined)
+{
+  const std::vector<vtkIdType> first = FirstOfEach(joined);
+  std::vector<vtkIdType> order(first.size());
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  std::sort(order.begin(), order.end(),
+    [&](vtkIdType a, vtkIdType b)
+    { return std::pair(globalIds[first[a]], a) < std::pair(globalIds[first[b]], b); });
+  std::vector<vtkIdType> place(first.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    place[order[i]] = static_cast<vtkIdType>(i);
+  }
+  Renumber(place, joined.Number);
 }
 
 /// Appends numbers first ... last - 1, shifted, to a list.
@@ -229,7 +248,11 @@ public:
     {
       pieces.GlobalIds.clear();
     }
-    const JoinedPoints joined = JoinPieces(pieces, tolerance);
+    JoinedPoints joined = JoinPieces(pieces, tolerance);
+    if (!pieces.GlobalIds.empty())
+    {
+      OrderByGlobalIds(pieces.GlobalIds, joined);
+    }
     gathered.SharedPoints = joined.Shared;
     for (const auto& [point, place] : joined.Moved)
     {

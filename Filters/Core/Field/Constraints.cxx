@@ -38,7 +38,7 @@ bool ComesFirst(const SurfaceGeometry& geometry, Index one, Index other)
   const Vector3& here = geometry.Positions[one];
   const Vector3& there = geometry.Positions[other];
   return here == there ? geometry.Mesh.Point(one) < geometry.Mesh.Point(other)
-                       : LessAsInGrids(here, there);
+                       : ComesFirstInGrids(here, there);
 }
 
 /// Whether the edge that leaves a boundary vertex weighs more in the energy than the one that arrives: its

@@ -7,6 +7,7 @@
 #include "Types.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace DirectionFields::Internal
 {
@@ -16,10 +17,14 @@ inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// The same with z before y before x: that is how the points of grids are numbered, of which it keeps the order.
-inline bool LessAsInGrids(const Vector3& a, const Vector3& b)
+/// Of two points the one with the lower z, or else y, or else x: that is how the points of grids are numbered. Coordinates
+/// that differ by less than a thousandth of what the points are apart are equal up to rounding. No order of many.
+inline bool ComesFirstInGrids(const Vector3& a, const Vector3& b)
 {
-  return LexicographicallyLess(a.reverse(), b.reverse());
+  const Vector3 step = b - a;
+  const double rounding = 1e-3 * step.cwiseAbs().maxCoeff();
+  const int axis = std::abs(step[2]) > rounding ? 2 : std::abs(step[1]) > rounding ? 1 : 0;
+  return step[axis] > 0.0;
 }
 }
 

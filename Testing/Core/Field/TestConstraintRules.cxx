@@ -227,13 +227,15 @@ TEST(ConstraintRules, CornersOfLinesDependOnNoNumbers)
         std::swap(triangle[0], triangle[1]);
       }
     }
+    // Nor on rounding, which the coordinates of any grid have.
+    shuffled = Jittered(std::move(shuffled), seed > 2 ? 1e-13 : 0.0, seed);
     const Result found = DirectionField(shuffled).Compute(options);
     for (std::size_t i = 0; i < newPoint.size(); ++i)
     {
       ASSERT_EQ(found.Constraint[newPoint[i]], wanted.Constraint[i]);
       const Vector3 cross =
         found.ConstraintDirection[newPoint[i]].cross(wanted.ConstraintDirection[i]);
-      EXPECT_LT(cross.norm(), 1e-12) << "point " << i << ", seed " << seed;
+      EXPECT_LT(cross.norm(), 1e-11) << "point " << i << ", seed " << seed;
     }
   }
 }
