@@ -3,9 +3,6 @@
 
 #include "Remesh.h"
 
-#include "Faces/FaceShaping.h"
-#include "Faces/FoldedQuads.h"
-#include "Faces/QuadSplit.h"
 #include "Field/ComponentFields.h"
 #include "Field/Guidance.h"
 #include "Field/Guide.h"
@@ -14,6 +11,7 @@
 #include "Quads/ComponentCells.h"
 #include "Quads/FaceSources.h"
 #include "Quads/FeatureTurns.h"
+#include "Quads/FinishedFaces.h"
 #include "Quads/JoinedFaces.h"
 #include "Quads/PreparedSurface.h"
 #include "Quads/Seams.h"
@@ -36,6 +34,11 @@ constexpr double LeastSize = 0.125;
 constexpr double AfterPreparing = 0.12;
 constexpr double AfterField = 0.4;
 constexpr double AfterCells = 0.85;
+constexpr double AfterJoining = 0.97;
+/// Lengths of edges that differ by more than this factor are worth a sentence.
+constexpr double Noticeably = 1.05;
+/// Quads below this scaled Jacobian are made in another way if that makes better ones.
+constexpr double Bad = 0.2;
 
 int DegreeOf(Element element)
 {
@@ -233,66 +236,6 @@ FaceMesh JoinedCells(const std::vector<ComponentCells>& cells, const Seams& seam
   return mesh;
 }
 
-/// What a surface is to its mesh.
-struct Ground
-{
-  const RemeshOptions& Options;
-  const Surface& Input;
-  const PreparedSurface& Prepared;
-  const ClosestPoints& Triangles;
-  const std::vector<ClosestPoints>& Lines;
-  /// Wanted, relative to elsewhere, at each point of the input.
-  const std::vector<double>& Sizes;
-};
-
-/// The wanted length of edges at each point of a mesh.
-std::vector<double> WantedLengths(
-  const Ground& ground, const std::vector<Vector3>& points, double edgeLength)
-{
-  std::vector<double> wanted(points.size(), edgeLength);
-  if (!ground.Options.Sizing.empty())
-  {
-    const PointSources sources = SourcesOf(ground.Prepared, ground.Triangles, points);
-    for (std::size_t v = 0; v < wanted.size(); ++v)
-    {
-      double size = 0.0;
-      for (int c = 0; c < 3; ++c)
-      {
-        size +=
-          sources.Weights[v][c] * ground.Sizes[ground.Input.Triangles[sources.Triangle[v]][c]];
-      }
-      wanted[v] *= size;
-    }
-  }
-  return wanted;
-}
-
-/// Shapes the faces. Those of pure quads are mended before they are split, too, while they may still become triangles:
-/// the parts of a bad face are no better.
-void Shape(const Ground& ground, double edgeLength, const Progress& progress, FaceMesh& mesh)
-{
-  const RemeshOptions& options = ground.Options;
-  const bool areQuads = options.Element == Element::Quads;
-  const bool isPure = areQuads && options.PureQuads;
-  const auto shape = [&](double length, bool mayMakeTriangles, bool isDraft, const Progress& part)
-  {
-    ShapeFaces(mesh, { options.SmoothingIterations, areQuads, mayMakeTriangles, isDraft },
-      ground.Triangles, ground.Lines, WantedLengths(ground, mesh.Points, length), part);
-    if (mayMakeTriangles)
-    {
-      CutFoldedQuads(mesh.Cells, mesh.Points);
-    }
-  };
-  if (!isPure)
-  {
-    shape(edgeLength, true, false, progress);
-    return;
-  }
-  shape(2.0 * edgeLength, true, true, progress.Part(0.0, 0.3));
-  SplitIntoQuads(mesh);
-  shape(edgeLength, false, false, progress.Part(0.3, 1.0));
-}
-
 /// Puts a mesh into the result.
 void Take(const FaceMesh& mesh, RemeshResult& result)
 {
@@ -308,6 +251,16 @@ void Take(const FaceMesh& mesh, RemeshResult& result)
         : vertex.IsCone                   ? VertexKind::Cone
                                           : VertexKind::Surface);
   }
+}
+
+double LeastQuality(const RemeshResult& mesh)
+{
+  double least = 1.0;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    least = std::min(least, ScaledJacobian(mesh.Points, face));
+  }
+  return least;
 }
 
 /// Counts what a mesh is made of.
@@ -348,87 +301,125 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
   const Progress progress(progressFunction);
-  RemeshResult result;
   try
   {
-    const std::vector<double> sizes = SizesAt(options, this->Input->Points.size());
-    const double area = RelativeArea(*this->Input, sizes);
-    result.EdgeLength = EdgeLengthFor(area, options);
-    double coarse = result.EdgeLength * (options.PureQuads ? 2.0 : 1.0);
-    const std::vector<double> longest = LongestEdges(sizes, area, coarse);
-    if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
+    RemeshResult result;
+    const bool isPure = options.PureQuads && options.Element == Element::Quads;
+    if (!isPure)
     {
-      this->State.reset();
-      this->State = std::make_unique<Kept>(
-        *this->Input, options, coarse, longest, directions, progress.Part(0.0, AfterField));
+      this->Make(options, directions, FaceWay::Mixed, progress, result);
+      return result;
     }
-    const Kept& kept = *this->State;
-    const SurfaceGeometry& geometry = kept.GetGeometry();
-    const TriangleMesh& mesh = geometry.Mesh;
-    std::vector<double> size(mesh.GetNumberOfVertices());
-    const std::vector<double> continued = kept.Prepared.Continued(sizes);
-    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    // Vertices that must not move leave triangles no room.
+    const bool mayJoin = options.SmoothingIterations > 0;
+    const bool isJoined =
+      mayJoin && this->Make(options, directions, FaceWay::Joined, progress, result);
+    const double quality = isJoined ? LeastQuality(result) : -1.0;
+    if (quality < Bad)
     {
-      size[v] = continued[mesh.Point(v)];
+      RemeshResult split;
+      this->Make(options, directions, FaceWay::Split,
+        progress.Part(mayJoin ? AfterJoining : 0.0, 1.0), split);
+      if (!isJoined || LeastQuality(split) > quality)
+      {
+        return split;
+      }
     }
-    if (!options.UseEdgeLength)
-    {
-      const double factor =
-        std::max(1.0, LeastEdgeLength(geometry, size, options.NumberOfFaces) / result.EdgeLength);
-      result.EdgeLength *= factor;
-      coarse *= factor;
-    }
-    std::vector<double> perLength(size.size());
-    for (std::size_t v = 0; v < size.size(); ++v)
-    {
-      perLength[v] = 1.0 / (coarse * size[v]);
-    }
-    std::vector<char> isFrameless = kept.IsFrameless;
-    FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
-      std::vector<double>(mesh.GetComponents().size(), coarse));
-    const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength };
-    features.IsEnd.assign(mesh.GetNumberOfVertices(), 0);
-    for (const Index v : kept.Joints->GetEnds())
-    {
-      features.IsEnd[v] = 1;
-    }
-    SizeAdvice advice(result.EdgeLength, DegreeOf(options.Element));
-    for (const TriangleMesh::Component& component : mesh.GetComponents())
-    {
-      advice.AddComponent(geometry, component, perLength);
-    }
-    const std::vector<ComponentCells> cells =
-      CellsOf(input, *kept.Joints, progress.Part(AfterField, AfterCells), result);
-    std::vector<double> reach(size.size());
-    for (std::size_t v = 0; v < size.size(); ++v)
-    {
-      reach[v] = 0.5 * result.EdgeLength * size[v];
-    }
-    FaceMesh faces = JoinedCells(cells, *kept.Joints, FindTurns(geometry, features, reach), result);
-    result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
-    const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
-    Shape({ options, *this->Input, kept.Prepared, kept.Original, lines, sizes }, result.EdgeLength,
-      progress.Part(AfterCells, 0.97), faces);
-    Take(faces, result);
-    PointSources sources = SourcesOf(kept.Prepared, kept.Original, result.Points);
-    result.SourceTriangle = std::move(sources.Triangle);
-    result.SourceWeights = std::move(sources.Weights);
-    FaceSources faceSources = SourcesOf(kept.Prepared, kept.Original, result.Points, result.Faces);
-    result.FaceSource = std::move(faceSources.Triangle);
-    result.MaximumDistance = faceSources.LargestDistance;
-    advice.AddMesh(result.Points, faces.Cells, result.KeptVertices);
-    const std::vector<std::string> sentences = advice.GetSentences();
-    result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
-    Count(options, faces, result);
-    result.EulerCharacteristicAfter =
-      EulerCharacteristic(static_cast<Index>(result.Points.size()), faces.Cells);
-    result.Repaired = kept.Prepared.GetRepairs();
+    return result;
   }
   catch (const Stopped&)
   {
-    result = {};
+    RemeshResult result;
     result.Aborted = true;
+    return result;
   }
-  return result;
+}
+
+bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions, FaceWay way,
+  const Progress& progress, RemeshResult& result)
+{
+  const std::vector<double> sizes = SizesAt(options, this->Input->Points.size());
+  const double area = RelativeArea(*this->Input, sizes);
+  result.EdgeLength = EdgeLengthFor(area, options);
+  double coarse = result.EdgeLength * (way == FaceWay::Split ? 2.0 : 1.0);
+  const std::vector<double> longest = LongestEdges(sizes, area, coarse);
+  if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
+  {
+    this->State.reset();
+    this->State = std::make_unique<Kept>(
+      *this->Input, options, coarse, longest, directions, progress.Part(0.0, AfterField));
+  }
+  const Kept& kept = *this->State;
+  const SurfaceGeometry& geometry = kept.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  std::vector<double> size(mesh.GetNumberOfVertices());
+  const std::vector<double> continued = kept.Prepared.Continued(sizes);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    size[v] = continued[mesh.Point(v)];
+  }
+  const double ofArea = result.EdgeLength;
+  if (!options.UseEdgeLength)
+  {
+    const double factor =
+      std::max(1.0, LeastEdgeLength(geometry, size, options.NumberOfFaces) / ofArea);
+    result.EdgeLength *= factor;
+    coarse *= factor;
+  }
+  std::vector<double> perLength(size.size());
+  for (std::size_t v = 0; v < size.size(); ++v)
+  {
+    perLength[v] = 1.0 / (coarse * size[v]);
+  }
+  std::vector<char> isFrameless = kept.IsFrameless;
+  FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
+    std::vector<double>(mesh.GetComponents().size(), coarse));
+  const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength };
+  features.IsEnd.assign(mesh.GetNumberOfVertices(), 0);
+  for (const Index v : kept.Joints->GetEnds())
+  {
+    features.IsEnd[v] = 1;
+  }
+  SizeAdvice advice(result.EdgeLength, DegreeOf(options.Element));
+  if (result.EdgeLength > Noticeably * ofArea)
+  {
+    advice.Lengthen(ofArea);
+  }
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    advice.AddComponent(geometry, component, perLength);
+  }
+  const std::vector<ComponentCells> cells =
+    CellsOf(input, *kept.Joints, progress.Part(AfterField, AfterCells), result);
+  std::vector<double> reach(size.size());
+  for (std::size_t v = 0; v < size.size(); ++v)
+  {
+    reach[v] = 0.5 * result.EdgeLength * size[v];
+  }
+  FaceMesh faces = JoinedCells(cells, *kept.Joints, FindTurns(geometry, features, reach), result);
+  result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
+  const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
+  const Ground ground{ *this->Input, kept.Prepared, kept.Original, lines,
+    options.Sizing.empty() ? options.Sizing : sizes };
+  if (!FinishFaces(faces, way, options.Element == Element::Quads, options.SmoothingIterations,
+        result.EdgeLength, ground, progress.Part(AfterCells, AfterJoining)))
+  {
+    return false;
+  }
+  Take(faces, result);
+  PointSources sources = SourcesOf(kept.Prepared, kept.Original, result.Points);
+  result.SourceTriangle = std::move(sources.Triangle);
+  result.SourceWeights = std::move(sources.Weights);
+  FaceSources faceSources = SourcesOf(kept.Prepared, kept.Original, result.Points, result.Faces);
+  result.FaceSource = std::move(faceSources.Triangle);
+  result.MaximumDistance = faceSources.LargestDistance;
+  advice.AddMesh(result.Points, faces.Cells, result.KeptVertices);
+  const std::vector<std::string> sentences = advice.GetSentences();
+  result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
+  Count(options, faces, result);
+  result.EulerCharacteristicAfter =
+    EulerCharacteristic(static_cast<Index>(result.Points.size()), faces.Cells);
+  result.Repaired = kept.Prepared.GetRepairs();
+  return true;
 }
 }

@@ -15,6 +15,11 @@
 
 namespace DirectionFields
 {
+namespace Internal
+{
+enum class FaceWay : int;
+}
+
 /// The faces of a mesh to be made.
 enum class Element
 {
@@ -37,7 +42,8 @@ struct RemeshOptions
   /// Wanted length of the edges at each point relative to elsewhere; empty for the same everywhere. Values
   /// are clamped to 1/8 ... 8, what is no positive number counts as 1.
   std::vector<double> Sizing;
-  /// Only quads: a mesh of twice the edge length is made, and each of its faces split into quads.
+  /// Only quads: triangles are joined in pairs with the quads between them. Where that cannot be, and without smoothing, a
+  /// mesh of twice the edge length is made, and each of its faces split into quads.
   bool PureQuads = false;
   /// Sharp edges become edges of the new mesh. The boundary always does.
   bool KeepFeatures = true;
@@ -124,6 +130,10 @@ public:
 
 private:
   struct Kept;
+  /// Makes a mesh in one way; returns false where that cannot be. Throws Stopped.
+  bool Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    Internal::FaceWay way, const Progress& progress, RemeshResult& result);
+
   std::shared_ptr<const Surface> Input;
   std::unique_ptr<Kept> State;
 };

@@ -125,8 +125,9 @@ public:
 
   ///@{
   /**
-   * Quads only: a mesh of twice the edge length is made, and every face of it split into quads. No effect
-   * on triangles. Default off.
+   * Quads only: triangles are joined in pairs, and the quads between them change. Where that leaves bad faces, and without
+   * smoothing, a mesh of twice the edge length is made, and every face of it split into quads. No effect on
+   * meshes of triangles. Default off.
    */
   vtkSetMacro(PureQuads, bool);
   vtkGetMacro(PureQuads, bool);

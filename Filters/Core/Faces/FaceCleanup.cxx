@@ -152,17 +152,7 @@ private:
     {
       start.push_back(points[v]);
     }
-    for (int k = 0; k < Moves; ++k)
-    {
-      for (const Index v : touched)
-      {
-        if (this->Places.IsFree(v))
-        {
-          points[v] =
-            this->Places.Projected(v, 0.5 * (points[v] + this->Places.Ideal(v, points)), points);
-        }
-      }
-    }
+    this->Places.Relax(touched, Moves);
     double after = 1.0;
     for (const Index v : touched)
     {

@@ -11,11 +11,10 @@ namespace DirectionFields::Internal
 namespace
 {
 /// What a vertex with one face too many or too few counts, what the second and the further ones add: two vertices with one
-/// count more than one with two, but less than one with three. What a triangle counts.
+/// count more than one with two, but less than one with three.
 constexpr int Once = 10;
 constexpr int Second = 9;
 constexpr int Further = 3;
-constexpr int PerTriangle = 12;
 /// What must not change.
 constexpr int Forbidden = 10000;
 

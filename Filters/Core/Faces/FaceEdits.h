@@ -15,6 +15,9 @@ namespace DirectionFields::Internal
 class FaceEdits
 {
 public:
+  /// What a triangle counts where a vertex with one face too many or too few counts 10.
+  static constexpr int PerTriangle = 12;
+
   /// What of a vertex counts.
   struct Rule
   {
@@ -54,6 +57,8 @@ public:
 
   /// What the number of faces at a vertex counts, with so many more; 0 where it is what it should be.
   int Irregularity(Index v, Index more = 0) const;
+  /// Whether the faces at a vertex are as many as a mesh needs.
+  bool HasEnoughFaces(Index v) const;
 
 private:
   bool Exchange(const Edit& edit, const std::vector<Index>& polygon);
@@ -62,7 +67,6 @@ private:
   bool Merge(Index goes, Index stays, const std::vector<Index>& around);
   /// The polygon of two faces with one common edge, whose other vertices differ, from an end of that on; else empty.
   std::vector<Index> PolygonOf(Index f, Index g) const;
-  bool HasEnoughFaces(Index v) const;
   int Growth(Index v, Index more) const;
 
   FaceStars& Cells;

@@ -306,18 +306,7 @@ private:
 
   void Settle(const std::vector<Index>& vertices, bool isThorough)
   {
-    std::vector<Vector3>& points = this->Places.GetPoints();
-    for (int k = 0; k < Moves; ++k)
-    {
-      for (const Index v : vertices)
-      {
-        if (this->Places.IsFree(v))
-        {
-          points[v] =
-            this->Places.Projected(v, 0.5 * (points[v] + this->Places.Ideal(v, points)), points);
-        }
-      }
-    }
+    this->Places.Relax(vertices, Moves);
     double size = 1.0;
     for (int k = 0; isThorough && k < Moves; ++k, size *= 0.7)
     {
@@ -344,14 +333,8 @@ private:
 void MendFaces(FaceStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles, const Progress& progress)
 {
-  std::vector<FaceEdits::Rule> rules = RulesFor(faces, places, vertices);
-  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
-  {
-    // A singularity is better than a bad face, but not the other way round.
-    rules[v].IsFree = rules[v].IsFree || rules[v].IsLocked;
-    rules[v].IsLocked = false;
-  }
-  Mends mends(faces, places, std::move(rules), mayMakeTriangles);
+  // A singularity is better than a bad face, but not the other way round.
+  Mends mends(faces, places, WithoutLocks(RulesFor(faces, places, vertices)), mayMakeTriangles);
   Index left = MostAnyway + faces.GetNumberOfFaces() / OneOf;
   // Nothing was found for a face, and nothing has changed around it since.
   std::vector<char> isHopeless;

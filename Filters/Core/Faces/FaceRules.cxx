@@ -86,6 +86,16 @@ std::vector<FaceEdits::Rule> RulesFor(
   return rules;
 }
 
+std::vector<FaceEdits::Rule> WithoutLocks(std::vector<FaceEdits::Rule> rules)
+{
+  for (FaceEdits::Rule& rule : rules)
+  {
+    rule.IsFree = rule.IsFree || rule.IsLocked;
+    rule.IsLocked = false;
+  }
+  return rules;
+}
+
 std::vector<char> FindVerticesNearHubs(const FaceStars& faces, const MovableFaces& places)
 {
   std::vector<char> isNear(faces.GetNumberOfVertices(), 0);

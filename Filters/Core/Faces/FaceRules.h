@@ -16,6 +16,9 @@ namespace DirectionFields::Internal
 std::vector<FaceEdits::Rule> RulesFor(const FaceStars& faces, const MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices);
 
+/// The same rules, but vertices whose number of faces a singularity explains may have others.
+std::vector<FaceEdits::Rule> WithoutLocks(std::vector<FaceEdits::Rule> rules);
+
 /// Marks the vertices whose edits would change faces at a hub.
 std::vector<char> FindVerticesNearHubs(const FaceStars& faces, const MovableFaces& places);
 }

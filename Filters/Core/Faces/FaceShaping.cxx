@@ -6,6 +6,7 @@
 #include "Faces/FaceCleanup.h"
 #include "Faces/FaceMends.h"
 #include "Faces/FaceSmoothing.h"
+#include "Faces/TrianglePairs.h"
 
 #include <algorithm>
 #include <map>
@@ -94,8 +95,13 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
     domain.Line.push_back(vertex.Line);
   }
   MovableFaces movable(stars, domain, mesh.Points);
+  if (settings.JoinsTriangles)
+  {
+    JoinTriangles(
+      stars, movable, mesh.Vertices, !settings.MayMakeTriangles, progress.Part(0.0, 0.1));
+  }
   const int before = settings.IsDraft ? 0 : 2 * settings.Steps / 3;
-  RelaxFaces(movable, before, progress.Part(0.0, 0.4));
+  RelaxFaces(movable, before, progress.Part(0.1, 0.4));
   if (settings.AreQuads)
   {
     CleanUpFaces(stars, movable, mesh.Vertices, progress.Part(0.4, 0.5));

@@ -15,14 +15,16 @@ namespace DirectionFields::Internal
 struct ShapingSettings
 {
   /// Steps in which the vertices move; nothing is done for 0.
-  int Steps;
+  int Steps = 0;
   /// The field is of degree 4: faces may be changed.
-  bool AreQuads;
+  bool AreQuads = true;
   /// Quads may become triangles where faces get better.
-  bool MayMakeTriangles;
+  bool MayMakeTriangles = false;
+  /// Triangles are joined in pairs before anything else.
+  bool JoinsTriangles = false;
   /// The faces are to be split: they are edited, but only the vertices that edits concern move. To make large faces
   /// regular would draw them away from thin parts of the surface.
-  bool IsDraft;
+  bool IsDraft = false;
 };
 
 /// Moves the vertices of a mesh so that its faces become regular, turns edges where that leaves fewer irregular

@@ -138,6 +138,21 @@ Vector3 MovableFaces::Projected(
   return answer.Triangle != None ? answer.Position : otherwise;
 }
 
+void MovableFaces::Relax(const std::vector<Index>& vertices, int times)
+{
+  for (int k = 0; k < times; ++k)
+  {
+    for (const Index v : vertices)
+    {
+      if (this->IsFree(v))
+      {
+        this->Points[v] =
+          this->Projected(v, 0.5 * (this->Points[v] + this->Ideal(v, this->Points)), this->Points);
+      }
+    }
+  }
+}
+
 int MovableFaces::CornerAt(Index f, Index v) const
 {
   const Faces::Face& face = this->Cells.Face(f);

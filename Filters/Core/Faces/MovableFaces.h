@@ -66,6 +66,8 @@ public:
   /// Half the way to Ideal, projected, where the regular faces of all are known.
   Vector3 Relaxed(
     Index v, const std::vector<Vector3>& points, const std::vector<Regular>& regular) const;
+  /// Lets those of these vertices that may move go half the way to Ideal, projected, one after the other, so many times.
+  void Relax(const std::vector<Index>& vertices, int times);
   /// The least scaled Jacobian of the faces at a vertex. Triangles that face against the others count as negative.
   double LeastQuality(Index v) const;
   /// The distance of the middle of a face from the surface in wanted lengths of edges; those above 1 are 1.

@@ -15,6 +15,8 @@ namespace
 constexpr double FewestFaces = 8.0;
 /// A few vertices that are no points of the grid are normal: more than this part of all of them are not.
 constexpr double MostKept = 0.01;
+/// Edges shorter than this part of the wanted ones have been drawn together, and tell nothing of the surface.
+constexpr double LeastEdge = 0.1;
 
 std::string Text(double number)
 {
@@ -62,7 +64,9 @@ void SizeAdvice::AddMesh(const std::vector<Vector3>& points, const Faces& faces,
     for (int c = 0; faces.IsRegular[f] == 0 && c < Faces::Size(face); ++c)
     {
       const double length = (points[face[(c + 1) % Faces::Size(face)]] - points[face[c]]).norm();
-      this->ShortestEdge = length > 0.0 ? std::min(this->ShortestEdge, length) : this->ShortestEdge;
+      this->ShortestEdge = length > LeastEdge * this->EdgeLength
+        ? std::min(this->ShortestEdge, length)
+        : this->ShortestEdge;
     }
   }
 }
@@ -70,6 +74,14 @@ void SizeAdvice::AddMesh(const std::vector<Vector3>& points, const Faces& faces,
 std::vector<std::string> SizeAdvice::GetSentences() const
 {
   std::vector<std::string> sentences;
+  if (this->LengthOfArea > 0.0)
+  {
+    sentences.push_back(
+      "Where the surface is thinner than a face, the length of its boundary decides how many faces there are: for the number "
+      "asked for edges are " +
+      Text(this->EdgeLength) + " long, where its area would give " + Text(this->LengthOfArea) +
+      ".");
+  }
   if (this->SmallComponents > 0)
   {
     sentences.push_back(std::to_string(this->SmallComponents) +

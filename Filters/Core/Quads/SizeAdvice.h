@@ -25,6 +25,8 @@ public:
   {
   }
 
+  /// Tells that the length was made longer than the area asks for.
+  void Lengthen(double ofArea) { this->LengthOfArea = ofArea; }
   /// @param perLength 1 / h of each vertex, h the wanted length of edges there
   void AddComponent(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
     const std::vector<double>& perLength);
@@ -35,6 +37,8 @@ public:
 private:
   double EdgeLength;
   int Degree;
+  /// 0 if it is the one that is asked for.
+  double LengthOfArea = 0.0;
   Index SmallComponents = 0;
   /// The least faces of a component.
   double LeastFaces = 0.0;

@@ -245,6 +245,8 @@ TEST(Remesh, StripsThinnerThanAFaceHaveAboutTheFacesThatWereAskedFor)
   EXPECT_EQ(Meshes::FlawOf(mesh), "");
   EXPECT_GT(mesh.Faces.size(), 100U);
   EXPECT_LT(mesh.Faces.size(), 1000U);
+  ASSERT_FALSE(mesh.Notes.empty());
+  EXPECT_NE(mesh.Notes.front().find("boundary"), std::string::npos) << mesh.Notes.front();
 }
 
 TEST(Remesh, RefusesCoordinatesWhoseSumsOverflow)
@@ -277,6 +279,31 @@ TEST(Remesh, PureQuadsAreQuadsOnly)
     EXPECT_EQ(mesh.Triangles, 0);
     EXPECT_NEAR(mesh.Quads, 800.0, 120.0);
   }
+}
+
+TEST(Remesh, PureQuadsAreTheMeshWithoutItsTriangles)
+{
+  // Noise makes triangles.
+  const auto surface = std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.1, 2));
+  RemeshOptions options;
+  Index triangles = 0;
+  for (const Index faces : { 200, 400, 800 })
+  {
+    options.NumberOfFaces = faces;
+    options.PureQuads = false;
+    const RemeshResult mixed = Remesh(surface).Compute(options);
+    options.PureQuads = true;
+    const RemeshResult pure = Remesh(surface).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(pure), "");
+    EXPECT_EQ(pure.Triangles, 0);
+    EXPECT_EQ(pure.KeptVertices, mixed.KeptVertices);
+    EXPECT_NEAR(pure.Quads, mixed.Quads + mixed.Triangles, 0.05 * mixed.Quads);
+    EXPECT_LT(pure.MaximumDistance, 1.3 * mixed.MaximumDistance);
+    EXPECT_LE(pure.IrregularVertices, mixed.IrregularVertices + 4 * mixed.Triangles);
+    EXPECT_GT(LeastQuality(pure), 0.3);
+    triangles += mixed.Triangles;
+  }
+  EXPECT_GT(triangles, 0);
 }
 
 TEST(Remesh, PureQuadsAreNeitherFoldedNorFlat)
