@@ -3,14 +3,106 @@
 
 #include "Geometry/ClosestPoints.h"
 
-#include "Support/MortonCurve.h"
+#include "Support/LargeArray.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
+namespace
+{
+/// A triangle by its number, and its middle.
+struct Member
+{
+  std::array<float, 3> Middle;
+  Index Triangle;
+};
+
+/// Neighbours in a tree, as many as fill a node of Size triangles, or less than that at the end.
+struct Range
+{
+  Member* Begin;
+  Member* End;
+  std::int64_t Size;
+  Index Count() const { return static_cast<Index>(this->End - this->Begin); }
+};
+
+/// Puts half of a node's triangles before the others, along the axis on which their middles are farthest apart. Of middles
+/// at the same place the first goes first.
+std::array<Range, 2> Halves(const Range& range)
+{
+  const std::int64_t half = range.Size / 2;
+  if (range.Count() <= half)
+  {
+    return { Range{ range.Begin, range.End, half }, Range{ range.End, range.End, half } };
+  }
+  std::array<float, 3> low = range.Begin->Middle;
+  std::array<float, 3> high = low;
+  for (const Member* member = range.Begin; member != range.End; ++member)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], member->Middle[axis]);
+      high[axis] = std::max(high[axis], member->Middle[axis]);
+    }
+  }
+  int widest = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    widest = high[axis] - low[axis] > high[widest] - low[widest] ? axis : widest;
+  }
+  Member* const middle = range.Begin + half;
+  std::nth_element(range.Begin, middle, range.End,
+    [widest](const Member& a, const Member& b)
+    {
+      const float x = a.Middle[widest];
+      const float y = b.Middle[widest];
+      return x != y ? x < y : a.Triangle < b.Triangle;
+    });
+  return { Range{ range.Begin, middle, half }, Range{ middle, range.End, half } };
+}
+
+void SortWithin(const Range& range, Index leaf)
+{
+  if (range.Count() > leaf)
+  {
+    for (const Range& half : Halves(range))
+    {
+      SortWithin(half, leaf);
+    }
+  }
+}
+
+/// Brings triangles into the order of a tree whose nodes have up to so many parts.
+void Sort(LargeArray<Member>& members, Index leaf)
+{
+  constexpr std::size_t mostRanges = 32;
+  const auto count = static_cast<Index>(members.size());
+  std::int64_t size = leaf;
+  while (size < count)
+  {
+    size *= leaf;
+  }
+  std::vector<Range> ranges = { { members.data(), members.data() + count, size } };
+  while (ranges.size() < mostRanges && ranges.front().Size > MediumPiece)
+  {
+    std::vector<Range> halves(2 * ranges.size());
+    Threads::Run(static_cast<Index>(ranges.size()),
+      [&](Index k)
+      {
+        const std::array<Range, 2> pair = Halves(ranges[k]);
+        std::copy(pair.begin(), pair.end(), halves.begin() + 2 * static_cast<std::ptrdiff_t>(k));
+      });
+    ranges = std::move(halves);
+  }
+  Threads::Run(static_cast<Index>(ranges.size()), [&](Index k) { SortWithin(ranges[k], leaf); });
+}
+}
+
 std::array<double, 3> ClosestPoints::ClosestWeights(const Vector3& p, const Corners& t)
 {
   const Vector3 ab = t[1] - t[0];
@@ -58,14 +150,14 @@ std::array<double, 3> ClosestPoints::ClosestWeights(const Vector3& p, const Corn
   return { va / sum, vb / sum, vc / sum };
 }
 
-ClosestPoints::ClosestPoints(const std::vector<Corners>& triangles)
+ClosestPoints::ClosestPoints(std::vector<Corners> triangles)
   : Number(triangles.size())
 {
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     this->Number[t] = static_cast<Index>(t);
   }
-  this->Build(std::vector<Corners>(triangles));
+  this->Build(std::move(triangles));
 }
 
 ClosestPoints::ClosestPoints(const Surface& surface)
@@ -94,22 +186,31 @@ void ClosestPoints::Build(std::vector<Corners>&& triangles)
     return;
   }
   double largest = 0.0;
-  std::vector<Vector3> middles(count);
-  LargeArray<Index> members(count);
-  for (Index t = 0; t < count; ++t)
+  for (const Corners& corners : triangles)
   {
-    middles[t].setZero();
-    for (const Vector3& p : triangles[t])
+    for (const Vector3& p : corners)
     {
       largest = std::max(largest, p.cwiseAbs().maxCoeff());
-      middles[t] += p / 3.0;
     }
-    members[t] = t;
   }
   this->Scale =
     largest > 0.0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
-  const LargeArray<Index> order = MortonCurve::Sorted(middles, members);
-  std::vector<Vector3>().swap(middles);
+  LargeArray<Member> order(count);
+  ParallelFor(count, MediumPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        order[t].Triangle = t;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double sum = this->Scale * triangles[t][0][axis] +
+            this->Scale * triangles[t][1][axis] + this->Scale * triangles[t][2][axis];
+          order[t].Middle[axis] = std::isfinite(sum) ? static_cast<float>(sum / 3.0) : 0.0F;
+        }
+      }
+    });
+  Sort(order, Width);
   this->Triangles.resize(count);
   std::vector<Index> number(count);
   ParallelFor(count, MediumPiece,
@@ -117,10 +218,10 @@ void ClosestPoints::Build(std::vector<Corners>&& triangles)
     {
       for (Index t = begin; t < end; ++t)
       {
-        number[t] = this->Number[order[t]];
+        number[t] = this->Number[order[t].Triangle];
         for (int c = 0; c < 3; ++c)
         {
-          this->Triangles[t][c] = this->Scale * triangles[order[t]][c];
+          this->Triangles[t][c] = this->Scale * triangles[order[t].Triangle][c];
         }
       }
     });

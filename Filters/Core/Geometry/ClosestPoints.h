@@ -14,13 +14,13 @@
 namespace DirectionFields::Internal
 {
 /// Finds the closest points of triangles, or of segments, which are triangles whose last two corners are the
-/// same, in about the logarithm of their number: a tree of boxes, four to a node, over the triangles along a
-/// Morton curve. It is made in linear time.
+/// same, in about the logarithm of their number: a tree of boxes, four to a node, each of which has the half of a half
+/// of the triangles, cut where the middles of these are farthest apart.
 class ClosestPoints
 {
 public:
   using Corners = std::array<Vector3, 3>;
-  explicit ClosestPoints(const std::vector<Corners>& triangles);
+  explicit ClosestPoints(std::vector<Corners> triangles);
   /// Triangles with ids of no point or coordinates that are not finite are not found.
   explicit ClosestPoints(const Surface& surface);
 

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace DirectionFields::Internal
 {
 namespace
 {
 constexpr Index PieceSize = 256;
+constexpr double Anywhere = std::numeric_limits<double>::infinity();
 }
 
 PointSources SourcesOf(
@@ -24,9 +26,11 @@ PointSources SourcesOf(
   ParallelFor(static_cast<Index>(points.size()), PieceSize,
     [&](Index begin, Index end)
     {
+      Index last = None;
       for (Index v = begin; v < end; ++v)
       {
-        const ClosestPoints::Answer at = surface.Find(points[v]);
+        const ClosestPoints::Answer at = surface.Find(points[v], Vector3::Zero(), Anywhere, last);
+        last = at.Place;
         sources.Triangle[v] = prepared.InputTriangle(at.Triangle);
         sources.Weights[v] = prepared.InputWeights(at.Triangle, at.Weights);
       }
@@ -43,6 +47,7 @@ FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surf
   ParallelFor(static_cast<Index>(faces.size()), PieceSize,
     [&](Index begin, Index end)
     {
+      Index last = None;
       for (Index f = begin; f < end; ++f)
       {
         const int size = Faces::Size(faces[f]);
@@ -51,7 +56,8 @@ FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surf
         {
           middle += points[faces[f][c]] / size;
         }
-        const ClosestPoints::Answer at = surface.Find(middle);
+        const ClosestPoints::Answer at = surface.Find(middle, Vector3::Zero(), Anywhere, last);
+        last = at.Place;
         sources.Triangle[f] = prepared.InputTriangle(at.Triangle);
         squaredDistance[f] = at.SquaredDistance;
       }

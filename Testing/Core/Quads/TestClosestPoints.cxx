@@ -66,6 +66,17 @@ TEST(ClosestPoints, TreeFindsWhatComparisonWithAllFinds)
   }
 }
 
+TEST(ClosestPoints, OfManyTrianglesAtOnePlaceTheFirstIsFound)
+{
+  // Nothing tells them apart where the tree is cut into halves.
+  std::vector<ClosestPoints::Corners> triangles = TrianglesOf(Meshes::Square(1));
+  triangles.resize(1);
+  triangles.insert(triangles.end(), 1000, triangles.front());
+  const ClosestPoints tree(triangles);
+  EXPECT_EQ(tree.Find(Vector3(0.6, 0.3, 1.0)).Triangle, 0);
+  EXPECT_EQ(tree.Find(Vector3(0.6, 0.3, 1.0), Vector3::Zero(), Anywhere, 700).Triangle, 0);
+}
+
 TEST(ClosestPoints, SideAndDistanceAreKeptTo)
 {
   const ClosestPoints tree(TrianglesOf(Meshes::Icosphere(3)));
