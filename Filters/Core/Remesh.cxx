@@ -135,6 +135,7 @@ struct Remesh::Kept
     this->Charts.emplace(geometry, degree, this->Section);
     this->IsFrameless = FramelessVertices(geometry, degree, this->IsFeature);
     this->Joints.emplace(geometry.Mesh, this->Prepared.GetOriginals());
+    this->Maps.resize(geometry.Mesh.GetComponents().size());
     progress.Report(1.0);
   }
 
@@ -175,6 +176,8 @@ struct Remesh::Kept
   std::vector<char> IsFrameless;
   std::optional<Seams> Joints;
   ClosestPoints Original;
+  /// Of each component.
+  std::vector<KeptMap> Maps;
 };
 
 Remesh::Remesh(std::shared_ptr<const Surface> surface)
@@ -349,7 +352,7 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
     this->State = std::make_unique<Kept>(
       *this->Input, options, coarse, longest, directions, progress.Part(0.0, AfterField));
   }
-  const Kept& kept = *this->State;
+  Kept& kept = *this->State;
   const SurfaceGeometry& geometry = kept.GetGeometry();
   const TriangleMesh& mesh = geometry.Mesh;
   std::vector<double> size(mesh.GetNumberOfVertices());
@@ -374,7 +377,8 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   std::vector<char> isFrameless = kept.IsFrameless;
   FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
     std::vector<double>(mesh.GetComponents().size(), coarse));
-  const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength };
+  const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength,
+    kept.Maps };
   features.IsEnd.assign(mesh.GetNumberOfVertices(), 0);
   for (const Index v : kept.Joints->GetEnds())
   {

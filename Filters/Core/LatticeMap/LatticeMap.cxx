@@ -5,172 +5,15 @@
 
 #include "LatticeMap/IntegerRounding.h"
 #include "LatticeMap/IsolineFolds.h"
-#include "LatticeMap/LatticeSystem.h"
-#include "LatticeMap/MapUnknowns.h"
+#include "LatticeMap/MapEquations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
 
 namespace DirectionFields::Internal
 {
-/// The energy as a quadratic function of the free variables, those that are real before the integers.
-struct LatticeMap::Energy
-{
-  Energy(const Lattice& plane, MapUnknowns& unknowns, const std::vector<double>& perLength)
-    : Plane(plane)
-    , All(unknowns)
-    , Slot(unknowns.Solved.GetNumberOfVariables(), None)
-  {
-    for (const bool areIntegers : { false, true })
-    {
-      for (Index v = 0; v < unknowns.Solved.GetNumberOfVariables(); ++v)
-      {
-        if (unknowns.Solved.IsFree(v) && unknowns.Solved.IsInteger(v) == areIntegers)
-        {
-          this->Slot[v] = this->Count++;
-        }
-      }
-      this->Reals = areIntegers ? this->Reals : this->Count;
-    }
-    const ChartedMesh& mesh = unknowns.Mesh;
-    for (Index t = 0; t < static_cast<Index>(mesh.Triangles.size()); ++t)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        const ChartedMesh::MapTriangle& triangle = mesh.Triangles[t];
-        const Index twin = triangle.Twin[c];
-        if (twin != None && twin < 3 * t + c)
-        {
-          continue;
-        }
-        const double beyond = twin != None ? mesh.Triangles[twin / 3].Weight[twin % 3] : 0.0;
-        const double size =
-          0.5 * (perLength[triangle.Vertex[c]] + perLength[triangle.Vertex[(c + 1) % 3]]);
-        this->Edges.push_back({ 3 * t + c, size * triangle.Target[c],
-          std::max(LeastWeight, triangle.Weight[c] + beyond) });
-        this->AddEdge(this->Edges.back());
-      }
-    }
-  }
-
-  /// An edge, the half-edge of it that its target is in the chart of.
-  struct Edge
-  {
-    Index HalfEdge;
-    Complex Target;
-    double Weight;
-  };
-
-  void AddEdge(const Edge& edge)
-  {
-    const Index t = edge.HalfEdge / 3;
-    const int c = edge.HalfEdge % 3;
-    LatticeSum difference = this->All.Corner(t, (c + 1) % 3);
-    difference.Add(this->All.Corner(t, c), -1);
-    const std::array<IntegerSum, 2> sums = { this->All.Solved.Resolve(difference.A),
-      this->All.Solved.Resolve(difference.B) };
-    // |a + b zeta|^2 = a^2 + b^2 + 2 Re(zeta) a b
-    const double mixed = this->Mixed();
-    for (int i = 0; i < 2; ++i)
-    {
-      for (const auto& [v, p] : sums[i])
-      {
-        const Index row = this->Slot[v];
-        this->Terms.emplace_back(row, static_cast<double>(p));
-        for (int j = 0; j < 2; ++j)
-        {
-          const double factor = edge.Weight * static_cast<double>(p) * (i == j ? 1.0 : mixed);
-          for (const auto& [w, q] : sums[j])
-          {
-            const Index column = this->Slot[w];
-            if (factor != 0.0 && column <= row)
-            {
-              this->Entries.emplace_back(row, column, factor * static_cast<double>(q));
-            }
-          }
-        }
-      }
-      this->TermsEnd.push_back(this->Terms.size());
-    }
-  }
-  double Mixed() const { return this->All.Degree == 4 ? 0.0 : 0.5; }
-
-  /// The linear part of the energy.
-  Eigen::VectorXd RightHandSide() const
-  {
-    Eigen::VectorXd side = Eigen::VectorXd::Zero(this->Count);
-    std::size_t k = 0;
-    for (std::size_t e = 0; e < this->Edges.size(); ++e)
-    {
-      const std::array<double, 2> target = this->Plane.Coordinates(this->Edges[e].Target);
-      for (int i = 0; i < 2; ++i)
-      {
-        const double value = this->Edges[e].Weight * (target[i] + this->Mixed() * target[1 - i]);
-        for (; k < this->TermsEnd[2 * e + i]; ++k)
-        {
-          side[this->Terms[k].first] += this->Terms[k].second * value;
-        }
-      }
-    }
-    return side;
-  }
-
-  /// The least value of each integer.
-  Eigen::VectorXd Least() const
-  {
-    Eigen::VectorXd least = Eigen::VectorXd::Constant(
-      this->Count - this->Reals, -std::numeric_limits<double>::infinity());
-    for (const Index v : this->All.Bounded)
-    {
-      least[this->Slot[v] - this->Reals] = 1.0;
-    }
-    return least;
-  }
-
-  /// The area of the triangles' images, in unit cells' parallelograms.
-  double AreaAt(const Eigen::VectorXd& x)
-  {
-    double area = 0.0;
-    for (Index t = 0; t < static_cast<Index>(this->All.Mesh.Triangles.size()); ++t)
-    {
-      std::array<std::array<double, 2>, 2> edges{};
-      for (int c = 0; c < 2; ++c)
-      {
-        LatticeSum edge = this->All.Corner(t, c + 1);
-        edge.Add(this->All.Corner(t, 0), -1);
-        edges[c] = { this->ValueOf(edge.A, x), this->ValueOf(edge.B, x) };
-      }
-      area += 0.5 * (edges[0][0] * edges[1][1] - edges[0][1] * edges[1][0]);
-    }
-    return area;
-  }
-  double ValueOf(const IntegerSum& sum, const Eigen::VectorXd& x)
-  {
-    double value = 0.0;
-    for (const auto& [v, p] : this->All.Solved.Resolve(sum))
-    {
-      value += static_cast<double>(p) * x[this->Slot[v]];
-    }
-    return value;
-  }
-
-  static constexpr double LeastWeight = 0.05;
-  const Lattice& Plane;
-  MapUnknowns& All;
-  /// The place of each free variable in the system.
-  std::vector<Index> Slot;
-  Index Count = 0;
-  Index Reals = 0;
-  std::vector<Eigen::Triplet<double, std::int32_t>> Entries;
-  std::vector<Edge> Edges;
-  /// The variables that the two coordinates of each edge are sums of, and where those of each coordinate end.
-  std::vector<std::pair<Index, double>> Terms;
-  std::vector<std::size_t> TermsEnd;
-};
-
 namespace
 {
 /// Features of up to this many edges are given up where the map is folded along this part of them.
@@ -232,18 +75,28 @@ double AreaInSpace(
 LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const Progress& progress)
   : Plane(mesh.Degree)
 {
-  MapUnknowns unknowns(mesh);
-  unknowns.BoundStretches(settings.PerLength);
-  Energy energy(this->Plane, unknowns, settings.PerLength);
-  this->NumberOfIntegers = energy.Count - energy.Reals;
+  MapEquations equations(mesh, settings.PerLength);
+  this->Solve(equations, settings, progress);
+}
+
+LatticeMap::LatticeMap(MapEquations& equations, const Settings& settings, const Progress& progress)
+  : Plane(equations.GetMesh().Degree)
+{
+  this->Solve(equations, settings, progress);
+}
+
+void LatticeMap::Solve(MapEquations& equations, const Settings& settings, const Progress& progress)
+{
+  const ChartedMesh& mesh = equations.GetMesh();
+  this->NumberOfIntegers = equations.GetNumberOfIntegers();
   progress.Report(0.2);
   const double wanted = settings.KeepsArea ? WantedArea(mesh, settings, this->Plane) : 0.0;
   const auto scaleOf = [&](const Eigen::VectorXd& relaxed)
   {
-    const double reached = wanted > 0.0 ? energy.AreaAt(relaxed) : 0.0;
+    const double reached = wanted > 0.0 ? equations.AreaAt(relaxed) : 0.0;
     return reached > 0.25 * wanted && wanted > 0.0 ? std::sqrt(wanted / reached) : 1.0;
   };
-  const Eigen::VectorXd side = energy.RightHandSide();
+  const Eigen::VectorXd side = equations.RightHandSide(settings.PerLength);
   const double actual = AreaInSpace(mesh, settings, this->Plane);
   const double most = MostArea * actual + static_cast<double>(mesh.Triangles.size());
   if (actual > MostCells)
@@ -254,31 +107,29 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
   // A map of the targets times a factor, or nothing.
   std::function<Eigen::VectorXd(double)> solve;
   double scale = 1.0;
-  std::optional<LatticeSystem> system;
   Eigen::VectorXd relaxed;
-  if (this->NumberOfIntegers > MostRounded)
+  if (!equations.AreFactored())
   {
-    solve = [&](double factor)
-    { return SolveInRounds(energy.Entries, factor * side, energy.Reals); };
+    solve = [&](double factor) { return equations.SolveInRounds(factor * side); };
   }
   else
   {
-    system.emplace(energy.Entries, energy.Count, energy.Reals);
+    const LatticeSystem& system = equations.GetSystem();
     progress.Report(0.7);
-    if (system->IsDefinite())
+    if (system.IsDefinite())
     {
-      relaxed = system->Solve(side);
+      relaxed = system.Solve(side);
       scale = scaleOf(relaxed);
     }
     solve = [&](double factor) -> Eigen::VectorXd
     {
-      if (!system->IsDefinite())
+      if (!system.IsDefinite())
       {
         return {};
       }
       Eigen::VectorXd integers = factor * relaxed.tail(this->NumberOfIntegers);
-      RoundGreedily(system->TrailingFactor(), integers, energy.Least());
-      return system->SolveWith(factor * side, integers);
+      RoundGreedily(system.TrailingFactor(), integers, equations.Least());
+      return system.SolveWith(factor * relaxed, integers);
     };
   }
   // The one whose area is nearest, and how far it is off, as a logarithm.
@@ -289,13 +140,13 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
   for (int k = 0; k <= MostScalings; ++k)
   {
     Eigen::VectorXd x = solve(scale);
-    if (x.size() == 0 && energy.Count > 0)
+    if (x.size() == 0 && side.size() > 0)
     {
       this->Failure = "the equations of its grid could not be solved";
       return;
     }
     progress.Report(0.9);
-    this->Evaluate(mesh, unknowns, x);
+    this->Evaluate(equations.GetUnknowns(), x);
     if (this->Failure != nullptr)
     {
       return;
@@ -322,7 +173,7 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
   }
   if (!isBest)
   {
-    this->Evaluate(mesh, unknowns, best);
+    this->Evaluate(equations.GetUnknowns(), best);
   }
   if (settings.KeepsArea && bestArea > MostBeyond * most)
   {
@@ -330,9 +181,9 @@ LatticeMap::LatticeMap(const ChartedMesh& mesh, const Settings& settings, const 
   }
 }
 
-void LatticeMap::Evaluate(
-  const ChartedMesh& mesh, MapUnknowns& unknowns, const Eigen::VectorXd& free)
+void LatticeMap::Evaluate(MapUnknowns& unknowns, const Eigen::VectorXd& free)
 {
+  const ChartedMesh& mesh = unknowns.Mesh;
   if (!(free.array().abs() < Lattice::Range).all())
   {
     this->Failure = "its grid has too many lines, or its equations are not well posed";
@@ -341,7 +192,6 @@ void LatticeMap::Evaluate(
   this->CollapsedFeatures.clear();
   const Index count = unknowns.Solved.GetNumberOfVariables();
   std::vector<std::int64_t> value(count, 0);
-  std::vector<Index> slot(count, None);
   Index next = 0;
   for (const bool areIntegers : { false, true })
   {

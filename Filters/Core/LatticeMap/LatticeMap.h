@@ -12,6 +12,7 @@
 
 namespace DirectionFields::Internal
 {
+class MapEquations;
 class MapUnknowns;
 struct IsolineStretch;
 
@@ -33,6 +34,8 @@ public:
 
   /// Throws Stopped.
   LatticeMap(const ChartedMesh& mesh, const Settings& settings, const Progress& progress = {});
+  /// The same, with equations that were made before: those of the charted mesh for these lengths of edges.
+  LatticeMap(MapEquations& equations, const Settings& settings, const Progress& progress = {});
 
   /// Why there is no map, or null.
   const char* GetFailure() const { return this->Failure; }
@@ -50,13 +53,13 @@ public:
   Index CountFlipped() const;
 
 private:
-  struct Energy;
+  void Solve(MapEquations& equations, const Settings& settings, const Progress& progress);
   bool IsFlipped(Index t) const;
   /// The area of the images of the triangles, in parallelograms of the lattice. Those that are turned over count as
   /// nothing with folds, else as negative.
   double AreaCovered(bool withFolds) const;
   void FindFoldedFeatures(const ChartedMesh& mesh, const std::vector<IsolineStretch>& stretches);
-  void Evaluate(const ChartedMesh& mesh, MapUnknowns& unknowns, const Eigen::VectorXd& free);
+  void Evaluate(MapUnknowns& unknowns, const Eigen::VectorXd& free);
 
   Lattice Plane;
   const char* Failure = nullptr;

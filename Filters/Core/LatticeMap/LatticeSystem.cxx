@@ -16,23 +16,47 @@ LatticeSystem::LatticeSystem(std::vector<Entry>& entries, Index size, Index real
   : Size(size)
   , Reals(reals)
 {
-  Matrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  this->Lower.resize(size, size);
+  this->Lower.setFromTriplets(entries.begin(), entries.end());
   std::vector<Entry>().swap(entries);
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
   if (reals > 0)
   {
-    const Matrix block = matrix.topLeftCorner(reals, reals);
+    const Matrix block = this->Lower.topLeftCorner(reals, reals);
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> least;
     Eigen::AMDOrdering<std::int32_t>()(block.selfadjointView<Eigen::Lower>(), least);
     std::copy_n(least.indices().data(), reals, order.begin());
   }
-  this->Definite = size == 0 || this->Factor.Compute(matrix, std::move(order), size - reals);
+  this->Definite = size == 0 || this->Factor.Compute(this->Lower, std::move(order), size - reals);
   if (this->Definite)
   {
     this->Trailing = this->Factor.TrailingFactor();
   }
+}
+
+void LatticeSystem::Shrink(std::size_t mostValues)
+{
+  if (this->Factor.GetNumberOfValues() > mostValues)
+  {
+    this->IsReleased = true;
+    this->Factor.ReleaseValues();
+    this->Trailing.resize(0, 0);
+  }
+  else
+  {
+    Matrix().swap(this->Lower);
+  }
+}
+
+void LatticeSystem::Restore()
+{
+  if (this->IsReleased && this->Definite)
+  {
+    this->Factor.FactorAgain(this->Lower);
+    this->Trailing = this->Factor.TrailingFactor();
+  }
+  this->IsReleased = false;
 }
 
 Eigen::VectorXd LatticeSystem::Solve(const Eigen::VectorXd& rightHandSide) const
@@ -41,16 +65,14 @@ Eigen::VectorXd LatticeSystem::Solve(const Eigen::VectorXd& rightHandSide) const
 }
 
 Eigen::VectorXd LatticeSystem::SolveWith(
-  const Eigen::VectorXd& rightHandSide, const Eigen::VectorXd& integers) const
+  const Eigen::VectorXd& relaxed, const Eigen::VectorXd& integers) const
 {
-  // K x = b + (0, r) has the integers that it is to have if r is the Schur complement of how far they are from those
-  // of K x = b.
-  Eigen::VectorXd side = rightHandSide;
   const Index count = this->Size - this->Reals;
-  const Eigen::VectorXd step = integers - this->Solve(rightHandSide).tail(count);
-  const auto factor = this->Trailing.triangularView<Eigen::Lower>();
-  side.tail(count) += factor * (factor.transpose() * step).eval();
-  Eigen::VectorXd solution = this->Solve(side);
+  Eigen::VectorXd solution = relaxed;
+  if (this->Size > 0)
+  {
+    solution += this->Factor.Continued(integers - relaxed.tail(count));
+  }
   solution.tail(count) = integers;
   return solution;
 }

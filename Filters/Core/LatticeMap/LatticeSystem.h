@@ -27,19 +27,27 @@ public:
 
   /// False where the matrix is not positive definite up to rounding.
   bool IsDefinite() const { return this->Definite; }
+  /// Releases what is not needed any more, and a factor of more than so many values: nothing can be solved then until
+  /// it is restored. What is known of its structure stays.
+  void Shrink(std::size_t mostValues);
+  /// Makes a released factor again, the same one.
+  void Restore();
   Eigen::VectorXd Solve(const Eigen::VectorXd& rightHandSide) const;
   /// The solution among the vectors with the given integers.
-  Eigen::VectorXd SolveWith(
-    const Eigen::VectorXd& rightHandSide, const Eigen::VectorXd& integers) const;
+  /// @param relaxed the solution among all vectors
+  Eigen::VectorXd SolveWith(const Eigen::VectorXd& relaxed, const Eigen::VectorXd& integers) const;
   /// The lower factor of the Schur complement of the integers.
   const Eigen::MatrixXd& TrailingFactor() const { return this->Trailing; }
 
 private:
   Index Size;
   Index Reals;
+  /// The lower triangle of the matrix, as long as it may have to be factored.
+  Matrix Lower;
   SupernodalCholesky Factor;
   Eigen::MatrixXd Trailing;
   bool Definite = false;
+  bool IsReleased = false;
 };
 /// The solution, some of whose unknowns are integers, where these are too many to be rounded with regard to each
 /// other: first all are real, then, in a few rounds, those that are nearest to an integer get it and the rest is

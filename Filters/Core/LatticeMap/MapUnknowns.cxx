@@ -77,11 +77,11 @@ MapUnknowns::MapUnknowns(const ChartedMesh& mesh)
   }
 }
 
-void MapUnknowns::BoundStretches(const std::vector<double>& perLength)
+std::vector<char> MapUnknowns::ShortStretches(const std::vector<double>& perLength) const
 {
+  std::vector<char> isShort;
   for (const IsolineStretch& stretch : this->Stretches)
   {
-    IntegerSum length;
     double wanted = 0.0;
     for (const IsolineStretch::Step& step : stretch.Steps)
     {
@@ -92,11 +92,24 @@ void MapUnknowns::BoundStretches(const std::vector<double>& perLength)
       {
         break;
       }
-      Append(length, this->Along(edge).A, 1);
     }
-    if (wanted > LongestBounded)
+    isShort.push_back(wanted > LongestBounded ? 0 : 1);
+  }
+  return isShort;
+}
+
+void MapUnknowns::BoundStretches(const std::vector<char>& isShort)
+{
+  for (std::size_t k = 0; k < this->Stretches.size(); ++k)
+  {
+    if (isShort[k] == 0)
     {
       continue;
+    }
+    IntegerSum length;
+    for (const IsolineStretch::Step& step : this->Stretches[k].Steps)
+    {
+      Append(length, this->Along(this->Mesh.Isolines[step.Isoline]).A, 1);
     }
     length = this->Solved.Resolve(length);
     const bool isInteger = std::all_of(length.begin(), length.end(),

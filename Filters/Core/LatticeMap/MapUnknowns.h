@@ -31,10 +31,12 @@ public:
   /// The mesh must live as long.
   explicit MapUnknowns(const ChartedMesh& mesh);
 
-  /// From now on the lengths of short stretches of features are variables, as far as they can be free, so that
-  /// rounding can give each of them one edge at least.
+  /// Not 0 for each stretch that rounding could shorten to nothing.
   /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the lattice
-  void BoundStretches(const std::vector<double>& perLength);
+  std::vector<char> ShortStretches(const std::vector<double>& perLength) const;
+  /// From now on the lengths of these stretches of features are variables, as far as they can be free, so that
+  /// rounding can give each of them one edge at least.
+  void BoundStretches(const std::vector<char>& isShort);
 
   /// The coordinates of a corner in the chart of its triangle.
   LatticeSum Corner(Index t, int c) const;

@@ -252,7 +252,13 @@ void SupernodalCholesky::FindStructure(const Lists& rows)
     node.Values = values;
     values += static_cast<std::size_t>(node.Height()) * node.Width();
   }
-  this->Values.resize(values);
+}
+
+std::size_t SupernodalCholesky::GetNumberOfValues() const
+{
+  return this->Nodes.empty() ? 0
+                             : this->Nodes.back().Values +
+      static_cast<std::size_t>(this->Nodes.back().Height()) * this->Nodes.back().Width();
 }
 
 bool SupernodalCholesky::Compute(const Matrix& lower, std::vector<std::int32_t> order, Index last)
@@ -308,6 +314,7 @@ void SupernodalCholesky::FactorAll(const Matrix& lower)
         values.valuePtr()[counts[j]++] = value;
       });
   }
+  this->Values.resize(this->GetNumberOfValues());
   const auto count = static_cast<Index>(this->Nodes.size());
   std::vector<double> work(count, 0.0);
   std::vector<Index> firstOf(count);
@@ -437,55 +444,5 @@ bool SupernodalCholesky::Factor(
         rest.bottomRows(below - end) * rest.middleRows(begin, size).transpose();
     });
   return true;
-}
-
-Eigen::VectorXd SupernodalCholesky::Solve(const Eigen::VectorXd& rightHandSide) const
-{
-  const Eigen::Index size = rightHandSide.size();
-  Eigen::VectorXd x(size);
-  for (Eigen::Index k = 0; k < size; ++k)
-  {
-    x[k] = rightHandSide[this->Order[k]];
-  }
-  Eigen::VectorXd below;
-  for (const Supernode& node : this->Nodes)
-  {
-    const Eigen::Map<const Eigen::MatrixXd> block = this->Block(node);
-    auto own = x.segment(node.First, node.Width());
-    block.topRows(node.Width()).triangularView<Eigen::Lower>().solveInPlace(own);
-    below.noalias() = block.bottomRows(static_cast<Index>(node.Rows.size())) * own;
-    for (std::size_t i = 0; i < node.Rows.size(); ++i)
-    {
-      x[node.Rows[i]] -= below[static_cast<Index>(i)];
-    }
-  }
-  for (auto node = this->Nodes.rbegin(); node != this->Nodes.rend(); ++node)
-  {
-    const Eigen::Map<const Eigen::MatrixXd> block = this->Block(*node);
-    const auto rows = static_cast<Index>(node->Rows.size());
-    auto own = x.segment(node->First, node->Width());
-    below.resize(rows);
-    for (Index i = 0; i < rows; ++i)
-    {
-      below[i] = x[node->Rows[i]];
-    }
-    own.noalias() -= block.bottomRows(rows).transpose() * below;
-    block.topRows(node->Width()).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
-  }
-  Eigen::VectorXd solution(size);
-  for (Eigen::Index k = 0; k < size; ++k)
-  {
-    solution[this->Order[k]] = x[k];
-  }
-  return solution;
-}
-
-Eigen::MatrixXd SupernodalCholesky::TrailingFactor() const
-{
-  if (this->Last == 0)
-  {
-    return {};
-  }
-  return Eigen::MatrixXd(this->Block(this->Nodes.back()).triangularView<Eigen::Lower>());
 }
 }

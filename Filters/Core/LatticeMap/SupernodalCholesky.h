@@ -29,7 +29,16 @@ public:
   /// @param order the rows in the order in which they are to be eliminated, as far as it matters for the fill
   /// @param last  that many of these, the last ones, are eliminated in exactly this order, as one dense block
   bool Compute(const Matrix& lower, std::vector<std::int32_t> order, Index last);
+  std::size_t GetNumberOfValues() const;
+  /// Nothing can be solved until the matrix is factored again.
+  void ReleaseValues() { LargeArray<double>().swap(this->Values); }
+  /// With the order and the blocks found before.
+  /// @param lower the same as for Compute
+  void FactorAgain(const Matrix& lower) { this->FactorAll(lower); }
   Eigen::VectorXd Solve(const Eigen::VectorXd& rightHandSide) const;
+  /// How the solution changes where its last rows change by as much as is given and the right-hand side of the others
+  /// stays.
+  Eigen::VectorXd Continued(const Eigen::VectorXd& last) const;
   /// The lower factor of the Schur complement of the last rows.
   Eigen::MatrixXd TrailingFactor() const;
 
@@ -59,6 +68,10 @@ private:
     Index Height() const { return this->Width() + static_cast<Index>(this->Rows.size()); }
   };
 
+  /// Solves the rows of the first nodes of L^T y = x for y in place of x, whose other rows are those of y.
+  void SubstituteBackward(Eigen::VectorXd& x, std::size_t nodes) const;
+  /// From the order of elimination to that of the matrix.
+  Eigen::VectorXd InOrder(const Eigen::VectorXd& x) const;
   Lists RowsOf(const Matrix& lower) const;
   std::vector<Index> EliminationTree(const Lists& rows) const;
   void Reorder(const std::vector<Index>& parent);

@@ -199,14 +199,16 @@ ComponentCells MakeCells(
   DropFeatures(input, component,
     EdgesInNarrowCorners(
       input.Geometry, component, input.Charts, input.Features, input.IsFrameless, input.PerLength));
+  KeptMap& kept = input.Maps[&component - input.Geometry.Mesh.GetComponents().data()];
   ComponentCells out;
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
-    const JumpPaths jumps(
-      input.Geometry, component, input.Charts, input.Features, input.IsFrameless);
-    const ChartedMesh charted(input.Geometry, component, input.Charts, input.Features,
-      input.IsFrameless, jumps, input.Section);
-    const LatticeMap map(charted, SettingsFor(input, component, charted), progress.Part(0.15, 0.7));
+    const ChartedMesh& charted = kept.MeshFor(
+      input.Geometry, component, input.Charts, input.Features, input.IsFrameless, input.Section);
+    const LatticeMap::Settings settings = SettingsFor(input, component, charted);
+    const LatticeMap map(kept.EquationsFor(settings.PerLength), settings, progress.Part(0.15, 0.7));
+    kept.Shrink(static_cast<double>(component.Triangles()) /
+      static_cast<double>(input.Geometry.Mesh.GetNumberOfTriangles()));
     if (map.GetFailure() != nullptr)
     {
       return Unchanged(input, component, map.GetFailure());

@@ -7,6 +7,7 @@
 #include "Faces/Faces.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "LatticeMap/FeatureLines.h"
+#include "LatticeMap/KeptMap.h"
 #include "Progress.h"
 
 #include <vector>
@@ -63,6 +64,8 @@ struct CellInput
   const std::vector<Complex>& Section;
   /// 1 / h of each vertex, h the wanted length of edges there.
   const std::vector<double>& PerLength;
+  /// Of each component; they spare work for cells of another size.
+  std::vector<KeptMap>& Maps;
 };
 
 /// Throws Stopped.

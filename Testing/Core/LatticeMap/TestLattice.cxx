@@ -206,17 +206,24 @@ TEST(LatticeSystem, SolvesAmongIntegers)
   std::vector<LatticeSystem::Entry> entries = { { 0, 0, 2.0 }, { 1, 1, 2.0 }, { 2, 2, 2.0 },
     { 3, 3, 2.0 }, { 1, 0, -1.0 }, { 3, 1, -1.0 }, { 3, 2, -1.0 } };
   const std::vector<LatticeSystem::Entry> kept = entries;
-  const LatticeSystem system(entries, 4, 3);
+  LatticeSystem system(entries, 4, 3);
   ASSERT_TRUE(system.IsDefinite());
   Eigen::VectorXd side(4);
   side << 0.0, 0.0, 10.0, 0.0;
   // In the order 0, 1, 3, 2 along the row.
   const Eigen::VectorXd relaxed = system.Solve(side);
   EXPECT_LT((relaxed - Eigen::Vector4d(2.0, 4.0, 8.0, 6.0)).norm(), 1e-12);
-  const Eigen::VectorXd bent = system.SolveWith(side, Eigen::VectorXd::Constant(1, 3.0));
+  const Eigen::VectorXd bent = system.SolveWith(relaxed, Eigen::VectorXd::Constant(1, 3.0));
   EXPECT_LT((bent - Eigen::Vector4d(1.0, 2.0, 6.5, 3.0)).norm(), 1e-12);
   // What is left of the matrix once the others are eliminated: 2 - 2/3 - 1/2.
   EXPECT_NEAR(std::pow(system.TrailingFactor()(0, 0), 2), 5.0 / 6.0, 1e-12);
+  // A factor that was released is the same when it is made again, and nothing is made again where it is kept.
+  for (const std::size_t mostKept : { 0, 100 })
+  {
+    system.Shrink(mostKept);
+    system.Restore();
+    EXPECT_EQ(system.Solve(side), relaxed);
+  }
   side *= 0.9;
   const Eigen::VectorXd rounded = SolveInRounds(kept, side, 3);
   EXPECT_EQ(rounded[3], 5.0);
