@@ -18,6 +18,8 @@ struct ShapingSettings
   int Steps = 0;
   /// The field is of degree 4: faces may be changed.
   bool AreQuads = true;
+  /// Bad faces are mended.
+  bool Mends = true;
   /// Quads may become triangles where faces get better.
   bool MayMakeTriangles = false;
   /// Triangles are joined in pairs before anything else.

@@ -24,6 +24,9 @@ constexpr double Wanted[] = { 0.3, 0.1, -1.0 };
 /// Ways to other triangles that are looked at for each.
 constexpr int MostWays = 6;
 constexpr int Moves = 6;
+/// Vertices that may be moved to see what becomes of them: so many, and so many for each face.
+constexpr std::size_t MostMovedAnyway = 20000;
+constexpr std::size_t MostMovedPerFace = 10;
 
 constexpr Faces::Face Nothing = { None, None, None, None };
 
@@ -35,22 +38,15 @@ public:
     , Places(places)
     , Edits(faces, std::move(rules))
     , MostGrown(mostGrown)
+    , MovesLeft(MostMovedAnyway + MostMovedPerFace * faces.GetNumberOfFaces())
     , Seen(faces.GetNumberOfFaces(), None)
     , From(faces.GetNumberOfFaces(), None)
     , Cost(faces.GetNumberOfFaces(), 0)
   {
   }
 
-  /// Joins a triangle with another one to which the way costs at most so much; returns whether it did.
-  bool Join(Index triangle, Index farthest, double wanted)
-  {
-    // Where nothing is left for a triangle but a way that is too bad, it may be better off next to where it is.
-    return this->JoinAsItIs(triangle, farthest, wanted) ||
-      (wanted < Wanted[0] && this->JoinAfterMove(triangle, farthest, wanted));
-  }
-
-private:
-  /// Lets a triangle first change places with parts of a quad beside it.
+  /// Lets a triangle first change places with parts of a quad beside it: where nothing is left for it but ways that are
+  /// too bad, it may be better off there.
   bool JoinAfterMove(Index triangle, Index farthest, double wanted)
   {
     const std::size_t start = this->Cells.GetChanges().size();
@@ -74,7 +70,8 @@ private:
     return false;
   }
 
-  /// Looks for others by the cheapest ways (Dijkstra), which reach them over each of their edges.
+  /// Joins a triangle with another one to which the way costs at most so much; returns whether it did. The cheapest ways are
+  /// tried first (Dijkstra), which reach others over each of their edges.
   bool JoinAsItIs(Index triangle, Index farthest, double wanted)
   {
     int partners = 0;
@@ -119,6 +116,7 @@ private:
     return false;
   }
 
+private:
   /// Next to lines there is less room for other quads.
   Index CostOfPassing(Index f) const
   {
@@ -230,8 +228,10 @@ private:
     const std::vector<Cut> cuts = this->CutsOf(strip);
     for (const Cut& cut : cuts)
     {
-      if (cut.Grown <= this->MostGrown && this->Do(way, strip, cut))
+      const std::size_t size = strip.GetPolygon().size();
+      if (cut.Grown <= this->MostGrown && size <= this->MovesLeft && this->Do(way, strip, cut))
       {
+        this->MovesLeft -= size;
         this->Places.Relax(strip.GetPolygon(), Moves);
         const double quality = this->LeastQuality(strip);
         if (quality >= least)
@@ -352,6 +352,8 @@ private:
   FaceEdits Edits;
   /// By how much irregularity may grow at most.
   int MostGrown;
+  /// How many vertices may still be moved. Where the faces are bad everywhere nothing is found.
+  std::size_t MovesLeft;
   /// The last search that has reached a face, the face before it on the way, and what the way costs.
   std::vector<Index> Seen;
   std::vector<Index> From;
@@ -376,24 +378,32 @@ void JoinTriangles(FaceStars& faces, MovableFaces& places,
   }
   const auto isJoined = [&](Index f)
   { return !faces.IsFace(f) || Faces::Size(faces.Face(f)) == 4; };
+  const auto joinEach = [&](const auto& join)
+  {
+    for (const Index f : left)
+    {
+      progress.RequireToGoOn();
+      if (!isJoined(f))
+      {
+        join(f);
+      }
+    }
+    left.erase(std::remove_if(left.begin(), left.end(), isJoined), left.end());
+  };
+  const Index anywhere = 4 * faces.GetNumberOfFaces();
   for (const double wanted : Wanted)
   {
     if (wanted < Wanted[0] && !atAnyPrice)
     {
       break;
     }
-    for (Index farthest = 1; !left.empty() && farthest < 4 * faces.GetNumberOfFaces();
-         farthest *= 4)
+    for (Index farthest = 1; !left.empty() && farthest < anywhere; farthest *= 4)
     {
-      for (const Index f : left)
-      {
-        progress.RequireToGoOn();
-        if (!isJoined(f))
-        {
-          pairs.Join(f, farthest, wanted);
-        }
-      }
-      left.erase(std::remove_if(left.begin(), left.end(), isJoined), left.end());
+      joinEach([&](Index f) { pairs.JoinAsItIs(f, farthest, wanted); });
+    }
+    if (wanted < Wanted[0])
+    {
+      joinEach([&](Index f) { pairs.JoinAfterMove(f, anywhere, wanted); });
     }
   }
   progress.Report(1.0);

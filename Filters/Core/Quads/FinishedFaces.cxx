@@ -48,6 +48,7 @@ bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double e
   };
   const bool isSplit = way == FaceWay::Split;
   ShapingSettings settings{ steps, areQuads };
+  settings.Mends = isSplit;
   settings.MayMakeTriangles = true;
   settings.IsDraft = isSplit;
   shape(isSplit ? 2.0 * edgeLength : edgeLength, settings, progress.Part(0.0, 0.4));
@@ -67,6 +68,7 @@ bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double e
   settings.MayMakeTriangles = way == FaceWay::Mixed;
   settings.JoinsTriangles = !isSplit;
   settings.IsDraft = false;
+  settings.Mends = true;
   shape(edgeLength, settings, progress.Part(0.4, 1.0));
   if (way == FaceWay::Mixed)
   {
