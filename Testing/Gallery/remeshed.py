@@ -11,6 +11,7 @@ from gallery import PANEL, Panel
 
 class RemeshedPanel(Panel):
     """The new mesh of a surface with the edges of its faces, as Apply alone shows it, and its irregular vertices."""
+    least_marks = 0
 
     def __init__(self, source, camera, **properties):
         self.view = simple.CreateRenderView()
@@ -30,6 +31,14 @@ class RemeshedPanel(Panel):
         display.SetRepresentationType("Surface With Edges")
         display.ColorArrayName = [None, ""]
         simple.Show(simple.OutputPort(self.proxy, 1), self.view)
+
+    def image(self, path):
+        image = super().image(path)
+        # Orange, and so many pixels that no irregular vertex is behind the faces around it.
+        colors = image.astype(int)
+        marks = np.count_nonzero((np.abs(colors - (217, 130, 46)).max(axis=-1) < 30))
+        assert marks >= self.least_marks, marks
+        return image
 
     def number(self, name, component=0):
         return self.mesh.GetFieldData().GetArray(name).GetComponent(0, component)
