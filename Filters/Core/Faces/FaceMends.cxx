@@ -15,7 +15,7 @@ namespace
 {
 constexpr int Passes = 3;
 /// Faces that are looked at: so many, and one of so many. Where more are bad the surface is rough, or has no good map.
-constexpr Index MostAnyway = 64;
+constexpr Index MostAnyway = 16;
 constexpr Index OneOf = 64;
 /// Faces of a scaled Jacobian below the first are mended; above the second they are as good as they need be.
 constexpr double Bad = 0.3;

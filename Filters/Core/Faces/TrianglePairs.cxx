@@ -25,7 +25,7 @@ constexpr double Wanted[] = { 0.3, 0.1, -1.0 };
 constexpr int MostWays = 6;
 constexpr int Moves = 6;
 /// Vertices that may be moved to see what becomes of them: so many, and so many for each face.
-constexpr std::size_t MostMovedAnyway = 20000;
+constexpr std::size_t MostMovedAnyway = 5000;
 constexpr std::size_t MostMovedPerFace = 10;
 
 constexpr Faces::Face Nothing = { None, None, None, None };
