@@ -2,13 +2,23 @@ cmake_minimum_required(VERSION 3.18)
 
 # Fails where a page refers to what is not there:
 # - relative links of all pages, the headings that they lead to included;
-# - in Documentation/Method and Tricks.md rooms of Core (`Sections/Assembly`), folders of them, and
+# - in Documentation/Method and Tricks.md rooms of the libraries (`Sections/Assembly`), folders of them, and
 #   members (`Connection::Rotation`), whose names some header must contain.
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 file(GLOB pages "${root}/*.md")
 file(GLOB_RECURSE more "${root}/Documentation/*.md" "${root}/Examples/*.md" "${root}/Data/*.md")
 list(APPEND pages ${more})
-file(GLOB_RECURSE headers "${root}/Filters/Core/*.h")
+set(libraries Foundation Surfaces LinearAlgebra Fields Drawing Remeshing)
+set(headers)
+set(alternatives)
+foreach (library IN LISTS libraries)
+  file(GLOB_RECURSE found "${root}/Filters/${library}/*.h")
+  list(APPEND headers ${found})
+  file(GLOB folders RELATIVE "${root}/Filters/${library}" "${root}/Filters/${library}/*")
+  list(FILTER folders EXCLUDE REGEX "\\.")
+  list(APPEND alternatives ${folders})
+endforeach ()
+list(JOIN alternatives "|" alternatives)
 set(code)
 foreach (header IN LISTS headers)
   file(READ "${header}" text)
@@ -66,14 +76,12 @@ foreach (page IN LISTS pages)
   if (NOT short MATCHES "^Documentation/(Method/|Tricks)")
     continue ()
   endif ()
-  string(REGEX MATCHALL
-    "`(Support|Mesh|Geometry|Sections|Interpolation|Solvers|Field|Tracing|Glyphs|Lines)(/[A-Za-z]+)+(\\.h|\\.cxx)?`"
-    rooms "${text}")
+  string(REGEX MATCHALL "`(${alternatives})(/[A-Za-z]+)+(\\.h|\\.cxx)?`" rooms "${text}")
   foreach (room IN LISTS rooms)
     math(EXPR names "${names} + 1")
     string(REPLACE "`" "" room "${room}")
-    set(file "${root}/Filters/Core/${room}")
-    if (NOT EXISTS "${file}" AND NOT EXISTS "${file}.h")
+    file(GLOB file "${root}/Filters/*/${room}" "${root}/Filters/*/${room}.h")
+    if (NOT file)
       list(APPEND failures "${short} names ${room}")
     endif ()
   endforeach ()

@@ -13,7 +13,7 @@
 #include "Geometry/SurfaceGeometry.h"
 #include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
-#include "Solvers/Eigenpairs/JacobiDavidson.h"
+#include "Eigenpairs/JacobiDavidson.h"
 #include "Support/Threads.h"
 
 #include "vtkDirectionField.h"

@@ -10,7 +10,7 @@
 // the smallest eigenvector, on a small mesh.
 
 #include "BenchmarkMeshes.h"
-#include "Field/SmoothestField.h"
+#include "Computation/SmoothestField.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 #include "Stripes/PhaseRelaxation.h"

@@ -7,7 +7,7 @@
 #include "DirectionField.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "PrescribedRotation/EditedResult.h"
+#include "PrescribedSingularities/EditedResult.h"
 #include "Support/Threads.h"
 
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "Geometry/SurfaceGeometry.h"
 #include "Sections/Assembly.h"
 #include "Sections/Singularities.h"
-#include "Solvers/Eigenpairs/Lanczos.h"
+#include "Eigenpairs/Lanczos.h"
 #include "Support/Division.h"
 
 #include <Eigen/SparseCholesky>

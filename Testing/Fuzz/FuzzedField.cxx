@@ -6,7 +6,7 @@
 #include "Bytes.h"
 #include "FuzzedSurface.h"
 #include "Interpolation/GivenField.h"
-#include "Lines/FieldLines.h"
+#include "Streamlines/FieldLines.h"
 #include "Meshes/Soundness.h"
 
 #include <cmath>

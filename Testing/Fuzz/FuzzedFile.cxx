@@ -4,7 +4,7 @@
 #include "FuzzedFile.h"
 
 #include "Exchange/FieldImport.h"
-#include "Files/FieldFile.h"
+#include "Exchange/FieldFile.h"
 #include "Meshes/Surfaces.h"
 
 #include <algorithm>

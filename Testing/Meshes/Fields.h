@@ -5,7 +5,7 @@
 #define DirectionFields_Fields_h
 
 #include "DirectionField.h"
-#include "Tracing/FieldInterpolation.h"
+#include "Interpolation/FieldInterpolation.h"
 
 #include <cmath>
 

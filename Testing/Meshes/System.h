@@ -6,7 +6,7 @@
 
 #include "Geometry/SurfaceGeometry.h"
 #include "Sections/Assembly.h"
-#include "Solvers/Matrices/CompactValues.h"
+#include "Matrices/CompactValues.h"
 
 #include <random>
 

@@ -8,12 +8,12 @@
 #include "Distributed/DistributedMatrices.h"
 #include "Distributed/DistributedSystem.h"
 #include "Distributed/StopSignal.h"
-#include "Field/ComponentSetup.h"
-#include "Field/Guide.h"
-#include "Field/SystemFactors.h"
+#include "Computation/ComponentSetup.h"
+#include "Computation/Guide.h"
+#include "Computation/SystemFactors.h"
 #include "Progress.h"
 #include "Sections/ReferenceSection.h"
-#include "Solvers/Systems/SystemSolution.h"
+#include "Systems/SystemSolution.h"
 #include "Support/Division.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "Distributed/DistributedEigenpair.h"
 
 #include "Progress.h"
-#include "Solvers/Eigenpairs/Eigenpair.h"
-#include "Solvers/Eigenpairs/RayleighRitz.h"
+#include "Eigenpairs/Eigenpair.h"
+#include "Eigenpairs/RayleighRitz.h"
 
 #include <algorithm>
 #include <cmath>

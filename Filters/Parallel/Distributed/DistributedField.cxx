@@ -12,7 +12,7 @@
 #include "Distributed/PetscObjects.h"
 #include "Distributed/PieceWithSurroundings.h"
 #include "Distributed/SharedPoints.h"
-#include "Field/FieldToResult.h"
+#include "Computation/FieldToResult.h"
 #include "Mesh/OutputPoints.h"
 #include "Sections/SectionDirections.h"
 #include "Support/Threads.h"

@@ -4,7 +4,7 @@
 #ifndef DistributedField_h
 #define DistributedField_h
 
-#include "Field/SurfaceFigures.h"
+#include "Computation/SurfaceFigures.h"
 #include "Options.h"
 #include "Processes.h"
 #include "Result.h"

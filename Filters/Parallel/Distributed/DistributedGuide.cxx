@@ -3,8 +3,8 @@
 
 #include "Distributed/DistributedGuide.h"
 
-#include "Field/Constraints.h"
-#include "Field/Guidance.h"
+#include "Guidance/Constraints.h"
+#include "Guidance/Guidance.h"
 
 #include <algorithm>
 

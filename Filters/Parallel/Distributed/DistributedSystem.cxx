@@ -4,7 +4,7 @@
 #include "Distributed/DistributedSystem.h"
 
 #include "Progress.h"
-#include "Solvers/Eigenpairs/Eigenpair.h"
+#include "Eigenpairs/Eigenpair.h"
 
 #include <algorithm>
 #include <cmath>

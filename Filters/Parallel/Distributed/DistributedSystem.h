@@ -10,7 +10,7 @@
 #include "Distributed/DistributedMesh.h"
 #include "Distributed/Messages.h"
 #include "Distributed/PetscObjects.h"
-#include "Field/SystemFactors.h"
+#include "Computation/SystemFactors.h"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 
 #include "Distributed/TransportAggregation.h"
 
-#include "Solvers/Multigrid/Aggregation.h"
+#include "Multigrid/Aggregation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_GlyphSurface_h
+#define DirectionFields_GlyphSurface_h
+
+#include "Glyphs/GlyphOptions.h"
+#include "Interpolation/GivenField.h"
+#include "Progress.h"
+#include "Surface.h"
+#include "Paths/SurfaceIncidence.h"
+#include "Glyphs/SurfaceSampling.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A surface to draw glyphs on. What depends on the surface only is computed once, however many fields
+/// are drawn: which triangles meet where, their normals, the places of the glyphs and the outside.
+class GlyphSurface
+{
+public:
+  /// @param excludedTriangles not 0 for triangles without glyphs; empty for none
+  /// @param excludedPoints    not 0 for points without glyphs; empty for none
+  explicit GlyphSurface(std::shared_ptr<const Surface> surface,
+    std::vector<char> excludedTriangles = {}, std::vector<char> excludedPoints = {});
+  GlyphSurface(const GlyphSurface&) = delete;
+  GlyphSurface& operator=(const GlyphSurface&) = delete;
+
+  /// The triangles in a unit of length of 2^GetExponent(), in which the squares of areas are numbers.
+  const SurfaceIncidence& GetIncidence() const { return *this->Incidence; }
+  int GetExponent() const { return this->Exponent; }
+
+  /// Where the glyphs are, in the unit of the triangles. They are sought anew where the mode, the spacing
+  /// or the maximum number are others than before.
+  ///
+  /// Throws Stopped; then those of before stay.
+  const SurfaceSamples& GetPlaces(const GlyphOptions& options, const Progress& progress);
+  /// How many times places were sought.
+  int GetNumberOfSamplings() const { return this->NumberOfSamplings; }
+
+  /// The mesh that fields between the points are interpolated on, in the unit of the triangles.
+  const std::shared_ptr<const FieldSurface>& GetFieldSurface();
+
+  /// Of each triangle, see OutwardSides.
+  const std::vector<signed char>& GetOutwardSides();
+
+private:
+  /// What the places depend on.
+  struct Key
+  {
+    GlyphMode Mode = GlyphMode::SpreadEvenly;
+    double Spacing = 0.0;
+    Index MaximumNumber = 0;
+
+    bool operator==(const Key& other) const
+    {
+      return this->Mode == other.Mode && this->Spacing == other.Spacing &&
+        this->MaximumNumber == other.MaximumNumber;
+    }
+  };
+
+  std::shared_ptr<const Surface> Triangles;
+  std::vector<char> ExcludedTriangles;
+  std::vector<char> ExcludedPoints;
+  int Exponent = 0;
+  std::optional<SurfaceIncidence> Incidence;
+  std::optional<Key> PlacesKey;
+  SurfaceSamples Places;
+  std::shared_ptr<const FieldSurface> FieldMesh;
+  std::optional<std::vector<signed char>> Sides;
+  int NumberOfSamplings = 0;
+};
+
+/// A number times a power of two, but finite where the number is.
+double TimesPower(double number, int exponent);
+}
+
+#endif

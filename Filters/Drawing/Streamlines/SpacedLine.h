@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_SpacedLine_h
+#define DirectionFields_SpacedLine_h
+
+#include "Streamlines/LineGrid.h"
+#include "Streamlines/TracedLine.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Lengths are in the unit of the surface.
+struct EvenOptions
+{
+  /// The distance at which lines of a family start beside each other.
+  double Spacing = 1.0;
+  /// They end where they would come nearer to each other than this part of it.
+  double Ratio = 0.5;
+  double MostLength = 0.0;
+  /// Shorter lines are left out.
+  double LeastLength = 0.0;
+  Index MostLines = 0;
+};
+
+/// Half of a line that keeps its distance: from the seed one way.
+struct SpacedHalf
+{
+  /// A sample of the line, a fraction of the spacing after the last one, or less where it turns.
+  struct Mark
+  {
+    LineSample Sample;
+    /// In which piece, and at what part of it.
+    std::size_t Piece;
+    double Part;
+    LineStart Place;
+  };
+  std::vector<LinePiece> Pieces;
+  std::vector<Mark> Marks;
+  LineEnd End = LineEnd::None;
+  Index Zero = None;
+  bool IsClosed = false;
+
+  /// Leaves out what comes after the first marks.
+  void Keep(std::size_t marks);
+};
+
+/// A line that keeps its distance from others, as two halves that can be cut still.
+struct SpacedLine
+{
+  LineStart Seed;
+  SpacedHalf Forward, Backward;
+
+  bool IsEmpty() const { return this->Forward.Pieces.empty() && this->Backward.Pieces.empty(); }
+  /// In the unit of the component.
+  double Length() const;
+  void InsertInto(LineGrid& grid) const;
+  /// Places all along the line from which lines beside it may start, with directions along it.
+  std::vector<LineStart> Places() const;
+  TracedLine Joined() &&;
+};
+
+/// Traces lines that keep their distance from others.
+class SpacedTracing
+{
+public:
+  /// All must outlive this.
+  SpacedTracing(
+    const GivenField& field, const FieldZeros& zeros, Index component, const EvenOptions& options);
+
+  LineGrid MakeGrid() const;
+  /// The line at a place.
+  LineSample SampleAt(const LineStart& start, double arc) const;
+  /// With the direction of the field that is nearest to the given one; for odd n it runs with the field.
+  LineStart Aligned(const LineStart& start) const;
+  /// A line both ways from a seed until it comes too close to what is in the grid, or to itself.
+  SpacedLine Trace(const LineStart& seed, const LineGrid& grid) const;
+  /// Cuts a line where it is too close to what is in the grid by now.
+  void Cut(SpacedLine& line, const LineGrid& grid) const;
+
+private:
+  void TraceHalf(const LineStart& start, int way, double mostLength, const LineGrid& grid,
+    LineGrid& own, SpacedHalf& half) const;
+  /// Whether a sample is too close to lines in the grid, or to the line itself further back.
+  bool IsTooClose(const LineSample& sample, const LineGrid& grid, const LineGrid& own,
+    const LineSample& first) const;
+  /// Whether a piece comes back to the first sample; sets at what part of it.
+  bool ComesBack(const LinePiece& piece, const LineSample& first, double& part) const;
+  Vector3 PositionOf(Index triangle, const Complex& place) const;
+
+  const GivenField& Field;
+  TracedField Traced;
+  const EvenOptions& Options;
+  Index Component;
+  double Unit;
+  /// The cosine of the angle that a line turns between samples at most.
+  double LeastTurn;
+};
+}
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FieldDifference_h
+#define DirectionFields_FieldDifference_h
+
+#include "Distance/SurfaceDistance.h"
+#include "Interpolation/GivenField.h"
+#include "Progress.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// How far the directions of two fields of the same degree n on one surface are apart.
+struct FieldDifference
+{
+  /// Angle in degrees from a direction of the one field to the nearest of the other, 0 to 180/n, at each point of the surface. Not a
+  /// number where one of them has no direction, zero at points that no triangle uses.
+  std::vector<double> Angle;
+  /// Of the points where both have directions: the mean, weighted by area, and the maximum. Ghosts do not count. 0
+  /// where there are none.
+  double Mean = 0.0;
+  double Maximum = 0.0;
+};
+
+/// @param other directions at the points of the surface that the field is on
+FieldDifference Compare(const GivenField& field, const PointDirections& other);
+
+/// A singularity of one of two fields.
+struct ComparedSingularity
+{
+  /// 0 or 1.
+  int Field;
+  /// In units of 1/n.
+  int SingularityIndex;
+  /// The triangle of the surface.
+  Index Triangle;
+  /// Where the field vanishes.
+  Vector3 Position;
+  /// The singularity of the other field that it is matched with; None for none.
+  Index Match = None;
+  /// The distance to that along the surface, in its unit of length; not a number without a match.
+  double Distance;
+};
+
+/// The singularities of two fields on one surface, those of the first one first, by triangles. Singularities of the same index are
+/// matched in pairs: of all that are left the two that are nearest to each other along the surface, again and
+/// again. Takes time n log n for each round, in which all pairs that are nearest to each other match, and a few
+/// rounds; what MostRounds leave is not matched. Throws Stopped.
+std::vector<ComparedSingularity> MatchSingularities(
+  const GivenField& one, const GivenField& other, const Progress& progress = {});
+
+constexpr int MostRounds = 64;
+}
+
+#endif

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Computation/ComponentStage.h"
+
+#include "Matrices/OperatorProducts.h"
+#include "Matrices/VectorOperations.h"
+#include "Systems/ConjugateGradients.h"
+#include "Systems/DirectSystem.h"
+#include "Support/Division.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+ComponentStage::ComponentStage(
+  Operators matrices, SmallestPairs smoothest, double scale, double unit)
+  : Matrices(std::move(matrices))
+  , Smoothest(std::move(smoothest))
+  , Scale(scale)
+  , Unit(unit)
+{
+}
+
+const GuidanceTerms& ComponentStage::TermsOf(const ComponentGuide& guide)
+{
+  if (!this->Terms || !this->Terms->Fit(guide))
+  {
+    this->Terms.emplace(this->Matrices, guide);
+  }
+  return *this->Terms;
+}
+
+double ComponentStage::PerArea(double value) const
+{
+  return PerSquare(value, this->Unit);
+}
+
+double ComponentStage::Sigma() const
+{
+  return std::max(this->Smoothest.First.Value, this->Scale);
+}
+
+const Hierarchy& ComponentStage::GetHierarchy()
+{
+  if (this->Smoothest.Hierarchy)
+  {
+    return *this->Smoothest.Hierarchy;
+  }
+  if (!this->OwnHierarchy)
+  {
+    this->OwnHierarchy = std::make_unique<Hierarchy>(this->Matrices, this->Scale);
+  }
+  return *this->OwnHierarchy;
+}
+
+FreeSystem& ComponentStage::FreeSystemOf(const GivenValues& given)
+{
+  if (!this->Free || this->Free->Given != given.Vertices)
+  {
+    this->Free = std::make_unique<FreeSystem>(this->Matrices, given.Vertices, this->Scale);
+  }
+  return *this->Free;
+}
+
+double ComponentStage::Gap(const Options& options, double share) const
+{
+  return SystemGap(options, share, { this->Smoothest.First.Value, this->Smoothest.First.Residual },
+    this->Scale, this->Unit);
+}
+
+double ComponentStage::SmallestGap() const
+{
+  return SmallestSystemGap(this->Smoothest.First.Value, this->Scale);
+}
+
+ComplexVector ComponentStage::SmoothestTowards(const GuidanceTerms& terms) const
+{
+  ComplexVector u = this->Smoothest.First.Vector;
+  if (terms.Any())
+  {
+    // This is the limit of the aligned fields where the strength tends to 0.
+    const Complex overlap = u.dot(terms.GetMassTimes());
+    u *= std::abs(overlap) > 0.0 ? overlap / std::abs(overlap) : Complex(1.0);
+  }
+  return u;
+}
+
+SystemSolution ComponentStage::SolveByMultigrid(const SystemFactors& factors,
+  const GivenValues& given, const ComplexVector& rightHandSide, const Options& options,
+  const Progress& progress)
+{
+  const WorkLimit limit(
+    this->Matrices.Energy, ShiftedSystem::DirectSolves, ShiftedSystem::DirectWork);
+  const ShiftedSystem system{ this->Matrices, factors.Energy, factors.Mass,
+    SystemTolerance(options), progress, this->OthersFollow,
+    options.Solver == Solver::Automatic ? &limit : nullptr };
+  if (given.Vertices.empty())
+  {
+    return ConjugateGradients(
+      system, *this->Smoothest.Hierarchy, this->Smoothest.Lowest, rightHandSide, this->Solved);
+  }
+  return MinimizeEnergyByMultigrid(system, this->FreeSystemOf(given), rightHandSide, given);
+}
+
+SystemSolution ComponentStage::SolveByFactor(const SystemFactors& factors, const GivenValues& given,
+  const ComplexVector& rightHandSide, const Options& options, const Progress& progress) const
+{
+  const SparseMatrix matrix =
+    factors.Energy * this->Matrices.Energy + factors.Mass * this->Matrices.Mass;
+  if (given.Vertices.empty())
+  {
+    return SolveDirectly(matrix, rightHandSide, progress);
+  }
+  return options.ConstraintSolver == ConstraintSolver::Energy
+    ? MinimizeEnergyDirectly(matrix, rightHandSide, given, progress)
+    : MinimizeResidualDirectly(matrix, rightHandSide, given, progress);
+}
+
+SystemSolution ComponentStage::SolveSystem(const SystemFactors& factors,
+  const ComponentGuide& guide, const ComplexVector& rightHandSide, const Options& options,
+  const Progress& progress, ComponentReport& report)
+{
+  const bool leastSquares =
+    options.ConstraintSolver == ConstraintSolver::LeastSquares && !guide.Given.Vertices.empty();
+  // Multigrid has shown that it works on this component where the smoothest field was found by it.
+  if (this->Smoothest.Hierarchy && !leastSquares)
+  {
+    SystemSolution solution =
+      this->SolveByMultigrid(factors, guide.Given, rightHandSide, options, progress);
+    if (solution.Residual <= SystemTolerance(options) || options.Solver == Solver::Multigrid)
+    {
+      return solution;
+    }
+    progress.RequireToGoOn();
+  }
+  report.SolverUsed = Solver::Direct;
+  return this->SolveByFactor(factors, guide.Given, rightHandSide, options, progress);
+}
+
+SystemSolution ComponentStage::SolveAt(double gap, const ComponentGuide& guide,
+  const GuidanceTerms& terms, const Options& options, const Progress& progress,
+  ComponentReport& report)
+{
+  const double smallest = this->Smoothest.First.Value;
+  for (;;)
+  {
+    SystemFactors factors;
+    report.Lambda = 0.0;
+    if (terms.Any())
+    {
+      factors = FactorsAt(smallest, gap);
+      report.Lambda = std::isinf(gap) ? std::numeric_limits<double>::lowest()
+                                      : PerSquare(smallest - gap, this->Unit);
+    }
+    report.SolverUsed = this->Smoothest.SolverUsed;
+    try
+    {
+      return this->SolveSystem(factors, guide,
+        terms.RightHandSide(this->Matrices, factors.Guidance), options, progress, report);
+    }
+    catch (const NotPositiveDefinite&)
+    {
+      if (!terms.Any() || gap >= smallest)
+      {
+        throw;
+      }
+      gap = GrownGap(gap, smallest, this->Scale);
+    }
+  }
+}
+
+ComplexVector ComponentStage::Finish(
+  SystemSolution solution, double area, const Options& options, ComponentReport& report) const
+{
+  SectionProducts u;
+  if (solution.Energy.size() > 0)
+  {
+    u.Vector = std::move(solution.Vector);
+    u.Energy = std::move(solution.Energy);
+    u.Mass = std::move(solution.Mass);
+  }
+  else
+  {
+    u.Set(this->Matrices, std::move(solution.Vector));
+  }
+  const double size = RealDot(u.Vector, u.Mass);
+  report.SmoothnessEnergy =
+    size > 0.0 ? PerSquare(std::max(0.0, RealDot(u.Vector, u.Energy) / size), this->Unit) : 0.0;
+  report.SystemResidual = solution.Residual;
+  const Eigenpair& smoothest = this->Smoothest.First;
+  report.Eigenvalue = PerSquare(smoothest.Value, this->Unit);
+  report.Residual = smoothest.Residual;
+  report.RequiredResidual = smoothest.RequiredResidual;
+  report.Iterations = smoothest.Iterations;
+  report.Converged = HasConverged(smoothest) && report.SystemResidual <= SystemTolerance(options);
+  if (size > 0.0)
+  {
+    const double factor = std::sqrt(area / size);
+    ForRows(
+      u.Vector, [&](Index begin, Index end) { u.Vector.segment(begin, end - begin) *= factor; });
+  }
+  return std::move(u.Vector);
+}
+
+ComplexVector ComponentStage::Solve(const ComponentGuide& guide, const Options& options,
+  const Progress& progress, ComponentReport& report)
+{
+  const GuidanceTerms& terms = this->TermsOf(guide);
+  const bool constrained = !guide.Given.Vertices.empty();
+  const double gap = this->Gap(options, guide.Share);
+  SystemSolution solution;
+  if (constrained || (terms.Any() && gap > this->SmallestGap()))
+  {
+    solution = this->SolveAt(gap, guide, terms, options, progress, report);
+  }
+  else
+  {
+    report.SolverUsed = this->Smoothest.SolverUsed;
+    report.Lambda = PerSquare(this->Smoothest.First.Value, this->Unit);
+    solution.Vector = this->SmoothestTowards(terms);
+  }
+  if (solution.Vector.isZero(0.0))
+  {
+    // Constraints that are zero give the zero field: the smoothest one is better than none.
+    solution.Energy.resize(0);
+    solution.Mass.resize(0);
+    solution.Vector = this->SmoothestTowards(terms);
+  }
+  return this->Finish(std::move(solution), terms.GetArea(), options, report);
+}
+}

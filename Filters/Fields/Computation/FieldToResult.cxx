@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Computation/FieldToResult.h"
+
+#include "Mesh/OutputPoints.h"
+#include "Mesh/OwnedParts.h"
+#include "Sections/SectionDirections.h"
+#include "Sections/Singularities.h"
+#include "Support/Division.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr Index PieceSize = 1 << 13;
+
+/// Fills in the counts of each component's part that belongs to this piece of the surface.
+void AddCounts(
+  const TriangleMesh& mesh, const OwnedParts& owned, std::vector<ComponentReport>& reports)
+{
+  for (std::size_t c = 0; c < reports.size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    const OwnedParts::Counts& counts = owned.Components[c];
+    ComponentReport& report = reports[c];
+    report.EulerCharacteristic = counts.Vertices - counts.Edges + counts.Triangles;
+    report.Vertices = counts.Vertices;
+    report.Triangles = counts.Triangles;
+    report.Closed = component.Closed && counts.Ghosts == 0;
+  }
+}
+
+/// Counts the constraints of each component's part that belongs to this piece of the surface.
+void CountConstraints(const TriangleMesh& mesh, const Surface& surface,
+  const Constraints& constraints, std::vector<ComponentReport>& reports)
+{
+  const OwnedParts owned(mesh, surface);
+  for (std::size_t c = 0; c < reports.size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+    {
+      const bool counted = constraints.Kind[v] != ConstraintKind::None && mesh.IsFrontVertex(v) &&
+        (owned.Vertex.empty() || owned.Vertex[v]);
+      reports[c].Constraints += counted ? 1 : 0;
+    }
+  }
+}
+
+/// Fills in the triangles' arrays and the index sums. The reports are there already.
+void AddTriangles(
+  const TriangleMesh& mesh, const Surface& surface, const std::vector<int>& indices, Result& result)
+{
+  const auto fill = [&](std::vector<Index>& values, Index value)
+  {
+    values.reserve(surface.Triangles.size());
+    PreferLargePages(values.data(), surface.Triangles.size() * sizeof(Index));
+    values.assign(surface.Triangles.size(), value);
+  };
+  fill(result.SingularityIndex, 0);
+  fill(result.Component, None);
+  mesh.ForEachComponent(
+    [&](Index c)
+    {
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      result.Components[c].IndexSum = ParallelSum(component.Triangles(), PieceSize, 0,
+        [&](Index begin, Index end)
+        {
+          int sum = 0;
+          for (Index t = component.FirstTriangle + begin; t < component.FirstTriangle + end; ++t)
+          {
+            if (!mesh.IsFront(t))
+            {
+              continue;
+            }
+            const Index input = mesh.InputTriangle(t);
+            result.SingularityIndex[input] = indices[t];
+            result.Component[input] = c;
+            const bool counts = surface.Ghost.empty() || surface.Ghost[input] == 0;
+            sum += counts ? indices[t] : 0;
+          }
+          return sum;
+        });
+    });
+}
+
+/// EnergyDensity in the unit of the input.
+std::vector<double> DensityPerArea(
+  const SurfaceGeometry& geometry, int degree, const std::vector<Complex>& section)
+{
+  std::vector<double> density = EnergyDensity(geometry, degree, section);
+  geometry.Mesh.ForEachComponent(
+    [&](Index c)
+    {
+      const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
+      const double unit = geometry.Lengths.Unit[c];
+      ParallelFor(component.Vertices(), PieceSize,
+        [&](Index begin, Index end)
+        {
+          for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
+          {
+            density[v] = PerSquare(density[v], unit);
+          }
+        });
+    });
+  return density;
+}
+}
+
+Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
+  std::vector<std::string> notes)
+{
+  const Constraints& constraints = guide.GetConstraints();
+  Result result;
+  result.Degree = options.Degree;
+  result.UnitLength = options.UnitLength;
+  result.Repaired.MergedPoints = stages.CountMergedPoints();
+  result.Notes = std::move(notes);
+  result.Components = std::move(fields.Reports);
+  const OutputPoints& points = stages.GetOutputPoints();
+  AddSection(stages.GetGeometry(), stages.GetInput(), points, fields.Section, result);
+  if (constraints.Any())
+  {
+    const Vector3 zero = Vector3::Zero();
+    CountConstraints(stages.GetMesh(), stages.GetInput(), constraints, result.Components);
+    result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
+    result.ConstraintDirection = points.Spread(
+      DirectionsOf(constraints.Value, stages.GetGeometry().Frames, options.Degree), zero);
+  }
+  if (UsesCurvature(options))
+  {
+    result.Curvature = stages.GetCurvatureReport(options.CurvatureScale);
+  }
+  return result;
+}
+
+void AddSection(const SurfaceGeometry& geometry, const Surface& surface, const OutputPoints& points,
+  const std::vector<Complex>& section, Result& result)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Index merged = result.Repaired.MergedPoints;
+  result.Repaired = mesh.GetRepairs();
+  result.Repaired.DegenerateTriangles = geometry.Lengths.DegenerateTriangles;
+  result.Repaired.MergedPoints = merged;
+  result.Components.resize(mesh.GetComponents().size());
+  AddCounts(mesh, OwnedParts(mesh, surface), result.Components);
+  AddTriangles(mesh, surface, SingularityIndices(geometry, result.Degree, section), result);
+  result.EnergyDensity = points.Spread(DensityPerArea(geometry, result.Degree, section), 0.0);
+  const Vector3 zero = Vector3::Zero();
+  result.Representation = points.Spread(section, Complex(0.0));
+  result.Normal = points.Spread(geometry.Frames.Normal, zero);
+  result.XAxis = points.Spread(geometry.Frames.X, zero);
+  result.OriginalPoint = points.Original;
+  result.SplitTriangles = points.SplitTriangles;
+}
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FieldToResult_h
+#define DirectionFields_FieldToResult_h
+
+#include "Computation/ComponentFields.h"
+#include "Mesh/OutputPoints.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// The field and its figures as the caller gets them: over the points and triangles of the input.
+/// @param notes the sentences for the user
+Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
+  std::vector<std::string> notes);
+
+/// What follows from a section alone, wherever it comes from: the arrays over points and triangles, and of each
+/// component's report, which are made where they are not there, the counts and the sum of the indices.
+/// @param result whose Degree is set
+void AddSection(const SurfaceGeometry& geometry, const Surface& surface, const OutputPoints& points,
+  const std::vector<Complex>& section, Result& result);
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Computation/SmoothestField.h"
+
+#include "Eigenpairs/JacobiDavidson.h"
+#include "Eigenpairs/Lanczos.h"
+
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Automatic takes the direct solver up to this number of rows, where it is about as fast as multigrid.
+constexpr Eigen::Index DirectRows = 3000;
+/// The solves that the direct solver needs as a rule, and its work by the row and solve besides those with the
+/// factor (see WorkLimit).
+constexpr int TypicalSolves = 20;
+constexpr double WorkOfSolve = 150.0;
+}
+
+SmallestPairs FindSmallestPairs(const Operators& operators,
+  const std::function<ComplexVector()>& start, Solver solver, const EigenpairSettings& settings,
+  const Progress& progress)
+{
+  SmallestPairs pairs;
+  const Eigen::Index rows = operators.Energy.rows();
+  const bool automatic = solver == Solver::Automatic;
+  if (solver != Solver::Direct && rows > (automatic ? DirectRows : Hierarchy::CoarsestRows))
+  {
+    pairs.Hierarchy = std::make_unique<Hierarchy>(operators, settings.Scale);
+    const WorkLimit limit(operators.Energy, TypicalSolves, WorkOfSolve);
+    EigenpairSettings limited = settings;
+    limited.Limit = automatic ? &limit : nullptr;
+    pairs.First =
+      SolveByJacobiDavidson(operators, *pairs.Hierarchy, limited, progress, pairs.Lowest);
+    pairs.SolverUsed = Solver::Multigrid;
+    if (HasConverged(pairs.First) || (!automatic && std::isfinite(pairs.First.Residual)))
+    {
+      return pairs;
+    }
+    pairs = {};
+  }
+  pairs.First = SolveByLanczos(operators.Energy, operators.Mass, start(), settings, progress);
+  return pairs;
+}
+}

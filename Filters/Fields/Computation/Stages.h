@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Stages_h
+#define DirectionFields_Stages_h
+
+#include "Computation/ComponentStage.h"
+#include "Curvature/Curvature.h"
+#include "Computation/UnitStage.h"
+#include "Geometry/IntrinsicTriangulation.h"
+#include "Geometry/SurfaceGeometry.h"
+#include "Mesh/MergePoints.h"
+#include "Mesh/OutputPoints.h"
+#include "Progress.h"
+
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// The options that matrices and smallest eigenpairs depend on.
+using EnergyKey = std::tuple<int, double, double, int, Solver, bool>;
+
+inline EnergyKey EnergyKeyOf(const Options& options)
+{
+  return { options.Degree, options.EnergyBias, options.Tolerance, options.MaximumIterations,
+    options.Solver, options.IntrinsicDelaunay };
+}
+
+/// Matrices and smallest eigenpairs of all components.
+struct EnergyStage
+{
+  EnergyKey Key;
+  std::vector<ComponentStage> Components;
+  /// What fields of unit length need, made when the first one is asked for.
+  std::optional<IntrinsicTriangulation> Delaunay;
+  std::vector<std::unique_ptr<UnitStage>> Units;
+};
+
+/// What is kept between calls of DirectionField::Compute. What depends on the surface alone is kept for
+/// good, everything else until the options change that it depends on.
+class Stages
+{
+public:
+  /// Throws MeshError.
+  /// @param mergePoints as Options::MergePoints
+  explicit Stages(
+    std::shared_ptr<const Surface> surface, MergePoints mergePoints = MergePoints::Off);
+  explicit Stages(const Surface& surface);
+
+  /// The surface as it came in.
+  const Surface& GetInput() const { return *this->Input; }
+  MergePoints GetMergePoints() const { return this->Merges; }
+  /// For each point of the input the one that stands for it in the mesh; empty where each stands for
+  /// itself.
+  const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
+  const SurfaceGeometry& GetGeometry() const { return this->Geometry; }
+  const TriangleMesh& GetMesh() const { return this->Geometry.Mesh; }
+  /// How many points became one with an earlier one.
+  Index CountMergedPoints() const;
+
+  /// Throws Stopped.
+  EnergyStage& GetEnergy(const Options& options, const Progress& progress);
+  const BoundaryPoints& GetBoundaryPoints();
+  /// What a component's fields of unit length need, kept with the energy, which must be that of the options.
+  UnitStage& GetUnit(EnergyStage& energy, std::size_t component, const Options& options) const;
+  const std::vector<double>& GetDihedralAngles();
+  /// @param scale as Options::CurvatureScale
+  const Curvature& GetCurvature(double scale = 0.0);
+  const OutputPoints& GetOutputPoints();
+  /// The curvature at the output points, in the units of the input. All results of one scale share it.
+  const std::shared_ptr<const CurvatureReport>& GetCurvatureReport(double scale = 0.0);
+
+private:
+  Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh);
+
+  std::shared_ptr<const Surface> Input;
+  MergePoints Merges;
+  std::vector<Index> FirstPoint;
+  SurfaceGeometry Geometry;
+  std::optional<EnergyStage> Energy;
+  std::optional<BoundaryPoints> Boundary;
+  std::optional<std::vector<double>> Dihedral;
+  std::optional<Curvature> Curved;
+  double CurvatureScale = 0.0;
+  std::optional<OutputPoints> Points;
+  std::shared_ptr<const CurvatureReport> CurvatureAtPoints;
+};
+}
+
+#endif

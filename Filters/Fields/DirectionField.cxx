@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DirectionField.h"
+
+#include "Computation/ComponentFields.h"
+#include "Computation/FieldToResult.h"
+#include "Guidance/Guidance.h"
+#include "Computation/Guide.h"
+#include "Computation/Stages.h"
+#include "Support/Threads.h"
+
+#include <string>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+/// What looks like a mistake in the surface or the options.
+std::vector<std::string> Hints(Stages& stages, const Options& options)
+{
+  std::vector<std::string> notes;
+  if (options.MergePoints == MergePoints::Off && stages.GetBoundaryPoints().LookLikeSoup())
+  {
+    const BoundaryPoints& boundary = stages.GetBoundaryPoints();
+    notes.emplace_back(std::to_string(boundary.Coincident) + " of the " +
+      std::to_string(boundary.Count) +
+      " points on the boundary of the surface lie exactly on another one: triangles touch there that "
+      "are not connected. Switch on MergePoints to connect them.");
+  }
+  return notes;
+}
+
+Result Aborted(const Options& options)
+{
+  Result nothing;
+  nothing.Degree = options.Degree;
+  nothing.Aborted = true;
+  return nothing;
+}
+}
+
+DirectionField::DirectionField(const Surface& surface)
+  : DirectionField(std::make_shared<const Surface>(surface))
+{
+}
+
+DirectionField::DirectionField(std::shared_ptr<const Surface> surface)
+  : Input(std::move(surface))
+{
+}
+
+DirectionField::~DirectionField() = default;
+DirectionField::DirectionField(DirectionField&&) noexcept = default;
+DirectionField& DirectionField::operator=(DirectionField&&) noexcept = default;
+
+void DirectionField::SetPhaseReference(std::vector<Vector3> directions, int degree)
+{
+  this->PhaseReference.Vectors = std::move(directions);
+  this->PhaseReferenceDegree = degree;
+}
+
+std::vector<Complex> DirectionField::PhaseReferenceSection(int degree) const
+{
+  if (this->PhaseReferenceDegree != degree ||
+    this->PhaseReference.Vectors.size() != this->Input->Points.size())
+  {
+    return {};
+  }
+  return GuidanceSection(this->Kept->GetGeometry(), this->PhaseReference, degree);
+}
+
+Stages& DirectionField::StagesFor(const Options& options)
+{
+  if (!this->Kept || this->Kept->GetMergePoints() != options.MergePoints)
+  {
+    this->Kept.reset();
+    this->Kept = std::make_unique<Stages>(this->Input, options.MergePoints);
+  }
+  return *this->Kept;
+}
+
+Result DirectionField::Compute(
+  const Options& options, const Guidance& guidance, const ProgressFunction& progress) &
+{
+  return this->ComputeField(options, guidance, progress, true);
+}
+
+Result DirectionField::Compute(
+  const Options& options, const Guidance& guidance, const ProgressFunction& progress) &&
+{
+  return this->ComputeField(options, guidance, progress, false);
+}
+
+Result DirectionField::ComputeField(const Options& options, const Guidance& guidance,
+  const ProgressFunction& progressFunction, bool othersFollow)
+{
+  Check(options);
+  Check(guidance, options, this->Input->Points.size());
+  Threads threads(options.NumberOfThreads);
+  const Threads::Scope scope(threads);
+  const Progress progress(progressFunction);
+  try
+  {
+    progress.RequireToGoOn();
+    Stages& stages = this->StagesFor(options);
+    progress.RequireToGoOn();
+    std::vector<std::string> notes = Hints(stages, options);
+    const Guide guide(stages, options, guidance, notes);
+    progress.RequireToGoOn();
+    // The linear systems take about as long as half of the eigenvalue problem does.
+    const double energyPart = guide.Any() || options.UnitLength ? 0.65 : 1.0;
+    EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, energyPart));
+    ComponentFields fields =
+      SolveComponents(stages, energy, guide, this->PhaseReferenceSection(options.Degree), options,
+        othersFollow, progress.Part(energyPart, 1.0));
+    return ToResult(stages, options, guide, std::move(fields), std::move(notes));
+  }
+  catch (const Stopped&)
+  {
+    return Aborted(options);
+  }
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FieldExport_h
+#define DirectionFields_FieldExport_h
+
+#include "Exchange/FaceField.h"
+#include "Exchange/FieldImport.h"
+#include "Exchange/FieldFile.h"
+#include "Interpolation/GivenField.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+struct ExportOptions
+{
+  /// Any but ObjComments.
+  FieldFormat Format = FieldFormat::Rosy;
+  /// Rows for the triangles (Cells, as which Automatic counts) or the points.
+  FieldOn On = FieldOn::Cells;
+  /// As Options::FeatureAngle and Options::MinimumFeatureLength, for the .sharp file.
+  double FeatureAngle = 30.0;
+  double MinimumFeatureLength = 0.1;
+};
+
+/// A file by the end of its name and its text.
+struct ExportedFile
+{
+  std::string Ending;
+  std::string Text;
+};
+
+/// The files that other programs need of a field. The first one has the directions, or singularities for .sing;
+/// then come
+/// - .obj: the mesh with the same points and triangles in the same order. Where points across seams became one, each
+///   is there once;
+/// - .sharp beside .rosy: the features, which QuadWild does not look for in a mesh that comes with a field;
+/// - .sing beside .rawfield.
+///
+/// Directions of a row go counter-clockwise as seen from where its triangle's corners do. Singularities are
+/// vertices where rows are for triangles (FaceSingularityIndices), and triangles where rows are for points.
+///
+/// Throws FileError where the format does not have such a field.
+/// @param given the directions of the triangles, if these are to be written and not those of the points; else null
+std::vector<ExportedFile> ExportField(
+  const GivenField& field, const FaceField* given, const ExportOptions& options);
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FieldImport_h
+#define DirectionFields_FieldImport_h
+
+#include "Exchange/FieldFile.h"
+#include "Progress.h"
+#include "Result.h"
+#include "Surface.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// What the rows of a file with directions are for.
+enum class FieldOn
+{
+  /// The triangles, if there are as many, else the points.
+  Automatic = 0,
+  Cells = 1,
+  Points = 2
+};
+
+/// A field that was read, as if it had been computed: with true indices, everything over the points that
+/// Direction Field would have.
+struct ImportedField
+{
+  DirectionFields::Result Field;
+  /// Sentences for the user on what the file has that a field of one degree has not, and the other way around.
+  std::vector<std::string> Warnings;
+};
+
+/// Lays the directions of a file on the surface that they belong to. Directions of faces are carried to the vertices
+/// (ToVertices). RepresentationMagnitude is how much the directions around a vertex agree, 1 for directions of
+/// vertices. A vertex that has no direction gets one from its neighbours. Points at the same place across seams
+/// become one, as Direction Field does it. Rows of an .obj file belong to the points at their places, where there are
+/// not as many points as rows.
+///
+/// Throws FileError where the numbers do not match, MeshError, and Stopped. Takes linear time.
+/// @param facesAreTriangles whether each face of the input is one triangle of the surface: only then rows can be for
+///                          faces
+ImportedField ImportField(const FieldFile& file, const Surface& surface, FieldOn on,
+  bool facesAreTriangles, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Constraints_h
+#define DirectionFields_Constraints_h
+
+#include "Curvature/Curvature.h"
+#include "Geometry/SurfaceGeometry.h"
+#include "Options.h"
+#include "Result.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Which vertices are constrained, and to what. The rules are those of POC14, section 3, with what the
+/// thesis of C. Clemenz (TU Wien 2019) settled. Vertices of a non-manifold edge are always constrained
+/// to it.
+struct Constraints
+{
+  struct Input
+  {
+    const SurfaceGeometry& Geometry;
+    /// The angle of each edge; empty is enough where sharp edges are not asked for.
+    const std::vector<double>& DihedralAngles;
+    /// Null is enough where curvature is not asked for.
+    const Curvature* Curved;
+    /// Guidance as a section of the field's degree; empty where it does not constrain.
+    const std::vector<Complex>& Given;
+  };
+
+  /// Adds a sentence for each kind that is asked for and constrains nothing. Throws
+  /// std::invalid_argument where least squares would have to solve for more than
+  /// MostLeastSquaresVertices.
+  Constraints(const Input& input, const Options& options, std::vector<std::string>& notes);
+
+  bool Any() const { return this->Count > 0; }
+
+  /// The kind of each vertex; empty, as Value is, where no vertex is constrained.
+  std::vector<ConstraintKind> Kind;
+  /// The representation vector of each vertex: its modulus is 1 where the vertex is constrained, else 0.
+  std::vector<Complex> Value;
+  Index Count = 0;
+
+private:
+  void Set(Index vertex, ConstraintKind kind, const Complex& value);
+  void AddGiven(const Input& input);
+  void AddBoundary(const Input& input, const Options& options);
+  void MirrorBoundary(const Input& input, const Options& options);
+  void MirrorInterior(const Input& input, const Options& options);
+  void AddSharpEdges(const Input& input, const Options& options);
+  void AddCurvature(const Input& input, const Options& options);
+  void DropInconsistent(const Input& input, const Options& options);
+  void DropLonely(const Input& input);
+  void DropAtSingularities(const Input& input, const Options& options);
+  void DropCurvature(const std::vector<char>& drop);
+};
+}
+
+#endif

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Guidance/CurveGuidance.h"
+
+#include "Distance/ClosestPoints.h"
+#include "Distance/SurfaceDistance.h"
+#include "Interpolation/GivenField.h"
+#include "Interpolation/PowerOnTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// The most samples; curves that ask for more are sampled less densely.
+constexpr double MostSamples = 2e6;
+/// Corners that are about opposite of an edge that a curve runs along are not on it.
+constexpr double LeastWeight = 1e-3;
+constexpr double LeastTangential = 1e-6;
+constexpr Index SamplesPerReport = 4096;
+
+/// A piece of a curve.
+struct Sample
+{
+  Vector3 Place;
+  /// Of the length of the piece.
+  Vector3 Tangent;
+};
+
+/// Calls body(start, end) for all segments of finite places that have a length.
+template <typename Body>
+void ForEachSegment(const std::vector<std::vector<Vector3>>& curves, const Body& body)
+{
+  for (const std::vector<Vector3>& curve : curves)
+  {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+    {
+      const double length = (curve[i + 1] - curve[i]).stableNorm();
+      if (std::isfinite(length) && length > 0.0)
+      {
+        body(curve[i], curve[i + 1], length);
+      }
+    }
+  }
+}
+
+/// The middles of pieces that are no longer than a step.
+std::vector<Sample> SamplesOf(const std::vector<std::vector<Vector3>>& curves, double step)
+{
+  double total = 0.0;
+  ForEachSegment(curves, [&](const Vector3&, const Vector3&, double length) { total += length; });
+  const double longest = std::max(step, total / MostSamples);
+  std::vector<Sample> samples;
+  ForEachSegment(curves,
+    [&](const Vector3& start, const Vector3& end, double length)
+    {
+      const auto pieces = static_cast<Index>(std::max(1.0, std::ceil(length / longest)));
+      const Vector3 tangent = (end - start) / pieces;
+      for (Index k = 0; k < pieces; ++k)
+      {
+        samples.push_back({ start + (k + 0.5) * tangent, tangent });
+      }
+    });
+  return samples;
+}
+
+/// The mean length of the edges in the unit of the surface.
+double MeanEdge(const SurfaceGeometry& geometry)
+{
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t c = 0; c < geometry.Mesh.GetComponents().size(); ++c)
+  {
+    const double edges = geometry.Mesh.GetComponents()[c].Edges();
+    sum += edges * geometry.Lengths.Unit[c];
+    count += edges;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+/// What curves ask for at the vertices of a mesh.
+class Strokes
+{
+public:
+  Strokes(const GivenField& surface, int degree)
+    : Given(surface)
+    , Geometry(surface.GetGeometry())
+    , Degree(degree)
+    , Sum(this->Geometry.Mesh.GetNumberOfVertices(), 0.0)
+    , Weight(this->Sum.size(), 0.0)
+  {
+  }
+
+  /// Adds a piece of a curve that lies in a triangle of the surface.
+  void Add(const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds)
+  {
+    const Index front = this->Given.GetMeshTriangles()[found.Triangle];
+    if (front == None)
+    {
+      return;
+    }
+    const Index mirror = this->Geometry.Mesh.Mirror(3 * front);
+    for (const Index triangle : { front, mirror == None ? None : mirror / 3 })
+    {
+      if (triangle != None)
+      {
+        this->AddToTriangle(triangle, found, tangent, fillsSeeds);
+      }
+    }
+  }
+
+  /// Carries the directions on to all vertices within a radius, and weights them by their distances.
+  /// @return the value of each vertex: the n-th power of its direction, of the length of its weight
+  std::vector<Complex> Spread(double radius, double falloff) const;
+
+private:
+  void AddToTriangle(
+    Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds);
+  /// The mean of the neighbours that are known.
+  Complex FromNeighbours(
+    Index vertex, const std::vector<Complex>& values, const std::vector<char>& isKnown) const;
+  /// What is left where the directions cancel is no direction.
+  static Complex Coherent(const Complex& value)
+  {
+    return std::abs(value) < CurveGuidance::LeastCoherence ? Complex(0.0) : value;
+  }
+
+  const GivenField& Given;
+  const SurfaceGeometry& Geometry;
+  int Degree;
+  std::vector<Complex> Sum;
+  std::vector<double> Weight;
+  std::vector<SurfaceDistance::Seed> Seeds;
+};
+
+void Strokes::AddToTriangle(
+  Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds)
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  const TriangleInSpace space = this->Given.InSpace(triangle);
+  const Complex tangential(tangent.dot(space.X), tangent.dot(space.Y));
+  const double length = std::abs(tangential);
+  if (!(length > LeastTangential * tangent.norm()))
+  {
+    return;
+  }
+  MeshPlace place;
+  place.Triangle = triangle;
+  for (int c = 0; c < 3; ++c)
+  {
+    place.Weights[this->Given.MeshCorner(triangle, c)] = found.Weights[c];
+  }
+  const PowerOnTriangle power(
+    this->Geometry, this->Degree, this->Given.GetSection().data(), triangle);
+  const Complex at = power.Flat().Place(place.Weights);
+  for (int c = 0; c < 3; ++c)
+  {
+    if (place.Weights[c] > LeastWeight)
+    {
+      const Index vertex = mesh.Tail(3 * triangle + c);
+      const double angle = std::arg(tangential) - power.AngleInFlat(c, 0.0, at);
+      const double weight = length * place.Weights[c];
+      this->Sum[vertex] += std::polar(weight, this->Degree * angle);
+      this->Weight[vertex] += weight;
+      if (fillsSeeds)
+      {
+        this->Seeds.push_back({ vertex, SurfaceDistance::ToCorner(this->Geometry, place, c), 0 });
+      }
+    }
+  }
+}
+
+Complex Strokes::FromNeighbours(
+  Index vertex, const std::vector<Complex>& values, const std::vector<char>& isKnown) const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  Complex sum = 0.0;
+  double count = 0.0;
+  const auto add = [&](Index neighbour, double rotation, Index edge)
+  {
+    if (isKnown[neighbour] != 0)
+    {
+      const double weight =
+        1.0 / std::sqrt(std::max(this->Geometry.Lengths.SquaredLength[edge], 1e-300));
+      sum += weight * values[neighbour] * std::polar(1.0, this->Degree * rotation);
+      count += weight;
+    }
+  };
+  Index h = mesh.Outgoing(vertex);
+  Index last = h;
+  do
+  {
+    add(mesh.Head(h), -this->Geometry.Transport.RotationAlong(mesh, h), mesh.Edge(h));
+    last = h;
+    h = mesh.NextOutgoing(h);
+  } while (h != None && h != mesh.Outgoing(vertex));
+  if (h == None)
+  {
+    const Index incoming = TriangleMesh::Previous(last);
+    add(mesh.Tail(incoming), this->Geometry.Transport.RotationAlong(mesh, incoming),
+      mesh.Edge(incoming));
+  }
+  return count > 0.0 ? Complex(sum / count) : Complex(0.0);
+}
+
+std::vector<Complex> Strokes::Spread(double radius, double falloff) const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  std::vector<Complex> values(this->Sum.size(), 0.0);
+  std::vector<char> isKnown(this->Sum.size(), 0);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    isKnown[v] = this->Weight[v] > 0.0 ? 1 : 0;
+    values[v] = isKnown[v] != 0 ? Coherent(this->Sum[v] / this->Weight[v]) : Complex(0.0);
+  }
+  if (radius > 0.0)
+  {
+    double most = 0.0;
+    for (const double unit : this->Geometry.Lengths.Unit)
+    {
+      most = std::max(most, radius / unit);
+    }
+    const SurfaceDistance distance(
+      this->Geometry, this->Seeds, most, SurfaceDistance::Sources::Curves);
+    std::vector<double> units(this->Sum.size());
+    for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+    {
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      std::fill(units.begin() + component.FirstVertex, units.begin() + component.EndVertex,
+        this->Geometry.Lengths.Unit[c]);
+    }
+    for (const Index v : distance.Order)
+    {
+      if (isKnown[v] == 0 && distance.Distance[v] * units[v] <= radius)
+      {
+        values[v] = Coherent(this->FromNeighbours(v, values, isKnown));
+        isKnown[v] = 1;
+      }
+    }
+    for (const Index v : distance.Order)
+    {
+      const double deviations = distance.Distance[v] * units[v] / (falloff * radius);
+      values[v] *= std::exp(-0.5 * deviations * deviations);
+    }
+  }
+  return values;
+}
+
+void Check(const CurveGuidanceOptions& options)
+{
+  if (options.Degree < 1 || options.Degree > 16 || !(options.Radius >= 0.0) ||
+    !(options.Falloff > 0.0) || !(options.MaximumDistance >= 0.0))
+  {
+    throw std::invalid_argument(
+      "Degree must be 1 to 16, Falloff greater than 0, Radius and MaximumDistance at least 0.");
+  }
+}
+}
+
+CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vector<Vector3>>& curves,
+  const CurveGuidanceOptions& options, const Progress& progress)
+{
+  Check(options);
+  CurveGuidance guidance;
+  guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
+  guidance.Weights.assign(surface.Points.size(), 0.0);
+  if (surface.Triangles.empty())
+  {
+    return guidance;
+  }
+  PointDirections none;
+  none.Degree = options.Degree;
+  none.Direction = [](Index, int) { return Vector3(Vector3::Zero()); };
+  none.Magnitude = [](Index) { return 0.0; };
+  const GivenField given(surface, none);
+  const SurfaceGeometry& geometry = given.GetGeometry();
+  progress.Report(0.2);
+  const ClosestPoints closest(surface);
+  progress.Report(0.4);
+  const double most = options.MaximumDistance > 0.0 ? options.MaximumDistance
+                                                    : std::numeric_limits<double>::infinity();
+  Strokes strokes(given, options.Degree);
+  const std::vector<Sample> samples = SamplesOf(curves, 0.5 * MeanEdge(geometry));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (i % SamplesPerReport == 0)
+    {
+      progress.Report(0.4 + 0.4 * static_cast<double>(i) / static_cast<double>(samples.size()));
+    }
+    const ClosestPoints::Answer found = closest.Find(samples[i].Place, Vector3::Zero(), most);
+    if (found.Triangle == None)
+    {
+      ++guidance.FarSamples;
+      continue;
+    }
+    strokes.Add(found, samples[i].Tangent, options.Radius > 0.0);
+  }
+  guidance.Samples = static_cast<Index>(samples.size());
+  const std::vector<Complex> values = strokes.Spread(options.Radius, options.Falloff);
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Index at = given.GetMeshTriangles()[t];
+    for (int c = 0; at != None && c < 3; ++c)
+    {
+      const Index vertex = geometry.Mesh.Tail(3 * at + given.MeshCorner(at, c));
+      const Complex& value = values[vertex];
+      const double weight = std::abs(value);
+      const double angle = std::arg(value) / options.Degree;
+      const Index point = surface.Triangles[t][c];
+      guidance.Weights[point] = weight;
+      guidance.Vectors[point] = weight * std::cos(angle) * geometry.Frames.X[vertex] +
+        weight * std::sin(angle) * geometry.Frames.Y(vertex);
+    }
+  }
+  progress.Report(1.0);
+  return guidance;
+}
+}

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PrescribedSingularities/SingularityEditor.h"
+
+#include "TrivialConnection/RotationAlignment.h"
+#include "TrivialConnection/RotationAtPlace.h"
+#include "Support/VectorMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr double LeastTangential = 1e-6;
+}
+
+SingularityEditor::SingularityEditor(const Surface& surface, const PointDirections& directions,
+  const std::vector<Vector3>& constraints)
+  : SingularityEditor(
+      surface, std::make_shared<const FieldSurface>(surface), directions, constraints)
+{
+}
+
+SingularityEditor::SingularityEditor(const Surface& surface,
+  const std::shared_ptr<const FieldSurface>& made, const PointDirections& directions,
+  const std::vector<Vector3>& constraints)
+  : Base(surface, made, directions)
+  , Section(this->Base.GetSection())
+{
+  // Where the directions across seams differ, the field has a surface of its own, with the seams.
+  if (&this->Base.GetGeometry() == made->Geometry.get())
+  {
+    this->FirstPoint = made->FirstPoint;
+  }
+  const TriangleMesh& mesh = this->Base.GetMesh();
+  this->Rotations.resize(mesh.GetComponents().size());
+  if (constraints.empty())
+  {
+    return;
+  }
+  this->IsGiven.resize(mesh.GetNumberOfVertices(), 0);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Vector3& direction = constraints[mesh.Point(v)];
+    if (!direction.allFinite() || direction.isZero(0.0))
+    {
+      continue;
+    }
+    const Complex tangential =
+      this->Base.GetGeometry().Frames.Tangential(v, direction.stableNormalized());
+    const double length = Modulus(tangential);
+    if (length > LeastTangential)
+    {
+      const double modulus = Modulus(this->Section[v]);
+      this->Section[v] =
+        (modulus > 0.0 ? modulus : 1.0) * IntegerPower(tangential / length, this->Base.GetDegree());
+      this->IsGiven[v] = 1;
+    }
+  }
+}
+
+ComponentRotation& SingularityEditor::GetRotation(std::size_t component)
+{
+  std::unique_ptr<ComponentRotation>& rotation = this->Rotations[component];
+  if (!rotation)
+  {
+    rotation = std::make_unique<ComponentRotation>(this->Base.GetGeometry(),
+      this->Base.GetMesh().GetComponents()[component], this->Base.GetDegree(), this->Section,
+      this->IsGiven);
+  }
+  return *rotation;
+}
+
+const TriangleRuns& SingularityEditor::GetNearest()
+{
+  if (!this->Nearest)
+  {
+    const TriangleMesh& mesh = this->Base.GetMesh();
+    LargeArray<Index> order;
+    order.reserve(this->Base.GetMeshTriangles().size());
+    for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+    {
+      if (mesh.IsFront(t))
+      {
+        order.push_back(mesh.InputTriangle(t));
+      }
+    }
+    this->Nearest.emplace(this->Base.GetSurface(), std::move(order));
+  }
+  return *this->Nearest;
+}
+
+std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Snapped(
+  const std::vector<WantedSingularity>& wanted)
+{
+  const TriangleMesh& mesh = this->Base.GetMesh();
+  std::vector<std::vector<PrescribedSingularity>> snapped(mesh.GetComponents().size());
+  for (const WantedSingularity& singularity : wanted)
+  {
+    if (!singularity.Position.allFinite())
+    {
+      throw std::invalid_argument(
+        "A singularity has coordinates that are not finite. Give each a place on the surface.");
+    }
+    const ClosestPoints::Answer found = this->GetNearest().Find(singularity.Position);
+    if (singularity.Index == 0 || found.Triangle == None)
+    {
+      continue;
+    }
+    PrescribedSingularity prescribed{ {}, singularity.Index };
+    prescribed.Place.Triangle = this->Base.GetMeshTriangles()[found.Triangle];
+    for (int c = 0; c < 3; ++c)
+    {
+      const int corner = this->Base.MeshCorner(prescribed.Place.Triangle, c);
+      prescribed.Place.Weights[corner == None ? c : corner] = found.Weights[c];
+    }
+    const auto& components = mesh.GetComponents();
+    const auto after =
+      std::upper_bound(components.begin(), components.end(), prescribed.Place.Triangle,
+        [](Index t, const TriangleMesh::Component& component)
+        { return t < component.FirstTriangle; });
+    snapped[static_cast<std::size_t>(after - components.begin()) - 1].push_back(prescribed);
+  }
+  return snapped;
+}
+
+EditedField SingularityEditor::Edit(const std::vector<WantedSingularity>& wanted,
+  const EditOptions& options, const Progress& progress)
+{
+  EditedField edited;
+  edited.Section = this->Base.GetSection();
+  const auto snapped = this->Snapped(wanted);
+  edited.Components.resize(snapped.size());
+  progress.Report(0.1);
+  const double perComponent = 0.9 / static_cast<double>(std::max<std::size_t>(1, snapped.size()));
+  for (std::size_t c = 0; c < snapped.size(); ++c)
+  {
+    if (!snapped[c].empty())
+    {
+      const double begin = 0.1 + perComponent * static_cast<double>(c);
+      this->EditComponent(
+        c, snapped[c], options, progress.Part(begin, begin + perComponent), edited);
+    }
+  }
+  if (!edited.WrongTriangles.empty())
+  {
+    edited.Notes.push_back(std::to_string(edited.WrongTriangles.size()) +
+      " triangles have other indices than was asked for: the mesh is too coarse there for the field to turn that "
+      "much. Turn RefineWhereNeeded on, subdivide the mesh, or move the singularities apart.");
+  }
+  return edited;
+}
+
+void SingularityEditor::EditComponent(std::size_t component,
+  const std::vector<PrescribedSingularity>& singularities, const EditOptions& options,
+  const Progress& progress, EditedField& edited)
+{
+  const TriangleMesh& mesh = this->Base.GetMesh();
+  const TriangleMesh::Component& part = mesh.GetComponents()[component];
+  ComponentRotation& rotation = this->GetRotation(component);
+  const RotationTarget target = MakeTarget(this->Base.GetGeometry(), part, this->Base.GetDegree(),
+    rotation, this->Base.GetGeometry().Positions, singularities, options, edited.Notes);
+  EditedComponent& report = edited.Components[component];
+  const bool aligns = options.AlignmentStrength > 0.0 && !this->Guidance.empty();
+  TurnedField field = rotation.Turn(target, progress.Part(0.0, aligns ? 0.5 : 1.0));
+  if (aligns)
+  {
+    const ComplexVector guidance =
+      Eigen::Map<const ComplexVector>(this->Guidance.data() + part.FirstVertex, part.Vertices());
+    report.AlignmentShare = AlignField(rotation, target, guidance,
+      StrengthOf(options.AlignmentStrength, this->Base.GetDegree(), rotation.GetSolver().GetArea()),
+      progress.Part(0.5, 1.0), field);
+  }
+  report.Energy = field.Energy;
+  report.Residual = field.Residual;
+  report.TurningNumbers = field.TurningNumbers;
+  for (const double angle : field.Rotation)
+  {
+    report.MaximumRotation = std::max(report.MaximumRotation, std::abs(angle) / Pi);
+  }
+  for (const Index t : rotation.WrongTriangles(target, field))
+  {
+    if (mesh.IsFront(part.FirstTriangle + t))
+    {
+      edited.WrongTriangles.push_back(part.FirstTriangle + t);
+      ++report.WrongTriangles;
+    }
+  }
+  if (field.KeepsTurningNumbers)
+  {
+    edited.Notes.push_back("A component has more than " +
+      std::to_string(ComponentRotation::MostLoops) +
+      " loops: the field turns along them as the given one does, which may be more than it would have to.");
+  }
+  this->SetSection(component, target, field, edited);
+}
+
+void SingularityEditor::SetSection(std::size_t component, const RotationTarget& target,
+  const TurnedField& field, EditedField& edited)
+{
+  const TriangleMesh& mesh = this->Base.GetMesh();
+  const TriangleMesh::Component& part = mesh.GetComponents()[component];
+  const ComponentRotation& rotation = *this->Rotations[component];
+  const bool keeps = target.Objective == RotationObjective::LeastChange;
+  if (keeps && field.Turn.cwiseAbs().maxCoeff() == 0.0)
+  {
+    return;
+  }
+  edited.Components[component].IsChanged = true;
+  const ComplexVector section = rotation.SectionOf(field);
+  for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
+  {
+    const double modulus = keeps ? Modulus(this->Section[v]) : 1.0;
+    edited.Section[v] = (modulus > 0.0 ? modulus : 1.0) * section[v - part.FirstVertex];
+  }
+  if (keeps)
+  {
+    return;
+  }
+  // Moduli grow with the distance from a singularity in the triangle, so that interpolation vanishes there.
+  for (const MeshPlace& place : target.Places)
+  {
+    if (target.Indices[place.Triangle - part.FirstTriangle] == 0)
+    {
+      continue;
+    }
+    const FlatTriangle flat(this->Base.GetGeometry(), place.Triangle);
+    const Complex at = flat.Place(WithinTriangle(place.Weights));
+    double farthest = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      farthest = std::max(farthest, std::abs(flat.Corner(c) - at));
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      edited.Section[mesh.Tail(3 * place.Triangle + c)] *= std::abs(flat.Corner(c) - at) / farthest;
+    }
+  }
+}
+}

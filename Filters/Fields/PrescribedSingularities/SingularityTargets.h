@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_SingularityTargets_h
+#define DirectionFields_SingularityTargets_h
+
+#include "TrivialConnection/ComponentRotation.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A singularity that is asked for.
+struct PrescribedSingularity
+{
+  /// In a triangle of the mesh, on the front, with weights of the mesh's corners.
+  MeshPlace Place;
+  /// In units of 1/n.
+  int Index;
+};
+
+struct TargetOptions
+{
+  /// The singularities are added to those of the base; else they replace them, in all regions that have one.
+  bool AddsToBase = false;
+  RotationObjective Objective = RotationObjective::Smoothest;
+  /// Adds what is missing in regions whose indices do not add up to what they need.
+  bool Balances = false;
+};
+
+/// The target of a component with singularities in it. Where a triangle is asked for a larger index than it can have,
+/// the rest goes to the nearest triangles with one ring of others between them. Throws std::invalid_argument, with
+/// a sentence for the user, where the indices do not add up to what a region needs, or the mesh is too coarse.
+/// @param positions of the vertices of the mesh
+/// @param notes     gets a sentence for what was added or moved
+RotationTarget MakeTarget(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, const ComponentRotation& rotation,
+  const std::vector<Vector3>& positions, const std::vector<PrescribedSingularity>& singularities,
+  const TargetOptions& options, std::vector<std::string>& notes);
+}
+
+#endif

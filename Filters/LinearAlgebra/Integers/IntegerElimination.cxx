@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Integers/IntegerElimination.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+void Simplify(IntegerSum& sum)
+{
+  std::sort(sum.begin(), sum.end());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sum.size();)
+  {
+    std::pair<Index, std::int64_t> term{ sum[i].first, 0 };
+    for (; i < sum.size() && sum[i].first == term.first; ++i)
+    {
+      term.second += sum[i].second;
+    }
+    if (term.second != 0)
+    {
+      sum[count++] = term;
+    }
+  }
+  sum.resize(count);
+}
+}
+
+IntegerElimination::IntegerElimination(std::vector<char> isInteger)
+  : Integers(std::move(isInteger))
+  , Dependent(this->Integers.size(), None)
+{
+}
+
+Index IntegerElimination::AddFreeInteger()
+{
+  this->Integers.push_back(2);
+  this->Dependent.push_back(None);
+  return this->GetNumberOfVariables() - 1;
+}
+
+const IntegerSum& IntegerElimination::Resolve(Index variable)
+{
+  if (this->IsFree(variable))
+  {
+    this->Own = { { variable, 1 } };
+    return this->Own;
+  }
+  const Index which = this->Dependent[variable];
+  const bool isResolved = std::all_of(this->Sums[which].begin(), this->Sums[which].end(),
+    [&](const std::pair<Index, std::int64_t>& term) { return this->IsFree(term.first); });
+  if (!isResolved)
+  {
+    // What was eliminated later is in terms of what is free or was eliminated later still.
+    const IntegerSum sum = this->Sums[which];
+    this->Sums[which] = this->Resolve(sum);
+  }
+  return this->Sums[which];
+}
+
+IntegerSum IntegerElimination::Resolve(const IntegerSum& sum)
+{
+  IntegerSum resolved;
+  for (const auto& [variable, factor] : sum)
+  {
+    for (const auto& [free, coefficient] : IntegerSum(this->Resolve(variable)))
+    {
+      resolved.emplace_back(free, coefficient * factor);
+    }
+  }
+  Simplify(resolved);
+  return resolved;
+}
+
+void IntegerElimination::MakeDependent(Index variable, IntegerSum sum)
+{
+  this->Dependent[variable] = static_cast<Index>(this->Sums.size());
+  this->Sums.push_back(std::move(sum));
+}
+
+void IntegerElimination::Require(IntegerSum sum)
+{
+  sum = this->Resolve(sum);
+  while (!sum.empty())
+  {
+    std::int64_t divisor = 0;
+    for (const auto& term : sum)
+    {
+      divisor = std::gcd(divisor, term.second);
+    }
+    std::size_t pivot = sum.size();
+    for (std::size_t i = 0; i < sum.size(); ++i)
+    {
+      sum[i].second /= divisor;
+      // The last one of the least rank: any that is no integer goes before those that are.
+      const bool isUnit = std::abs(sum[i].second) == 1;
+      if (isUnit &&
+        (pivot == sum.size() || this->Integers[sum[i].first] <= this->Integers[sum[pivot].first]))
+      {
+        pivot = i;
+      }
+    }
+    if (pivot < sum.size())
+    {
+      const auto [variable, factor] = sum[pivot];
+      sum.erase(sum.begin() + static_cast<std::ptrdiff_t>(pivot));
+      for (auto& term : sum)
+      {
+        term.second *= -factor;
+      }
+      this->MakeDependent(variable, std::move(sum));
+      return;
+    }
+    // A step of Euclid: with the least coefficient p of x, and another one q = s p + r of y, let
+    // x = x' - s y. That leaves r for y.
+    const auto least = std::min_element(sum.begin(), sum.end(),
+      [](const auto& a, const auto& b) { return std::abs(a.second) < std::abs(b.second); });
+    const auto [x, p] = *least;
+    IntegerSum substitute;
+    const Index fresh = this->GetNumberOfVariables();
+    substitute.emplace_back(fresh, 1);
+    bool isInteger = this->IsInteger(x);
+    for (const auto& [y, q] : sum)
+    {
+      if (y != x && q / p != 0)
+      {
+        substitute.emplace_back(y, -(q / p));
+        isInteger = isInteger && this->IsInteger(y);
+      }
+    }
+    this->Integers.push_back(isInteger ? 1 : 0);
+    this->Dependent.push_back(None);
+    Simplify(substitute);
+    this->MakeDependent(x, std::move(substitute));
+    sum = this->Resolve(sum);
+  }
+}
+}

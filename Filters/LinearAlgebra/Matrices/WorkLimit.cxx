@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Matrices/WorkLimit.h"
+
+#include "SparseCholesky/Factorization.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Measured on surfaces of 3 000 to 200 000 vertices. The supernodal factorization is bound by what it does
+/// for each entry, the other one by the operations.
+constexpr double PerOperation = 0.75;
+constexpr double PerFactorEntry = 20.0;
+constexpr double PerSupernodalOperation = 0.15;
+constexpr double PerSupernodalEntry = 110.0;
+/// Of a solve, which goes through the factor twice.
+constexpr double PerSolvedEntry = 7.0;
+/// Every iteration may take this much work: less than what anybody notices, and more than what ordinary
+/// surfaces take, whose factors need not be looked at.
+constexpr double Unnoticed = 3e7;
+constexpr double UnnoticedPerRow = 8000.0;
+/// An iteration is judged by what it seems to take once it has had this part of the limit, and ends where
+/// that is more than MostForeseen limits: forecasts may be wrong.
+constexpr double Trial = 0.3;
+constexpr double MostForeseen = 1.3;
+
+/// Knows how many entries the columns of a factor have.
+class SymbolicFactor
+  : private Eigen::SimplicialLDLT<
+      Eigen::SparseMatrix<double, Eigen::ColMajor, SparseMatrix::StorageIndex>>
+{
+public:
+  explicit SymbolicFactor(const SparseMatrix& matrix) { this->analyzePattern(matrix.real()); }
+  /// Without the diagonal.
+  Eigen::ArrayXd EntriesPerColumn() const
+  {
+    using Starts = Eigen::Map<const Eigen::Array<SparseMatrix::StorageIndex, Eigen::Dynamic, 1>>;
+    const Eigen::Index size = this->m_matrix.cols();
+    const SparseMatrix::StorageIndex* starts = this->m_matrix.outerIndexPtr();
+    return (Starts(starts + 1, size) - Starts(starts, size)).cast<double>();
+  }
+};
+}
+
+FactorWork::FactorWork(const SparseMatrix& matrix)
+  : Rows(static_cast<double>(matrix.rows()))
+{
+  const Eigen::ArrayXd entries = SymbolicFactor(matrix).EntriesPerColumn();
+  this->Entries = entries.sum();
+  this->Operations = entries.square().sum();
+}
+
+double FactorWork::OfFactor() const
+{
+  return Factorization::IsSupernodal(static_cast<Eigen::Index>(this->Rows))
+    ? PerSupernodalOperation * this->Operations + PerSupernodalEntry * this->Entries
+    : PerOperation * this->Operations + PerFactorEntry * this->Entries;
+}
+
+double FactorWork::OfSolve() const
+{
+  return PerSolvedEntry * this->Entries;
+}
+
+WorkLimit::WorkLimit(const SparseMatrix& matrix, int solves, double perRow)
+  : Matrix(matrix)
+  , Solves(solves)
+  , PerRow(perRow)
+{
+}
+
+bool WorkLimit::Allows(double spent, double remaining) const
+{
+  if (spent <= Unnoticed + UnnoticedPerRow * static_cast<double>(this->Matrix.rows()))
+  {
+    return true;
+  }
+  const double limit = this->Get();
+  return spent <= limit && (spent <= Trial * limit || spent + remaining <= MostForeseen * limit);
+}
+
+double WorkLimit::Get() const
+{
+  if (this->Limit == 0.0)
+  {
+    const FactorWork work(this->Matrix);
+    this->Limit = work.OfFactor() + this->Solves * (work.OfSolve() + this->PerRow * work.Rows);
+  }
+  return this->Limit;
+}
+
+double RemainingWork(double spent, double before, double now, double wanted)
+{
+  if (now <= wanted)
+  {
+    return 0.0;
+  }
+  return now < before ? spent * std::log(now / wanted) / std::log(before / now)
+                      : std::numeric_limits<double>::infinity();
+}
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FeatureLines_h
+#define DirectionFields_FeatureLines_h
+
+#include "Charts/FieldCharts.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Vertices where features end, meet or turn so that no one frame fits all of them, as a corner of a cube:
+/// the interior vertices with features that are not two in the opposite directions, to the nearest
+/// multiple of 2 pi / n. Those of the boundary are none, their angles being unscaled.
+/// @param isFeature not 0 for edges that are features; those of the boundary count anyway
+std::vector<char> FramelessVertices(
+  const IntrinsicGeometry& geometry, int degree, const std::vector<char>& isFeature);
+
+/// The same for the vertices of one component, the features having changed.
+/// @param isFeature also not 0 for the edges of the boundary
+void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
+  const TriangleMesh::Component& component, const std::vector<char>& isFeature,
+  std::vector<char>& isFrameless);
+
+/// Which isoline of a map each feature is to be.
+struct FeatureLines
+{
+  /// No two neighbours may be frameless.
+  /// @param isFeature   not 0 for edges that are features; those of the boundary count anyway
+  /// @param isFrameless of each vertex
+  /// @param window      length over which the direction of a curve is averaged before it is rounded to one
+  ///                    of the field, in the input's unit; of each component
+  FeatureLines(const IntrinsicGeometry& geometry, const FieldCharts& charts,
+    const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
+    const std::vector<double>& window);
+
+  /// One feature edge after the other, from one end of a half-edge to the other or the other way round.
+  struct Step
+  {
+    Index HalfEdge;
+    bool IsReversed;
+  };
+  struct Chain
+  {
+    std::vector<Step> Steps;
+    bool IsClosed = false;
+  };
+
+  /// Whether an edge is a feature.
+  std::vector<char> IsFeature;
+  /// The number of the chain that an edge belongs to, from 1 on; 0 elsewhere.
+  std::vector<Index> Line;
+  /// k of each feature edge: it runs along zeta^k in the chart of Base, to the nearest axis. It counts in the
+  /// direction of the edge.
+  std::vector<int> Axis;
+  /// That end of a feature edge whose chart the axis is of: its tail unless that is frameless.
+  std::vector<Index> Base;
+  /// Not 0 for vertices of features that are to be lattice points whatever the features do there; empty for none.
+  std::vector<char> IsEnd;
+  /// They end where features end, meet, or have no frame.
+  std::vector<Chain> Chains;
+
+  static Index Start(const TriangleMesh& mesh, const Step& step)
+  {
+    return step.IsReversed ? mesh.Head(step.HalfEdge) : mesh.Tail(step.HalfEdge);
+  }
+  static Index End(const TriangleMesh& mesh, const Step& step)
+  {
+    return step.IsReversed ? mesh.Tail(step.HalfEdge) : mesh.Head(step.HalfEdge);
+  }
+
+private:
+  void FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless);
+  void FindAxes(const IntrinsicGeometry& geometry, const FieldCharts& charts,
+    const std::vector<char>& isFrameless, const std::vector<double>& window);
+};
+}
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FaceMesh_h
+#define DirectionFields_FaceMesh_h
+
+#include "FaceMesh/Faces.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A mesh of triangles and quads, and what its vertices are for the surface that it is to lie on.
+struct FaceMesh
+{
+  struct Vertex
+  {
+    /// The feature that the vertex stays on, from 1 on; 0 for vertices on the surface, -1 for those that stay where
+    /// they are.
+    Index Line = 0;
+    /// Where sheets of a surface meet, too.
+    bool IsBoundary = false;
+    /// A singularity of the field.
+    bool IsCone = false;
+    /// Of the field, in units of 1/n; 0 but at cones.
+    int SingularityIndex = 0;
+  };
+  /// An edge that is part of a feature, or of the boundary.
+  struct LineEdge
+  {
+    std::array<Index, 2> Ends;
+    Index Line;
+  };
+
+  std::vector<Vector3> Points;
+  std::vector<Vertex> Vertices;
+  Faces Cells;
+  std::vector<LineEdge> LineEdges;
+};
+}
+
+#endif

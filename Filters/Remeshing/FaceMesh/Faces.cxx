@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaceMesh/Faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& face)
+{
+  const int size = Faces::Size(face);
+  std::array<Vector3, 4> edge;
+  std::array<double, 4> length{};
+  for (int c = 0; c < size; ++c)
+  {
+    edge[c] = points[face[(c + 1) % size]] - points[face[c]];
+    length[c] = edge[c].norm();
+  }
+  if (size == 3)
+  {
+    const double area = edge[0].cross(edge[1]).norm();
+    const double longest =
+      std::max({ length[0] * length[1], length[1] * length[2], length[2] * length[0] });
+    return longest > 0.0 ? 2.0 / std::sqrt(3.0) * area / longest : 0.0;
+  }
+  // The normal at the center.
+  const Vector3 normal = (edge[0] - edge[2]).cross(edge[1] - edge[3]).normalized();
+  double least = 1.0;
+  for (int c = 0; c < 4; ++c)
+  {
+    const double lengths = length[c] * length[(c + 3) % 4];
+    const double jacobian = edge[(c + 3) % 4].cross(edge[c]).dot(normal);
+    least = std::min(least, lengths > 0.0 ? jacobian / lengths : 0.0);
+  }
+  return least;
+}
+
+int EulerCharacteristic(Index points, const Faces& faces)
+{
+  std::vector<std::array<Index, 2>> edges;
+  for (const Faces::Face& face : faces.Corners)
+  {
+    const int size = Faces::Size(face);
+    for (int c = 0; c < size; ++c)
+    {
+      const Index a = face[c];
+      const Index b = face[(c + 1) % size];
+      edges.push_back({ std::min(a, b), std::max(a, b) });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto end = std::unique(edges.begin(), edges.end());
+  return static_cast<int>(points) - static_cast<int>(end - edges.begin()) +
+    static_cast<int>(faces.Corners.size());
+}
+}

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_MovableFaces_h
+#define DirectionFields_MovableFaces_h
+
+#include "FaceMesh/FaceStars.h"
+#include "Distance/ClosestPoints.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// What vertices may move on.
+struct SmoothingDomain
+{
+  /// The triangles of the surface, and the segments of each feature.
+  const ClosestPoints& Surface;
+  const std::vector<ClosestPoints>& Lines;
+  /// The feature that each vertex stays on, from 1 on; 0 for vertices on the surface, -1 for those that
+  /// stay where they are.
+  std::vector<Index> Line;
+  /// The wanted length of the edges at each vertex.
+  std::vector<double> EdgeLength;
+};
+
+/// Faces whose vertices move on a surface. All are shared.
+class MovableFaces
+{
+public:
+  MovableFaces(const FaceStars& faces, const SmoothingDomain& domain, std::vector<Vector3>& points)
+    : Cells(faces)
+    , Domain(domain)
+    , Points(points)
+    , Nearest(points.size(), None)
+  {
+  }
+
+  Index GetNumberOfVertices() const { return static_cast<Index>(this->Points.size()); }
+  Index GetNumberOfFaces() const { return this->Cells.GetNumberOfFaces(); }
+  bool IsFree(Index v) const { return this->Domain.Line[v] >= 0 && !this->Cells.At(v).empty(); }
+  /// It moves on the surface, not on a feature.
+  bool IsOnSurface(Index v) const { return this->Domain.Line[v] == 0; }
+  /// It has so many faces that what is tried again and again at a vertex would take as long as all faces.
+  bool IsHub(Index v) const { return this->Cells.At(v).size() > 64; }
+  bool IsFace(Index f) const { return this->Cells.IsFace(f); }
+  const Faces::Face& Face(Index f) const { return this->Cells.Face(f); }
+  double EdgeLength(Index v) const { return this->Domain.EdgeLength[v]; }
+  std::vector<Vector3>& GetPoints() { return this->Points; }
+  const std::vector<Vector3>& GetPoints() const { return this->Points; }
+
+  /// The sum of the area vectors of the faces at a vertex.
+  Vector3 NormalAt(Index v, const std::vector<Vector3>& points) const;
+  /// The regular face of nearly the wanted size that is nearest to a face, and the area vector of this.
+  struct Regular
+  {
+    std::array<Vector3, 4> Corners;
+    Vector3 Area;
+  };
+  Regular RegularFace(Index f, const std::vector<Vector3>& points) const;
+  /// Where the faces at a vertex would have it if they were regular and nearly of the wanted size, on average.
+  Vector3 Ideal(Index v, const std::vector<Vector3>& points) const;
+  /// The point of the surface, or of the vertex' feature, that is closest to a place; where the vertex is if none
+  /// is near.
+  Vector3 Projected(Index v, const Vector3& place, const std::vector<Vector3>& points) const;
+  /// Half the way to Ideal, projected, where the regular faces of all are known.
+  Vector3 Relaxed(
+    Index v, const std::vector<Vector3>& points, const std::vector<Regular>& regular) const;
+  /// Lets those of these vertices that may move go half the way to Ideal, projected, one after the other, so many times.
+  void Relax(const std::vector<Index>& vertices, int times);
+  /// The least scaled Jacobian of the faces at a vertex. Triangles that face against the others count as negative.
+  double LeastQuality(Index v) const;
+  /// The distance of the middle of a face from the surface in wanted lengths of edges; those above 1 are 1.
+  double Distance(Index f) const { return this->Distance(this->Cells.Face(f)); }
+  double Distance(const Faces::Face& face) const;
+  /// The largest one of the faces at a vertex.
+  double LargestDistance(Index v) const;
+
+private:
+  Vector3 Projected(
+    Index v, const Vector3& place, const Vector3& normal, const Vector3& otherwise) const;
+  int CornerAt(Index f, Index v) const;
+
+  const FaceStars& Cells;
+  const SmoothingDomain& Domain;
+  std::vector<Vector3>& Points;
+  /// The triangle that each vertex was last on: the next one is near. Only the time depends on it.
+  mutable std::vector<Index> Nearest;
+};
+}
+
+#endif

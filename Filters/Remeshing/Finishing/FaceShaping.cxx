@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Finishing/FaceShaping.h"
+
+#include "Improvement/FaceCleanup.h"
+#include "Improvement/FaceMends.h"
+#include "Improvement/FaceSmoothing.h"
+#include "PureQuads/TrianglePairs.h"
+
+#include <algorithm>
+#include <map>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+std::array<Index, 2> EndsOf(Index a, Index b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+/// The edges of lines after changes.
+std::vector<FaceMesh::LineEdge> LineEdgesOf(const FaceStars& stars, const FaceMesh& mesh)
+{
+  std::map<std::array<Index, 2>, Index> lines;
+  for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
+  {
+    lines[EndsOf(edge.Ends[0], edge.Ends[1])] = edge.Line;
+  }
+  for (const FaceStars::Change& change : stars.GetChanges())
+  {
+    if (change.Face == None)
+    {
+      const auto [goes, stays, other, none] = change.Corners;
+      lines[EndsOf(stays, other)] = mesh.Vertices[goes].Line;
+    }
+  }
+  std::vector<FaceMesh::LineEdge> edges;
+  for (const auto& [ends, line] : lines)
+  {
+    if (stars.IsLineEdge(ends[0], ends[1]))
+    {
+      edges.push_back({ ends, line });
+    }
+  }
+  return edges;
+}
+
+/// Takes out the faces and vertices that are no longer used.
+void Compress(const FaceStars& stars, FaceMesh& mesh)
+{
+  mesh.LineEdges = LineEdgesOf(stars, mesh);
+  std::vector<Index> number(mesh.Points.size(), None);
+  Index left = 0;
+  for (std::size_t v = 0; v < number.size(); ++v)
+  {
+    if (!stars.At(static_cast<Index>(v)).empty())
+    {
+      number[v] = left;
+      mesh.Points[left] = mesh.Points[v];
+      mesh.Vertices[left] = mesh.Vertices[v];
+      ++left;
+    }
+  }
+  mesh.Points.resize(left);
+  mesh.Vertices.resize(left);
+  mesh.Cells = stars.Compressed();
+  for (Faces::Face& face : mesh.Cells.Corners)
+  {
+    for (Index& v : face)
+    {
+      v = v == None ? None : number[v];
+    }
+  }
+  for (FaceMesh::LineEdge& edge : mesh.LineEdges)
+  {
+    edge.Ends = { number[edge.Ends[0]], number[edge.Ends[1]] };
+  }
+}
+}
+
+void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPoints& surface,
+  const std::vector<ClosestPoints>& lines, const std::vector<double>& edgeLength,
+  const Progress& progress)
+{
+  if (settings.Steps == 0)
+  {
+    return;
+  }
+  FaceStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
+  SmoothingDomain domain{ surface, lines, {}, edgeLength };
+  for (const FaceMesh::Vertex& vertex : mesh.Vertices)
+  {
+    domain.Line.push_back(vertex.Line);
+  }
+  MovableFaces movable(stars, domain, mesh.Points);
+  if (settings.JoinsTriangles)
+  {
+    JoinTriangles(
+      stars, movable, mesh.Vertices, !settings.MayMakeTriangles, progress.Part(0.0, 0.1));
+  }
+  const int before = settings.IsDraft ? 0 : 2 * settings.Steps / 3;
+  RelaxFaces(movable, before, progress.Part(0.1, 0.4));
+  if (settings.AreQuads)
+  {
+    CleanUpFaces(stars, movable, mesh.Vertices, progress.Part(0.4, 0.5));
+  }
+  if (!settings.IsDraft)
+  {
+    RelaxFaces(movable, settings.Steps - before, progress.Part(0.5, 0.7));
+    ImproveFaces(movable, progress.Part(0.7, 0.9));
+  }
+  if (settings.AreQuads && settings.Mends)
+  {
+    MendFaces(stars, movable, mesh.Vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));
+  }
+  if (!stars.GetChanges().empty())
+  {
+    Compress(stars, mesh);
+  }
+}
+}

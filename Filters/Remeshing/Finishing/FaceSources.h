@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FaceSources_h
+#define DirectionFields_FaceSources_h
+
+#include "FaceMesh/Faces.h"
+#include "Preparation/PreparedSurface.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Where points are on a surface: a triangle of it each, and weights of its corners.
+struct PointSources
+{
+  std::vector<Index> Triangle;
+  std::vector<std::array<double, 3>> Weights;
+};
+/// @param surface the triangles that the surface uses
+PointSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surface,
+  const std::vector<Vector3>& points);
+
+/// The triangle of the surface that the middle of each face is closest to, and the largest distance of a middle.
+struct FaceSources
+{
+  std::vector<Index> Triangle;
+  double LargestDistance = 0.0;
+};
+FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surface,
+  const std::vector<Vector3>& points, const std::vector<Faces::Face>& faces);
+}
+
+#endif

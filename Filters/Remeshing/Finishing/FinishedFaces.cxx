@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Finishing/FinishedFaces.h"
+
+#include "Finishing/FaceShaping.h"
+#include "Improvement/FoldedQuads.h"
+#include "PureQuads/QuadSplit.h"
+#include "PureQuads/TriangleParity.h"
+#include "Finishing/FaceSources.h"
+
+#include <algorithm>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// The wanted length of edges at each point of a mesh.
+std::vector<double> WantedLengths(
+  const Ground& ground, const std::vector<Vector3>& points, double edgeLength)
+{
+  std::vector<double> wanted(points.size(), edgeLength);
+  if (!ground.Sizes.empty())
+  {
+    const PointSources sources = SourcesOf(ground.Prepared, ground.Triangles, points);
+    for (std::size_t v = 0; v < wanted.size(); ++v)
+    {
+      double size = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        size +=
+          sources.Weights[v][c] * ground.Sizes[ground.Input.Triangles[sources.Triangle[v]][c]];
+      }
+      wanted[v] *= size;
+    }
+  }
+  return wanted;
+}
+}
+
+bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double edgeLength,
+  const Ground& ground, const Progress& progress)
+{
+  const auto shape = [&](double length, ShapingSettings settings, const Progress& part)
+  {
+    ShapeFaces(mesh, settings, ground.Triangles, ground.Lines,
+      WantedLengths(ground, mesh.Points, length), part);
+  };
+  const bool isSplit = way == FaceWay::Split;
+  ShapingSettings settings{ steps, areQuads };
+  settings.Mends = isSplit;
+  settings.MayMakeTriangles = true;
+  settings.IsDraft = isSplit;
+  shape(isSplit ? 2.0 * edgeLength : edgeLength, settings, progress.Part(0.0, 0.4));
+  if (!areQuads)
+  {
+    return true;
+  }
+  if (isSplit)
+  {
+    CutFoldedQuads(mesh.Cells, mesh.Points);
+    SplitIntoQuads(mesh);
+  }
+  if (way == FaceWay::Joined && !EvenOutTriangles(mesh))
+  {
+    return false;
+  }
+  settings.MayMakeTriangles = way == FaceWay::Mixed;
+  settings.JoinsTriangles = !isSplit;
+  settings.IsDraft = false;
+  settings.Mends = true;
+  shape(edgeLength, settings, progress.Part(0.4, 1.0));
+  if (way == FaceWay::Mixed)
+  {
+    CutFoldedQuads(mesh.Cells, mesh.Points);
+  }
+  return way == FaceWay::Mixed ||
+    std::all_of(mesh.Cells.Corners.begin(), mesh.Cells.Corners.end(),
+      [](const Faces::Face& face) { return Faces::Size(face) == 4; });
+}
+}

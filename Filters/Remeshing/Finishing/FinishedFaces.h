@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FinishedFaces_h
+#define DirectionFields_FinishedFaces_h
+
+#include "FaceMesh/FaceMesh.h"
+#include "Progress.h"
+#include "Preparation/PreparedSurface.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// How faces are made.
+enum class FaceWay : int
+{
+  /// Quads and the triangles that are left among them, or triangles only.
+  Mixed,
+  /// Quads only: triangles are joined in pairs.
+  Joined,
+  /// Quads only: all faces are split into quads. They are of twice the wanted length before.
+  Split
+};
+
+/// What a surface is to its mesh.
+struct Ground
+{
+  const Surface& Input;
+  const PreparedSurface& Prepared;
+  const ClosestPoints& Triangles;
+  const std::vector<ClosestPoints>& Lines;
+  /// Of edges, wanted at each point of the input, relative to elsewhere; empty for the same everywhere.
+  const std::vector<double>& Sizes;
+};
+
+/// Makes faces regular, and quads of them all where that is wanted. Returns false where triangles are left then.
+/// Throws Stopped.
+/// @param areQuads   the field is of degree 4
+/// @param steps      in which the vertices move
+/// @param edgeLength wanted, where the size is 1
+bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double edgeLength,
+  const Ground& ground, const Progress& progress);
+}
+
+#endif

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Preparation/PreparedSurface.h"
+
+#include "Charts/FeatureLines.h"
+#include "Mesh/MergePoints.h"
+#include "MeshError.h"
+
+#include <map>
+#include <numeric>
+#include <string>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Which triangles of a mesh a surface is made of: all, but of a cover those of one side, such that the line that
+/// divides the two sides is short. That of the front may be jagged.
+std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+{
+  constexpr int mostSweeps = 200;
+  std::vector<char> isChosen(mesh.GetNumberOfTriangles());
+  std::vector<Index> covered;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    isChosen[t] = mesh.IsFront(t) ? 1 : 0;
+    if (mesh.IsFront(t) && mesh.Mirror(3 * t) != None)
+    {
+      covered.push_back(t);
+    }
+  }
+  bool hasChanged = true;
+  for (int k = 0; k < mostSweeps && hasChanged; ++k)
+  {
+    hasChanged = false;
+    for (const Index front : covered)
+    {
+      const Index back = mesh.Mirror(3 * front) / 3;
+      const Index t = isChosen[front] != 0 ? front : back;
+      // By how much the line becomes shorter if the triangle is taken from the other side.
+      double shorter = 0.0;
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index twin = mesh.Twin(h);
+        const double length =
+          (points[mesh.Point(mesh.Head(h))] - points[mesh.Point(mesh.Tail(h))]).norm();
+        shorter += twin == None ? 0.0 : (isChosen[twin / 3] != 0 ? -length : length);
+      }
+      if (shorter > 0.0)
+      {
+        std::swap(isChosen[front], isChosen[back]);
+        hasChanged = true;
+      }
+    }
+  }
+  return isChosen;
+}
+
+/// Sums of a few coordinates, as middles of faces take, must not overflow.
+void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
+{
+  constexpr double most = 1e300;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    if (!(points[point].lpNorm<Eigen::Infinity>() < most))
+    {
+      throw MeshError(MeshError::Kind::NonFinitePoint, point,
+        "Point " + std::to_string(point) +
+          " has a coordinate of 1e300 or more, too large to be computed with. Scale the surface down.");
+    }
+  }
+}
+}
+
+PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
+  const std::vector<double>& edgeLength, const Progress& progress)
+  : IsDecimated(!edgeLength.empty())
+{
+  MergedMesh merged = MergedMesh::AcrossSeams(input);
+  progress.Report(0.2);
+  const TriangleMesh& mesh = merged.Mesh;
+  RequireRange(mesh, input.Points);
+  this->Repaired = mesh.GetRepairs();
+  const auto firstOf = [&](Index point)
+  { return merged.FirstPoint.empty() ? point : merged.FirstPoint[point]; };
+  for (std::size_t p = 0; p < merged.FirstPoint.size(); ++p)
+  {
+    this->Repaired.MergedPoints += merged.FirstPoint[p] != static_cast<Index>(p) ? 1 : 0;
+  }
+  auto surface = std::make_shared<Surface>();
+  surface->Points = input.Points;
+  // What has one side only is cut open where the triangles are taken from different sides of its cover: its points
+  // are there twice on that line.
+  std::vector<Index> otherSide;
+  const auto pointOf = [&](Index v)
+  {
+    const Index p = mesh.Point(v);
+    if (mesh.IsFrontVertex(v))
+    {
+      return p;
+    }
+    otherSide.resize(input.Points.size(), None);
+    if (otherSide[p] == None)
+    {
+      otherSide[p] = static_cast<Index>(surface->Points.size());
+      surface->Points.push_back(input.Points[p]);
+      this->Middles.push_back({ p, p });
+    }
+    return otherSide[p];
+  };
+  const std::vector<char> isChosen = ChosenSide(mesh, input.Points);
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (isChosen[t] == 0)
+    {
+      continue;
+    }
+    UsedTriangle used{ {}, mesh.InputTriangle(t), {} };
+    for (int c = 0; c < 3; ++c)
+    {
+      used.Points[c] = mesh.Point(mesh.Tail(3 * t + c));
+      for (int k = 0; k < 3; ++k)
+      {
+        if (firstOf(input.Triangles[used.Input][k]) == used.Points[c])
+        {
+          used.InputCorner[c] = k;
+        }
+      }
+    }
+    surface->Triangles.push_back(
+      { pointOf(mesh.Tail(3 * t)), pointOf(mesh.Tail(3 * t + 1)), pointOf(mesh.Tail(3 * t + 2)) });
+    this->Used.push_back(used);
+  }
+  this->Prepared = surface;
+  if (this->IsDecimated)
+  {
+    if (!otherSide.empty())
+    {
+      merged = MergedMesh{ {}, TriangleMesh(*surface) };
+    }
+    surface->Triangles = this->Decimated(
+      *surface, std::move(merged), settings, this->Continued(edgeLength), progress.Part(0.2, 0.9));
+  }
+  constexpr int mostRounds = 4;
+  bool isSplit = true;
+  for (int k = 0; k <= mostRounds && isSplit; ++k)
+  {
+    this->Geometry.reset();
+    this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+    isSplit = k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings);
+  }
+}
+
+std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMesh&& merged,
+  const FeatureSettings& settings, const std::vector<double>& edgeLength, const Progress& progress)
+{
+  const SurfaceGeometry geometry(std::move(merged.Mesh), input);
+  const TriangleMesh& mesh = geometry.Mesh;
+  progress.Report(0.3);
+  const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings);
+  progress.Report(0.4);
+  Decimation::Limits limits;
+  limits.EdgeLength.resize(mesh.GetNumberOfVertices());
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    limits.EdgeLength[v] = edgeLength[mesh.Point(v)];
+  }
+  Decimation decimation(mesh, geometry.Positions, isFeature, limits);
+  decimation.Run(progress.Part(0.4, 1.0));
+  this->Paths = FeaturePaths(mesh, isFeature, decimation);
+  std::vector<Triangle> triangles;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (decimation.IsTriangle(t) && mesh.IsFront(t))
+    {
+      triangles.push_back({ mesh.Point(decimation.Corner(3 * t)),
+        mesh.Point(decimation.Corner(3 * t + 1)), mesh.Point(decimation.Corner(3 * t + 2)) });
+    }
+  }
+  return triangles;
+}
+
+std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings) const
+{
+  if (!this->IsDecimated)
+  {
+    return Internal::FindFeatures(*this->Geometry, settings);
+  }
+  const TriangleMesh& mesh = this->Geometry->Mesh;
+  std::vector<char> isFeature(mesh.GetNumberOfEdges(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    isFeature[e] = mesh.Twin(h) != None &&
+        this->Paths.Find(mesh.Point(mesh.Tail(h)), mesh.Point(mesh.Head(h))) != nullptr
+      ? 1
+      : 0;
+  }
+  DropShortFeatures(*this->Geometry, settings, isFeature);
+  return isFeature;
+}
+
+std::vector<Index> PreparedSurface::GetOriginals() const
+{
+  std::vector<Index> original(this->Prepared->Points.size());
+  std::iota(original.begin(), original.end(), 0);
+  const std::size_t first = original.size() - this->Middles.size();
+  for (std::size_t k = 0; k < this->Middles.size(); ++k)
+  {
+    if (this->Middles[k][0] == this->Middles[k][1])
+    {
+      original[first + k] = this->Middles[k][0];
+    }
+  }
+  return original;
+}
+
+std::vector<Index> PreparedSurface::PathAlong(Index p, Index q) const
+{
+  const FeaturePaths::Path* path = this->Paths.Find(p, q);
+  if (path == nullptr)
+  {
+    return { p, q };
+  }
+  return path->Points.front() == p ? path->Points
+                                   : std::vector<Index>(path->Points.rbegin(), path->Points.rend());
+}
+
+std::vector<ClosestPoints> PreparedSurface::LinesOf(
+  const SurfaceGeometry& geometry, const FeatureLines& features) const
+{
+  const std::vector<Vector3>& points = this->Prepared->Points;
+  std::vector<ClosestPoints> lines;
+  for (const FeatureLines::Chain& chain : features.Chains)
+  {
+    std::vector<ClosestPoints::Corners> segments;
+    for (const FeatureLines::Step& step : chain.Steps)
+    {
+      const std::vector<Index> path =
+        this->PathAlong(geometry.Mesh.Point(FeatureLines::Start(geometry.Mesh, step)),
+          geometry.Mesh.Point(FeatureLines::End(geometry.Mesh, step)));
+      for (std::size_t k = 0; k + 1 < path.size(); ++k)
+      {
+        segments.push_back({ points[path[k]], points[path[k + 1]], points[path[k + 1]] });
+      }
+    }
+    lines.emplace_back(std::move(segments));
+  }
+  return lines;
+}
+
+std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
+{
+  std::vector<ClosestPoints::Corners> triangles;
+  triangles.reserve(this->Used.size());
+  for (const UsedTriangle& used : this->Used)
+  {
+    triangles.push_back({ this->Prepared->Points[used.Points[0]],
+      this->Prepared->Points[used.Points[1]], this->Prepared->Points[used.Points[2]] });
+  }
+  return triangles;
+}
+
+bool PreparedSurface::SplitBetweenFrameless(
+  Surface& surface, int degree, const FeatureSettings& settings)
+{
+  const TriangleMesh& mesh = this->Geometry->Mesh;
+  const std::vector<char> isFrameless =
+    FramelessVertices(*this->Geometry, degree, this->FindFeatures(settings));
+  std::map<std::array<Index, 2>, Index> middle;
+  const auto middleOf = [&](Index h)
+  {
+    const Index p = mesh.Point(mesh.Tail(h));
+    const Index q = mesh.Point(mesh.Head(h));
+    const std::array<Index, 2> ends = { std::min(p, q), std::max(p, q) };
+    const auto [place, isNew] = middle.emplace(ends, static_cast<Index>(surface.Points.size()));
+    if (isNew)
+    {
+      const Index onPath = this->Paths.MiddleOf(p, q);
+      surface.Points.push_back(onPath != None
+          ? surface.Points[onPath]
+          : Vector3(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]));
+      this->Middles.push_back(ends);
+    }
+    return place->second;
+  };
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (isFrameless[mesh.Tail(h)] != 0 && isFrameless[mesh.Head(h)] != 0)
+    {
+      middleOf(h);
+    }
+  }
+  if (middle.empty())
+  {
+    return false;
+  }
+  std::vector<Triangle> triangles;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (!mesh.IsFront(t))
+    {
+      continue;
+    }
+    // The corners and the middles in their order around the triangle; a fan from a middle, if there is any,
+    // has no triangle without area.
+    std::vector<Index> polygon;
+    std::vector<char> isMiddle;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const Index p = mesh.Point(mesh.Tail(h));
+      const Index q = mesh.Point(mesh.Head(h));
+      polygon.push_back(p);
+      isMiddle.push_back(0);
+      const auto found = middle.find({ std::min(p, q), std::max(p, q) });
+      if (found != middle.end())
+      {
+        polygon.push_back(found->second);
+        isMiddle.push_back(1);
+      }
+    }
+    // Corners between two middles are cut off, which leaves a triangle, or a quadrangle that starts at a middle.
+    const std::size_t count = polygon.size();
+    std::vector<Index> rest;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t before = (i + count - 1) % count;
+      const std::size_t after = (i + 1) % count;
+      if (isMiddle[i] == 0 && isMiddle[before] != 0 && isMiddle[after] != 0)
+      {
+        triangles.push_back({ polygon[before], polygon[i], polygon[after] });
+      }
+      else
+      {
+        rest.push_back(polygon[i]);
+      }
+    }
+    std::size_t start = 0;
+    while (start < rest.size() &&
+      rest[start] < static_cast<Index>(surface.Points.size()) - static_cast<Index>(middle.size()))
+    {
+      ++start;
+    }
+    start = start == rest.size() ? 0 : start;
+    for (std::size_t i = 1; i + 1 < rest.size(); ++i)
+    {
+      triangles.push_back(
+        { rest[start], rest[(start + i) % rest.size()], rest[(start + i + 1) % rest.size()] });
+    }
+  }
+  surface.Triangles = std::move(triangles);
+  std::vector<FeaturePaths::Split> splits;
+  for (const auto& [ends, point] : middle)
+  {
+    splits.push_back({ ends, point });
+  }
+  this->Paths.Halve(splits);
+  return true;
+}
+}

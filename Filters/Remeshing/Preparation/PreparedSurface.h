@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_PreparedSurface_h
+#define DirectionFields_PreparedSurface_h
+
+#include "Distance/ClosestPoints.h"
+#include "Geometry/SurfaceGeometry.h"
+#include "Charts/FeatureLines.h"
+#include "Mesh/MergePoints.h"
+#include "Progress.h"
+#include "Preparation/FeaturePaths.h"
+#include "Features/KeptFeatures.h"
+#include "Surface.h"
+
+#include <memory>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A surface as it can be mapped: connected across seams, cut open where it has one side only, wound consistently, with a point in the middle
+/// of each edge both ends of which have no frame (FramelessVertices), and with fewer triangles where they are
+/// much smaller than the faces to come.
+class PreparedSurface
+{
+public:
+  /// Throws MeshError and Stopped.
+  /// @param edgeLength how long edges may become at each point of the input, in its unit; empty to keep all
+  PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
+    const std::vector<double>& edgeLength = {}, const Progress& progress = {});
+
+  /// Its points are the input's, then copies of those where a surface that has one side only was cut open, and the
+  /// middles.
+  const std::shared_ptr<const Surface>& GetSurface() const { return this->Prepared; }
+  const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
+  /// Of each of its points the one that it is a copy of, or itself.
+  std::vector<Index> GetOriginals() const;
+  const Repairs& GetRepairs() const { return this->Repaired; }
+
+  /// Not 0 for each edge of the prepared surface that is a feature.
+  std::vector<char> FindFeatures(const FeatureSettings& settings) const;
+  /// The points of the prepared surface that an edge of a feature or the boundary runs through, from end to end.
+  std::vector<Index> PathAlong(Index p, Index q) const;
+
+  /// The segments of each feature, as triangles without area.
+  std::vector<ClosestPoints> LinesOf(
+    const SurfaceGeometry& geometry, const FeatureLines& features) const;
+
+  /// Values at the input's points continued to the middles.
+  template <typename T>
+  std::vector<T> Continued(std::vector<T> values) const
+  {
+    for (const std::array<Index, 2>& ends : this->Middles)
+    {
+      values.push_back(values[ends[0]]);
+    }
+    return values;
+  }
+
+  /// The triangles of the input, as far as they are used, wound consistently.
+  std::vector<ClosestPoints::Corners> GetTriangles() const;
+  /// Where a point of these is on the input.
+  Index InputTriangle(Index triangle) const { return this->Used[triangle].Input; }
+  std::array<double, 3> InputWeights(Index triangle, const std::array<double, 3>& weights) const
+  {
+    const UsedTriangle& used = this->Used[triangle];
+    std::array<double, 3> own{};
+    for (int c = 0; c < 3; ++c)
+    {
+      own[used.InputCorner[c]] = weights[c];
+    }
+    return own;
+  }
+
+private:
+  struct UsedTriangle
+  {
+    Triangle Points;
+    Index Input;
+    std::array<int, 3> InputCorner;
+  };
+  /// Returns the triangles that are left.
+  std::vector<Triangle> Decimated(const Surface& input, MergedMesh&& merged,
+    const FeatureSettings& settings, const std::vector<double>& edgeLength,
+    const Progress& progress);
+  /// Returns whether any edge was split.
+  bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
+
+  bool IsDecimated = false;
+  FeaturePaths Paths;
+  std::vector<UsedTriangle> Used;
+  std::vector<std::array<Index, 2>> Middles;
+  std::shared_ptr<const Surface> Prepared;
+  std::unique_ptr<const SurfaceGeometry> Geometry;
+  Repairs Repaired;
+};
+}
+
+#endif

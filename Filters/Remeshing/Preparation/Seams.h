@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Seams_h
+#define DirectionFields_Seams_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Extraction/ComponentCells.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Where sheets of a surface meet although its mesh has a boundary there: along edges of more than two triangles,
+/// and where a surface that has one side only was cut open. The sheets get their faces one by one; along the
+/// seams they are given the same vertices, which then become one.
+class Seams
+{
+public:
+  /// Takes time linear in the mesh, and sorts the edges of the seams.
+  /// @param original of each point the one that it is a copy of, or itself
+  Seams(const TriangleMesh& mesh, const std::vector<Index>& original);
+
+  /// Vertices of the mesh where seams end, meet or begin. Faces are to have a vertex there.
+  std::vector<Index> GetEnds() const;
+  /// V - E + F of the mesh, the sheets joined.
+  int GetEulerCharacteristic() const { return this->EulerCharacteristic; }
+
+  /// Puts vertices on the sides of seams that have fewer of them than another one, and moves the others
+  /// to where that has them. A quad with one vertex more becomes a quad and a triangle.
+  void Equalize(std::vector<ComponentCells>& components) const;
+  /// Which vertex stands for each one, the vertices of all components being numbered one after the other. Counts
+  /// the seams that stay open: where the faces on both sides are so few that they would become one.
+  std::vector<Index> Joined(const std::vector<ComponentCells>& components, Index& open) const;
+
+private:
+  /// A side of a seam: the boundary of a sheet from one vertex of the mesh to another one.
+  struct Side
+  {
+    Index Start;
+    Index End;
+    /// The boundary, along which the sheet lies to the left, runs from the end to the start.
+    bool IsReversed;
+  };
+  struct Seam
+  {
+    std::vector<Side> Sides;
+  };
+  class Finder;
+  class Sheets;
+
+  std::vector<Seam> All;
+  int EulerCharacteristic = 0;
+};
+}
+
+#endif

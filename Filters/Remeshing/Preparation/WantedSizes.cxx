@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Preparation/WantedSizes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+double RelativeArea(const Surface& surface, const std::vector<double>& sizes)
+{
+  double area = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    double perLength = 0.0;
+    for (const Index p : t)
+    {
+      if (p < 0 || p >= static_cast<Index>(surface.Points.size()))
+      {
+        return 0.0;
+      }
+      perLength += 1.0 / (3.0 * sizes[p]);
+    }
+    const Vector3 u = surface.Points[t[1]] - surface.Points[t[0]];
+    const Vector3 v = surface.Points[t[2]] - surface.Points[t[0]];
+    area += 0.5 * u.stableNorm() *
+      (v - v.dot(u.stableNormalized()) * u.stableNormalized()).stableNorm() * perLength * perLength;
+  }
+  return area;
+}
+
+std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, double edgeLength)
+{
+  constexpr double usualFaces = 5000.0;
+  constexpr double mostPerFace = 6.0;
+  constexpr double longest = 0.9;
+  const double squares = area / (edgeLength * edgeLength);
+  if (!std::isfinite(squares) || !(squares > 0.0))
+  {
+    return {};
+  }
+  const double usual =
+    usualFaces * std::pow(4.0, std::round(0.5 * std::log2(squares / usualFaces)));
+  if (!(static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces)))
+  {
+    return {};
+  }
+  std::vector<double> lengths(sizes.size());
+  for (std::size_t p = 0; p < lengths.size(); ++p)
+  {
+    lengths[p] = longest * std::sqrt(area / usual) * sizes[p];
+  }
+  return lengths;
+}
+
+double LeastEdgeLength(
+  const SurfaceGeometry& geometry, const std::vector<double>& sizes, Index faces)
+{
+  // A strip has two of its edges on the boundary, a single face four.
+  constexpr double mostPerFace = 8.0;
+  const TriangleMesh& mesh = geometry.Mesh;
+  double length = 0.0;
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (mesh.Twin(h) == None)
+    {
+      const Index tail = mesh.Tail(h);
+      const Index head = mesh.Head(h);
+      length += 2.0 / (sizes[tail] + sizes[head]) *
+        (geometry.Positions[head] - geometry.Positions[tail]).stableNorm();
+    }
+  }
+  return length / (mostPerFace * static_cast<double>(faces));
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_FaceStrip_h
+#define DirectionFields_FaceStrip_h
+
+#include "FaceMesh/FaceStars.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Whether a face has an edge in this direction.
+bool HasEdge(const Faces::Face& face, Index tail, Index head);
+
+/// Faces in a row, each of which has an edge in common with the next one: two triangles and the quads between them. The
+/// polygon around two triangles and k quads has 2k + 4 corners, which k chords cut into k + 1 quads.
+class FaceStrip
+{
+public:
+  /// @param way the faces; edges of lines are not between them
+  FaceStrip(const FaceStars& faces, const std::vector<Index>& way);
+
+  /// The vertices around the strip, counter-clockwise, from one that only the first face has.
+  const std::vector<Index>& GetPolygon() const { return this->Polygon; }
+  /// Whether no vertex is twice in the polygon.
+  bool IsSimple() const;
+
+  /// Two corners of the polygon, the one that comes first in it on the right of the way, the other on its left.
+  using Chord = std::array<std::size_t, 2>;
+  /// The edges between the faces.
+  const std::vector<Chord>& GetEdges() const { return this->Edges; }
+  /// What stands for the chord before the first one.
+  Chord Whole() const { return { 0, this->Polygon.size() - 1 }; }
+  /// The quad between a chord and a later one.
+  Faces::Face Between(const Chord& one, const Chord& other) const;
+  /// The quad behind the last chord.
+  Faces::Face Beyond(const Chord& last) const;
+
+  /// The chords that the edges but the last one become if each goes on to the next vertex on one side: vertices get other
+  /// numbers of faces only at the ends of the strip.
+  std::vector<Chord> Shifted(bool isRight) const;
+  /// Of all chords next to the edges those that leave quads which are most like rectangles, and no corners that are flat
+  /// on a line; none if edges would cross. Takes time in proportion to the faces.
+  std::vector<Chord> Cheapest(const std::vector<Vector3>& points) const;
+
+private:
+  std::array<Index, 2> EdgeBetween(Index f, Index g) const;
+  void Walk(Index f, Index from, Index to);
+  double CostOf(const Faces::Face& quad, const std::vector<Vector3>& points) const;
+
+  const FaceStars& Cells;
+  std::vector<Index> Polygon;
+  std::vector<Chord> Edges;
+};
+}
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_TrianglePairs_h
+#define DirectionFields_TrianglePairs_h
+
+#include "FaceMesh/FaceStars.h"
+#include "FaceMesh/MovableFaces.h"
+#include "Progress.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Joins triangles in pairs, the nearest ones first: two triangles and the k quads on a way between them, which crosses
+/// no line, become k + 1 quads. Often each edge on the way goes on to the next vertex on one side of it, which changes the
+/// number of faces of few vertices. Faces are to stay good. Takes time in proportion to the faces that are nearer to a
+/// triangle than the one it is joined with. Throws Stopped.
+/// @param atAnyPrice where no way leaves faces good they become as good as they can, and vertices may become irregular;
+///                   only triangles that find no other one stay. Otherwise all do that are no use joining.
+void JoinTriangles(FaceStars& faces, MovableFaces& places,
+  const std::vector<FaceMesh::Vertex>& vertices, bool atAnyPrice, const Progress& progress = {});
+}
+
+#endif

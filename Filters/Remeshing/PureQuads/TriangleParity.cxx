@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PureQuads/TriangleParity.h"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// What cutting an edge costs, in faces of distance from a triangle, and what it costs more for each face whose parts are
+/// below a scaled Jacobian, or whose region has few faces, among which there is little room for triangles.
+constexpr double PerWall = 40.0;
+constexpr double Good = 0.3;
+constexpr Index FewFaces = 8;
+constexpr double PerBadFace = 20.0;
+
+std::array<Index, 2> EndsOf(Index a, Index b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+/// An edge of a line with one face or two.
+struct Wall
+{
+  std::array<Index, 2> Ends;
+  /// The second one is None at the boundary.
+  std::array<Index, 2> Faces;
+  Index Line;
+};
+
+class Parity
+{
+public:
+  explicit Parity(FaceMesh& mesh)
+    : Mesh(mesh)
+    , Neighbours(mesh.Cells.Corners.size(), { None, None, None, None })
+    , Region(mesh.Cells.Corners.size(), None)
+    , Distance(mesh.Cells.Corners.size(), None)
+  {
+  }
+
+  bool EvenOut()
+  {
+    this->FindWalls();
+    this->FindRegions();
+    this->FindDistances();
+    std::vector<Index> chosen;
+    if (!this->ChooseWalls(chosen))
+    {
+      return false;
+    }
+    for (const Index w : chosen)
+    {
+      this->Cut(this->Walls[w]);
+    }
+    return true;
+  }
+
+private:
+  const Faces::Face& Face(Index f) const { return this->Mesh.Cells.Corners[f]; }
+
+  /// Finds the faces on the other side of each edge that is part of no line, and the edges of lines.
+  void FindWalls()
+  {
+    struct Side
+    {
+      std::array<Index, 2> Ends;
+      Index Face;
+      int Corner;
+    };
+    const auto isLess = [](const auto& a, const auto& b) { return a.Ends < b.Ends; };
+    std::vector<Side> sides;
+    const auto count = static_cast<Index>(this->Mesh.Cells.Corners.size());
+    for (Index f = 0; f < count; ++f)
+    {
+      const int size = Faces::Size(this->Face(f));
+      for (int c = 0; c < size; ++c)
+      {
+        sides.push_back({ EndsOf(this->Face(f)[c], this->Face(f)[(c + 1) % size]), f, c });
+      }
+    }
+    std::stable_sort(sides.begin(), sides.end(), isLess);
+    std::vector<FaceMesh::LineEdge> lines = this->Mesh.LineEdges;
+    for (FaceMesh::LineEdge& edge : lines)
+    {
+      edge.Ends = EndsOf(edge.Ends[0], edge.Ends[1]);
+    }
+    std::stable_sort(lines.begin(), lines.end(), isLess);
+    for (std::size_t k = 0, end = 0; k < sides.size(); k = end)
+    {
+      while (end < sides.size() && sides[end].Ends == sides[k].Ends)
+      {
+        ++end;
+      }
+      const Side& one = sides[k];
+      const FaceMesh::LineEdge wanted{ one.Ends, 0 };
+      const auto line = std::lower_bound(lines.begin(), lines.end(), wanted, isLess);
+      const bool isLine = line != lines.end() && line->Ends == one.Ends;
+      if (isLine && end - k <= 2)
+      {
+        this->Walls.push_back(
+          { one.Ends, { one.Face, end - k == 2 ? sides[k + 1].Face : None }, line->Line });
+      }
+      else if (!isLine && end - k == 2 &&
+        this->Face(one.Face)[one.Corner] != this->Face(sides[k + 1].Face)[sides[k + 1].Corner])
+      {
+        this->Neighbours[one.Face][one.Corner] = sides[k + 1].Face;
+        this->Neighbours[sides[k + 1].Face][sides[k + 1].Corner] = one.Face;
+      }
+    }
+  }
+
+  /// Calls body for faces and those that are reached from them over edges of no line, breadth first.
+  template <typename Body>
+  void Spread(std::vector<Index>&& front, const Body& body) const
+  {
+    for (std::size_t k = 0; k < front.size(); ++k)
+    {
+      const Index f = front[k];
+      for (const Index g : this->Neighbours[f])
+      {
+        if (g != None && body(f, g))
+        {
+          front.push_back(g);
+        }
+      }
+    }
+  }
+
+  void FindRegions()
+  {
+    const auto count = static_cast<Index>(this->Region.size());
+    for (Index f = 0; f < count; ++f)
+    {
+      if (this->Region[f] == None)
+      {
+        const auto region = static_cast<Index>(this->IsOdd.size());
+        this->IsOdd.push_back(0);
+        this->Size.push_back(0);
+        this->Region[f] = region;
+        this->Spread(
+          { f }, [&](Index, Index g) { return std::exchange(this->Region[g], region) == None; });
+      }
+      ++this->Size[this->Region[f]];
+      this->IsOdd[this->Region[f]] ^= Faces::Size(this->Face(f)) == 3 ? 1 : 0;
+    }
+  }
+
+  /// How far the faces are from triangles of their region.
+  void FindDistances()
+  {
+    std::vector<Index> triangles;
+    for (std::size_t f = 0; f < this->Distance.size(); ++f)
+    {
+      if (Faces::Size(this->Face(static_cast<Index>(f))) == 3)
+      {
+        this->Distance[f] = 0;
+        triangles.push_back(static_cast<Index>(f));
+      }
+    }
+    this->Spread(std::move(triangles),
+      [&](Index f, Index g)
+      {
+        const bool isNew = this->Distance[g] == None;
+        this->Distance[g] = isNew ? this->Distance[f] + 1 : this->Distance[g];
+        return isNew;
+      });
+  }
+
+  /// The regions on both sides of a wall; the last number is for what is outside.
+  std::array<Index, 2> RegionsOf(const Wall& wall) const
+  {
+    return { this->Region[wall.Faces[0]],
+      wall.Faces[1] != None ? this->Region[wall.Faces[1]]
+                            : static_cast<Index>(this->IsOdd.size()) };
+  }
+
+  /// A way over a wall to a region, or from it.
+  struct Crossing
+  {
+    double Cost;
+    Index Region;
+    Index Wall;
+  };
+
+  /// Leads odd regions along a tree of the cheapest ways to each from what is outside, or from the last region where
+  /// there is no way out.
+  bool ChooseWalls(std::vector<Index>& chosen) const
+  {
+    if (std::find(this->IsOdd.begin(), this->IsOdd.end(), 1) == this->IsOdd.end())
+    {
+      return true;
+    }
+    const auto outside = static_cast<Index>(this->IsOdd.size());
+    std::vector<std::vector<Crossing>> crossings(outside + 1);
+    for (std::size_t w = 0; w < this->Walls.size(); ++w)
+    {
+      const std::array<Index, 2> regions = this->RegionsOf(this->Walls[w]);
+      if (regions[0] != regions[1])
+      {
+        const double cost = this->CostOf(this->Walls[w]);
+        crossings[regions[0]].push_back({ cost, regions[1], static_cast<Index>(w) });
+        crossings[regions[1]].push_back({ cost, regions[0], static_cast<Index>(w) });
+      }
+    }
+    std::vector<Crossing> entrance(outside + 1, { 0.0, None, None });
+    const std::vector<Index> order = CheapestFirst(crossings, entrance);
+    std::vector<char> isOdd = this->IsOdd;
+    isOdd.push_back(0);
+    for (std::size_t k = order.size(); k-- > 0;)
+    {
+      const Index region = order[k];
+      if (region != outside && isOdd[region] != 0)
+      {
+        if (entrance[region].Wall == None)
+        {
+          return false;
+        }
+        chosen.push_back(entrance[region].Wall);
+        isOdd[entrance[region].Region] ^= 1;
+      }
+    }
+    return true;
+  }
+
+  /// The regions by what the cheapest way to them costs, from the last one of those that hang together (Dijkstra), and
+  /// over which wall that comes from which region.
+  static std::vector<Index> CheapestFirst(
+    const std::vector<std::vector<Crossing>>& crossings, std::vector<Crossing>& entrance)
+  {
+    std::vector<Index> order;
+    std::vector<char> isReached(crossings.size(), 0);
+    for (std::size_t root = crossings.size(); root-- > 0;)
+    {
+      // What comes next: its cost, the region that it leads to, and how it is entered.
+      using Arrival = std::tuple<double, Index, Index, Index>;
+      std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue;
+      queue.emplace(0.0, None, None, static_cast<Index>(root));
+      while (!queue.empty())
+      {
+        const auto [cost, wall, from, region] = queue.top();
+        queue.pop();
+        if (isReached[region] != 0)
+        {
+          continue;
+        }
+        isReached[region] = 1;
+        order.push_back(region);
+        entrance[region] = { cost, from, wall };
+        for (const Crossing& next : crossings[region])
+        {
+          queue.emplace(cost + next.Cost, next.Wall, region, next.Region);
+        }
+      }
+    }
+    return order;
+  }
+
+  /// The nearer to triangles the better, and where good faces are left.
+  double CostOf(const Wall& wall) const
+  {
+    double cost = PerWall;
+    for (const Index f : wall.Faces)
+    {
+      if (f != None)
+      {
+        const Vector3 middle =
+          0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
+        cost += std::max<Index>(this->Distance[f], 0) +
+          (this->BestCut(this->Face(f), wall.Ends, middle).Quality < Good ? PerBadFace : 0.0) +
+          (this->Size[this->Region[f]] < FewFaces ? PerBadFace : 0.0);
+      }
+    }
+    return cost;
+  }
+
+  /// The two parts of a face, in which the new vertex is missing.
+  struct Parts
+  {
+    Faces::Face First;
+    Faces::Face Second;
+    double Quality;
+  };
+
+  /// How a face is cut from the middle of an edge so that the worse part is as good as possible. The middle is vertex
+  /// number Points.size().
+  Parts BestCut(
+    const Faces::Face& face, const std::array<Index, 2>& ends, const Vector3& middle) const
+  {
+    const auto fresh = static_cast<Index>(this->Mesh.Points.size());
+    const int size = Faces::Size(face);
+    int at = 0;
+    while (EndsOf(face[at], face[(at + 1) % size]) != ends)
+    {
+      ++at;
+    }
+    const Index tail = face[at];
+    const Index head = face[(at + 1) % size];
+    const Index afterHead = face[(at + 2) % size];
+    const Index beforeTail = face[(at + size - 1) % size];
+    const auto quality = [&](const Faces::Face& part)
+    {
+      std::vector<Vector3> points;
+      Faces::Face own = { None, None, None, None };
+      for (int c = 0; c < Faces::Size(part); ++c)
+      {
+        points.push_back(part[c] == fresh ? middle : this->Mesh.Points[part[c]]);
+        own[c] = c;
+      }
+      return ScaledJacobian(points, own);
+    };
+    const auto parts = [&](const Faces::Face& first, const Faces::Face& second) {
+      return Parts{ first, second, std::min(quality(first), quality(second)) };
+    };
+    if (size == 3)
+    {
+      return parts({ fresh, head, afterHead, None }, { tail, fresh, afterHead, None });
+    }
+    const Parts one =
+      parts({ fresh, head, afterHead, None }, { tail, fresh, afterHead, beforeTail });
+    const Parts other =
+      parts({ tail, fresh, beforeTail, None }, { fresh, head, afterHead, beforeTail });
+    return other.Quality > one.Quality ? other : one;
+  }
+
+  void Cut(const Wall& wall)
+  {
+    const auto fresh = static_cast<Index>(this->Mesh.Points.size());
+    const Vector3 middle =
+      0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
+    for (const Index f : wall.Faces)
+    {
+      if (f != None)
+      {
+        const Index part = this->PartWith(f, wall.Ends);
+        const Parts parts = this->BestCut(this->Face(part), wall.Ends, middle);
+        this->Mesh.Cells.Corners[part] = parts.First;
+        this->Mesh.Cells.IsRegular[part] = 0;
+        this->PartsOf.emplace_back(f, static_cast<Index>(this->Mesh.Cells.Corners.size()));
+        this->Mesh.Cells.Corners.push_back(parts.Second);
+        this->Mesh.Cells.IsRegular.push_back(0);
+      }
+    }
+    this->Mesh.Points.push_back(middle);
+    FaceMesh::Vertex vertex;
+    vertex.Line = wall.Line;
+    vertex.IsBoundary = wall.Faces[1] == None;
+    this->Mesh.Vertices.push_back(vertex);
+    std::vector<FaceMesh::LineEdge>& edges = this->Mesh.LineEdges;
+    const auto end = edges.size();
+    for (std::size_t k = 0; k < end; ++k)
+    {
+      if (EndsOf(edges[k].Ends[0], edges[k].Ends[1]) == wall.Ends)
+      {
+        edges.push_back({ { fresh, edges[k].Ends[1] }, edges[k].Line });
+        edges[k].Ends[1] = fresh;
+      }
+    }
+  }
+
+  /// The part of a face, which may have been cut before, that has an edge.
+  Index PartWith(Index f, const std::array<Index, 2>& ends) const
+  {
+    const auto has = [&](Index part)
+    {
+      const Faces::Face& face = this->Face(part);
+      const int size = Faces::Size(face);
+      bool found = false;
+      for (int c = 0; c < size; ++c)
+      {
+        found = found || EndsOf(face[c], face[(c + 1) % size]) == ends;
+      }
+      return found;
+    };
+    const auto part = std::find_if(this->PartsOf.begin(), this->PartsOf.end(),
+      [&](const std::pair<Index, Index>& item) { return item.first == f && has(item.second); });
+    return part != this->PartsOf.end() ? part->second : f;
+  }
+
+  FaceMesh& Mesh;
+  /// The face over each edge that is part of no line.
+  std::vector<std::array<Index, 4>> Neighbours;
+  std::vector<Wall> Walls;
+  std::vector<Index> Region;
+  std::vector<Index> Distance;
+  /// Of the number of each region's triangles.
+  std::vector<char> IsOdd;
+  /// The number of each region's faces.
+  std::vector<Index> Size;
+  /// Faces that were cut, and what was cut off them.
+  std::vector<std::pair<Index, Index>> PartsOf;
+};
+}
+
+bool EvenOutTriangles(FaceMesh& mesh)
+{
+  return Parity(mesh).EvenOut();
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef FieldToPolyData_h
+#define FieldToPolyData_h
+
+#include "DirectionField.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Progress.h"
+
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// Adds the field's point, cell and field data to a copy of the polydata it was computed from, whose
+/// points and cells are split where the surface was split for the field. The directions, the magnitude
+/// and the curvature are double if that is the type given, else float.
+///
+/// Throws Stopped; the output is incomplete then.
+/// @param type VTK's number of a type
+void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, int type,
+  vtkPolyData* output, const Progress& progress = {});
+
+/// The same without the figures of how the field was computed, for one that was not; in the type of the points.
+void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
+  const Progress& progress = {});
+
+/// Removes every array that a field may have left in the point, cell and field data.
+void RemoveFieldArrays(vtkPolyData* output);
+
+/// Adds the counts of what was mended, and the warnings if there are any.
+void AddReport(
+  const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);
+
+/// Adds the line that says what the field is like.
+void AddSummary(const std::string& summary, vtkFieldData* data);
+}
+
+#endif

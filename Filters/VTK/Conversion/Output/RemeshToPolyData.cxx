@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Conversion/Output/RemeshToPolyData.h"
+
+#include "Conversion/Input/FieldArrays.h"
+#include "Conversion/Output/FieldToPolyData.h"
+#include "Conversion/Output/InterpolatedData.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSignedCharArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace DirectionFields
+{
+namespace
+{
+int SizeOf(const std::array<Index, 4>& face)
+{
+  return face[3] == None ? 3 : 4;
+}
+
+/// The number of edges at each point, and whether it is on the boundary.
+struct Valences
+{
+  explicit Valences(const RemeshResult& mesh)
+    : Edges(mesh.Points.size(), 0)
+    , IsBoundary(mesh.Points.size(), 0)
+  {
+    // An edge of one face only has its ends on the boundary.
+    std::vector<std::array<Index, 2>> edges;
+    for (const std::array<Index, 4>& face : mesh.Faces)
+    {
+      for (int c = 0; c < SizeOf(face); ++c)
+      {
+        const Index a = face[c];
+        const Index b = face[(c + 1) % SizeOf(face)];
+        edges.push_back({ std::min(a, b), std::max(a, b) });
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size();)
+    {
+      std::size_t end = i;
+      while (end < edges.size() && edges[end] == edges[i])
+      {
+        ++end;
+      }
+      for (const Index v : edges[i])
+      {
+        ++this->Edges[v];
+        this->IsBoundary[v] = this->IsBoundary[v] != 0 || end - i == 1 ? 1 : 0;
+      }
+      i = end;
+    }
+  }
+
+  std::vector<int> Edges;
+  std::vector<char> IsBoundary;
+};
+
+void InterpolatePointData(vtkPolyData* input, const TriangulatedPolyData& surface,
+  const RemeshResult& mesh, vtkPointData* out)
+{
+  vtkNew<vtkPointData> in;
+  in->ShallowCopy(input->GetPointData());
+  DropWhatIsNotToInterpolate(in);
+  in->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  out->InterpolateAllocate(in, static_cast<vtkIdType>(mesh.Points.size()));
+  vtkNew<vtkIdList> corners;
+  corners->SetNumberOfIds(3);
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    std::array<double, 3> weights = mesh.SourceWeights[v];
+    for (int c = 0; c < 3; ++c)
+    {
+      corners->SetId(c, surface.Mesh.Triangles[mesh.SourceTriangle[v]][c]);
+    }
+    out->InterpolatePoint(in, static_cast<vtkIdType>(v), corners, weights.data());
+  }
+}
+
+void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
+  vtkCellData* out)
+{
+  vtkNew<vtkCellData> in;
+  in->ShallowCopy(input->GetCellData());
+  DropWhatIsNotToInterpolate(in);
+  in->RemoveArray(ArrayNames::SingularityIndex);
+  in->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  in->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  out->CopyAllocate(in, static_cast<vtkIdType>(mesh.Faces.size()));
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    out->CopyData(in, surface.Cell(mesh.FaceSource[f]), static_cast<vtkIdType>(f));
+  }
+}
+
+template <typename ArrayT>
+void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData* data)
+{
+  auto array = MakeArray<ArrayT>(name, 1, 1);
+  array->SetValue(0, value);
+  data->AddArray(array);
+}
+}
+
+void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
+  vtkPolyData* output)
+{
+  const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
+  output->SetPoints(MakePoints(mesh.Points, type));
+  vtkNew<vtkCellArray> cells;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const std::array<vtkIdType, 4> ids = { face[0], face[1], face[2], face[3] };
+    cells->InsertNextCell(SizeOf(face), ids.data());
+  }
+  output->SetPolys(cells);
+  InterpolatePointData(input, surface, mesh, output->GetPointData());
+  CopyCellData(input, surface, mesh, output->GetCellData());
+
+  std::vector<int> kind(mesh.Kind.size());
+  std::transform(mesh.Kind.begin(), mesh.Kind.end(), kind.begin(),
+    [](VertexKind k) { return static_cast<int>(k); });
+  output->GetPointData()->AddArray(MakeScalars<vtkSignedCharArray>("VertexKind", kind));
+  output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", mesh.FieldIndex));
+  output->GetCellData()->AddArray(MakeScalars<vtkSignedCharArray>("Regular", mesh.Regular));
+
+  vtkFieldData* data = output->GetFieldData();
+  AddNumber<vtkIntArray>("Faces", static_cast<int>(mesh.Faces.size()), data);
+  AddNumber<vtkIntArray>("Quads", mesh.Quads, data);
+  AddNumber<vtkIntArray>("Triangles", mesh.Triangles, data);
+  AddNumber<vtkIntArray>("IrregularVertices", mesh.IrregularVertices, data);
+  AddNumber<vtkIntArray>("KeptVertices", mesh.KeptVertices, data);
+  AddNumber<vtkIntArray>("FlippedTriangles", mesh.FlippedTriangles, data);
+  AddNumber<vtkDoubleArray>("EdgeLength", mesh.EdgeLength, data);
+  AddNumber<vtkDoubleArray>("MaximumDistance", mesh.MaximumDistance, data);
+  auto euler = MakeArray<vtkIntArray>("EulerCharacteristic", 2, 1);
+  euler->SetComponentName(0, "Input");
+  euler->SetComponentName(1, "Output");
+  euler->SetTypedComponent(0, 0, mesh.EulerCharacteristicBefore);
+  euler->SetTypedComponent(0, 1, mesh.EulerCharacteristicAfter);
+  data->AddArray(euler);
+}
+
+void AddIrregularVertices(
+  const RemeshResult& mesh, int degree, int pointDataType, vtkPolyData* output)
+{
+  const Valences valences(mesh);
+  std::vector<Vector3> places;
+  std::vector<int> valence;
+  std::vector<int> index;
+  vtkNew<vtkCellArray> vertices;
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    if (valences.IsBoundary[v] == 0 && valences.Edges[v] != degree)
+    {
+      const auto id = static_cast<vtkIdType>(places.size());
+      vertices->InsertNextCell(1, &id);
+      places.push_back(mesh.Points[v]);
+      valence.push_back(valences.Edges[v]);
+      index.push_back(mesh.FieldIndex[v]);
+    }
+  }
+  output->SetPoints(MakePoints(places, pointDataType));
+  output->SetVerts(vertices);
+  output->GetPointData()->SetScalars(MakeScalars<vtkIntArray>("Valence", valence));
+  output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", index));
+}
+}

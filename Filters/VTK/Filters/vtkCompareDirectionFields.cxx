@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkCompareDirectionFields.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Conversion/Output/ComparisonToPolyData.h"
+#include "Support/CompositeOutputs.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToField.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Support/Threads.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkCompareDirectionFields);
+
+namespace
+{
+// Where the phases of the progress end: reading the inputs, comparing the directions. The rest is matching.
+constexpr double ProgressRead = 0.2;
+constexpr double ProgressCompared = 0.5;
+/// How far points of the same surface may be apart that two programs have written, relative to its size.
+constexpr double SamePlace = 1e-4;
+
+/// Throws std::invalid_argument where two surfaces are not the same.
+void RequireSame(const DirectionFields::Surface& one, const DirectionFields::Surface& other)
+{
+  if (one.Points.size() != other.Points.size() || one.Triangles != other.Triangles)
+  {
+    throw std::invalid_argument("The two inputs have different points or cells (" +
+      std::to_string(one.Points.size()) + " and " + std::to_string(other.Points.size()) +
+      " points, " + std::to_string(one.Triangles.size()) + " and " +
+      std::to_string(other.Triangles.size()) +
+      " triangles). Compare two fields on the same surface.");
+  }
+  Eigen::AlignedBox3d box;
+  double farthest = 0.0;
+  for (const DirectionFields::Triangle& triangle : one.Triangles)
+  {
+    for (const DirectionFields::Index i : triangle)
+    {
+      box.extend(one.Points[i]);
+      farthest = std::max(farthest, (one.Points[i] - other.Points[i]).norm());
+    }
+  }
+  if (farthest > SamePlace * box.diagonal().norm())
+  {
+    throw std::invalid_argument("Points of the two inputs are up to " + std::to_string(farthest) +
+      " apart. Compare two fields on the same surface.");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCompareDirectionFields::vtkCompareDirectionFields()
+  : MatchSingularities(true)
+  , DivergenceAndCurl(false)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MatchSingularities: " << this->MatchSingularities << "\n";
+  os << indent << "DivergenceAndCurl: " << this->DivergenceAndCurl << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::SetOtherConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::SetOtherData(vtkDataObject* field)
+{
+  this->SetInputData(1, field);
+}
+
+//------------------------------------------------------------------------------
+int vtkCompareDirectionFields::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkCompareDirectionFields::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkCompareDirectionFields::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    DirectionFields::MakeOutputsLike(inputVector[0], outputVector);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other, double begin,
+  double end, vtkPolyData* output, vtkPolyData* matches)
+{
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this, begin, end);
+  const DirectionFields::Progress progress(report);
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
+  DirectionFields::CheckPolyData(input);
+  DirectionFields::CheckPolyData(other);
+  output->ShallowCopy(input);
+  if (input->GetNumberOfPoints() == 0 && other->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const DirectionFields::PointDirections first = DirectionFields::RequireDirections(input);
+  const DirectionFields::PointDirections second = DirectionFields::RequireDirections(other);
+  if (first.Degree != second.Degree)
+  {
+    throw std::invalid_argument("The fields have different degrees, " +
+      std::to_string(first.Degree) + " and " + std::to_string(second.Degree) +
+      ". Only fields of the same degree can be compared.");
+  }
+  const DirectionFields::TriangulatedPolyData surface =
+    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, 0.5 * ProgressRead));
+  RequireSame(surface.Mesh,
+    DirectionFields::PolyDataToSurface(other, progress.Part(0.5 * ProgressRead, ProgressRead))
+      .Mesh);
+  const DirectionFields::GivenField field(surface.Mesh, first);
+  DirectionFields::AddDifference(DirectionFields::Compare(field, second), output);
+  progress.Report(ProgressCompared);
+  if (!this->MatchSingularities && !this->DivergenceAndCurl)
+  {
+    return;
+  }
+  const DirectionFields::GivenField otherField(surface.Mesh, second);
+  if (this->DivergenceAndCurl)
+  {
+    DirectionFields::AddDerivatives(surface, DirectionFields::FieldDerivatives(field), 0, output);
+    DirectionFields::AddDerivatives(
+      surface, DirectionFields::FieldDerivatives(otherField), 1, output);
+  }
+  if (this->MatchSingularities)
+  {
+    DirectionFields::AddMatches(surface,
+      DirectionFields::MatchSingularities(field, otherField, progress.Part(ProgressCompared, 1.0)),
+      output, matches);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCompareDirectionFields::CompareBlocks(vtkCompositeDataSet* input, vtkDataObject* other,
+  vtkCompositeDataSet* output, vtkCompositeDataSet* matches)
+{
+  vtkSmartPointer<vtkCompositeDataIterator> at;
+  at.TakeReference(input->NewIterator());
+  double blocks = 0.0;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    blocks += 1.0;
+  }
+  auto* const others = vtkCompositeDataSet::SafeDownCast(other);
+  double done = 0.0;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem(), done += 1.0)
+  {
+    auto* const block = vtkPolyData::SafeDownCast(at->GetCurrentDataObject());
+    auto* const otherBlock = vtkPolyData::SafeDownCast(others ? others->GetDataSet(at) : other);
+    if (!block)
+    {
+      continue;
+    }
+    if (!otherBlock)
+    {
+      throw std::invalid_argument(
+        "The second input has no surface for a block of the first one. Give two inputs of the same structure, or a "
+        "single surface as the second one.");
+    }
+    vtkNew<vtkPolyData> difference;
+    vtkNew<vtkPolyData> blockMatches;
+    this->Compare(
+      block, otherBlock, done / blocks, (done + 1.0) / blocks, difference, blockMatches);
+    output->SetDataSet(at, difference);
+    matches->SetDataSet(at, blockMatches);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkCompareDirectionFields::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const other = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
+  vtkDataObject* const matches = vtkDataObject::GetData(outputVector, 1);
+  if (!input || !other || !output || !matches)
+  {
+    return 0;
+  }
+  std::string error;
+  const auto compare = [&]
+  {
+    if (auto* const composite = vtkCompositeDataSet::SafeDownCast(input))
+    {
+      auto* const differences = vtkCompositeDataSet::SafeDownCast(output);
+      auto* const allMatches = vtkCompositeDataSet::SafeDownCast(matches);
+      differences->CopyStructure(composite);
+      allMatches->CopyStructure(composite);
+      this->CompareBlocks(composite, other, differences, allMatches);
+    }
+    else
+    {
+      auto* const surface = vtkPolyData::SafeDownCast(other);
+      if (!surface)
+      {
+        throw std::invalid_argument(
+          "The second input is a composite dataset, the first one a single surface. Give the composite one first.");
+      }
+      this->Compare(vtkPolyData::SafeDownCast(input), surface, 0.0, 1.0,
+        vtkPolyData::SafeDownCast(output), vtkPolyData::SafeDownCast(matches));
+    }
+    this->UpdateProgress(1.0);
+  };
+  if (DirectionFields::RunFilter(compare, { output, matches }, error))
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}

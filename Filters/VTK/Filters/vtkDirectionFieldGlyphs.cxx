@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkDirectionFieldGlyphs.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
+#include "Support/GlyphSurfaceCache.h"
+#include "Conversion/Output/GlyphsToPolyData.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToField.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Support/Threads.h"
+
+#include "vtkCommand.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <string>
+
+vtkStandardNewMacro(vtkDirectionFieldGlyphs);
+
+namespace
+{
+// Where the phases of the progress end: reading the input, making the glyphs.
+constexpr double ProgressRead = 0.2;
+constexpr double ProgressDrawn = 0.9;
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldGlyphs::vtkDirectionFieldGlyphs()
+  : Surfaces(std::make_unique<DirectionFields::GlyphSurfaceCache>())
+{
+  const DirectionFields::GlyphOptions defaults;
+  this->GlyphType = static_cast<int>(defaults.Type);
+  this->GlyphMode = static_cast<int>(defaults.Mode);
+  this->Side = static_cast<int>(defaults.Side);
+  this->Spacing = defaults.Spacing;
+  this->MaximumNumberOfGlyphs = defaults.MaximumNumber;
+  this->Scale = defaults.Scale;
+  this->Offset = defaults.Offset;
+  this->FollowSurface = defaults.FollowSurface;
+  // The pipeline says when an input begins and ends, and newer ones do for each of its blocks, too. Each
+  // block is a call of RequestData.
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkDirectionFieldGlyphs::BeginBlocks);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkDirectionFieldGlyphs::EndBlocks);
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldGlyphs::~vtkDirectionFieldGlyphs() = default;
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::BeginBlocks()
+{
+  if (this->BlockDepth++ == 0)
+  {
+    this->Surfaces->Begin();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::EndBlocks()
+{
+  if (--this->BlockDepth == 0)
+  {
+    this->Surfaces->End();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::ReleaseSurfaces()
+{
+  *this->Surfaces = {};
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GlyphType: " << this->GlyphType << "\n";
+  os << indent << "GlyphMode: " << this->GlyphMode << "\n";
+  os << indent << "Side: " << this->Side << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "MaximumNumberOfGlyphs: " << this->MaximumNumberOfGlyphs << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "FollowSurface: " << this->FollowSurface << "\n";
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::GlyphOptions vtkDirectionFieldGlyphs::MakeOptions() const
+{
+  DirectionFields::GlyphOptions options;
+  options.Type = static_cast<DirectionFields::GlyphType>(this->GlyphType);
+  options.Mode = static_cast<DirectionFields::GlyphMode>(this->GlyphMode);
+  options.Side = static_cast<DirectionFields::GlyphSide>(this->Side);
+  options.Spacing = this->Spacing;
+  options.MaximumNumber = this->MaximumNumberOfGlyphs;
+  options.Scale = this->Scale;
+  options.Offset = this->Offset;
+  options.FollowSurface = this->FollowSurface;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output)
+{
+  DirectionFields::CheckPolyData(input);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    // Nothing to draw, but cells without points are an error.
+    DirectionFields::PolyDataToSurface(input);
+    return;
+  }
+  const DirectionFields::PointDirections field = DirectionFields::RequireDirections(input);
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  if (this->BlockDepth == 0)
+  {
+    // Somebody has removed the observers: there is one block, as far as can be told.
+    this->Surfaces->Begin();
+  }
+  DirectionFields::GlyphSurface& surface =
+    this->Surfaces->Next(input, DirectionFields::Progress(report).Part(0.0, ProgressRead));
+  const DirectionFields::Glyphs glyphs = DirectionFields::MakeGlyphs(surface, field,
+    this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressDrawn));
+  if (glyphs.Aborted || DirectionFields::IsAborted(this))
+  {
+    throw DirectionFields::Stopped();
+  }
+  DirectionFields::AddGlyphs(glyphs, input->GetPoints()->GetDataType(), output);
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!input || !output)
+  {
+    return 0;
+  }
+  std::string error;
+  if (this->Compute(input, output, error) || error.empty())
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionFieldGlyphs::Compute(vtkPolyData* input, vtkPolyData* output, std::string& error)
+{
+  bool isComplete = false;
+  error.clear();
+  const auto draw = [&]
+  {
+    this->DrawGlyphs(input, output);
+    isComplete = true;
+  };
+  if (!DirectionFields::RunFilter(
+        draw, { output }, error, "Lower Maximum Number Of Glyphs or decimate the surface"))
+  {
+    // What is kept may be what the memory lacks.
+    this->ReleaseSurfaces();
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldGlyphs::CheckInput(vtkPolyData* input)
+{
+  DirectionFields::CheckPolyData(input);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDirectionFieldGlyphs::IsStopped()
+{
+  return DirectionFields::IsAborted(this);
+}

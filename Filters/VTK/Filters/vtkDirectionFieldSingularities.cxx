@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkDirectionFieldSingularities.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Support/CompositeOutputs.h"
+#include "Support/DefaultThreads.h"
+#include "Conversion/Output/EditedPolyData.h"
+#include "Support/FilterRun.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToGuidance.h"
+#include "PrescribedSingularities/EditedResult.h"
+#include "Conversion/Output/RefinedPolyData.h"
+#include "Support/SingularityEditorCache.h"
+#include "Support/Threads.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkDirectionFieldSingularities);
+
+namespace
+{
+using DirectionFields::WantedSingularity;
+
+// Where the phases of the progress end: reading the inputs, the edit. The rest is writing.
+constexpr double ProgressRead = 0.3;
+constexpr double ProgressEdited = 0.9;
+// So often the surface is refined where that is needed.
+constexpr int MostRefinements = 4;
+
+using Blocks = std::vector<vtkPolyData*>;
+
+/// The blocks of a composite dataset that are polydata, in their order; null for others.
+Blocks BlocksOf(vtkCompositeDataSet* composite)
+{
+  Blocks blocks;
+  vtkSmartPointer<vtkCompositeDataIterator> at;
+  at.TakeReference(composite->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    blocks.push_back(vtkPolyData::SafeDownCast(at->GetCurrentDataObject()));
+  }
+  return blocks;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldSingularities::vtkDirectionFieldSingularities()
+  : SingularityMode(REPLACE)
+  , Objective(SMOOTHEST)
+  , BalanceAutomatically(false)
+  , RefineWhereNeeded(false)
+  , KeepConstraints(true)
+  , Alignment(ALIGN_NONE)
+  , AlignmentStrength(0.5)
+  , GuidanceVectors(nullptr)
+  , GuidanceWeights(nullptr)
+  , KeepStages(true)
+  , Last(std::make_unique<DirectionFields::SingularityEditorCache>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldSingularities::~vtkDirectionFieldSingularities()
+{
+  this->SetGuidanceVectors(nullptr);
+  this->SetGuidanceWeights(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SingularityMode: " << this->SingularityMode << "\n";
+  os << indent << "Objective: " << this->Objective << "\n";
+  os << indent << "BalanceAutomatically: " << this->BalanceAutomatically << "\n";
+  os << indent << "RefineWhereNeeded: " << this->RefineWhereNeeded << "\n";
+  os << indent << "KeepConstraints: " << this->KeepConstraints << "\n";
+  os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
+  os << indent << "GuidanceVectors: " << (this->GuidanceVectors ? this->GuidanceVectors : "(none)")
+     << "\n";
+  os << indent << "GuidanceWeights: " << (this->GuidanceWeights ? this->GuidanceWeights : "(none)")
+     << "\n";
+  os << indent << "KeepStages: " << this->KeepStages << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::SetSingularitiesConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::SetSingularitiesData(vtkDataObject* points)
+{
+  this->SetInputData(1, points);
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldSingularities::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldSingularities::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkDirectionFieldSingularities::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    DirectionFields::MakeOutputsLike(inputVector[0], outputVector);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::EditOptions vtkDirectionFieldSingularities::MakeOptions() const
+{
+  DirectionFields::EditOptions options;
+  options.AddsToBase = this->SingularityMode == ADD;
+  options.Objective = static_cast<DirectionFields::RotationObjective>(this->Objective);
+  options.Balances = this->BalanceAutomatically;
+  options.AlignmentStrength = this->Alignment == ALIGN_NONE ? 0.0 : this->AlignmentStrength;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
+  const std::vector<WantedSingularity>& wanted, double begin, double end, vtkPolyData* output,
+  vtkPolyData* singularities)
+{
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this, begin, end);
+  const DirectionFields::Progress progress(report);
+  DirectionFields::SingularityEditorCache::Block& block =
+    this->Last->Next(input, this->KeepConstraints, progress.Part(0.0, ProgressRead));
+  if (!block.Editor)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  std::vector<std::string> warnings;
+  DirectionFields::SingularityEditorCache::Block refined;
+  DirectionFields::SingularityEditorCache::Block* edits = &block;
+  vtkSmartPointer<vtkPolyData> surface = input;
+  DirectionFields::EditedField edited = this->EditField(
+    surface, *block.Editor, wanted, progress.Part(ProgressRead, ProgressEdited), warnings);
+  for (int k = 0; this->RefineWhereNeeded && !edited.WrongTriangles.empty() && k < MostRefinements;
+       ++k)
+  {
+    const DirectionFields::GivenField& base = edits->Editor->GetBase();
+    surface = DirectionFields::RefinedPolyData(surface, *edits->Surface, base,
+      DirectionFields::SurfaceRefinement(
+        edits->Surface->Mesh, DirectionFields::TrianglesToSplit(base, edited)));
+    refined = DirectionFields::SingularityEditorCache::Make(surface,
+      std::make_shared<DirectionFields::TriangulatedPolyData>(
+        DirectionFields::PolyDataToSurface(surface)),
+      this->KeepConstraints);
+    edits = &refined;
+    warnings.clear();
+    edited = this->EditField(
+      surface, *refined.Editor, wanted, progress.Part(ProgressEdited, ProgressEdited), warnings);
+  }
+  if (!edits->Surface->Mesh.Ghost.empty())
+  {
+    warnings.emplace_back(
+      "The surface is one of several pieces, and singularities of each are edited by themselves: fields do "
+      "not fit together at the seams. Edit the whole surface before it is distributed.");
+  }
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  output->ShallowCopy(surface);
+  DirectionFields::AddEditedField(*edits->Surface, *edits->Editor, edited, warnings, surface,
+    output, singularities, progress.Part(ProgressEdited, 1.0));
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::EditedField vtkDirectionFieldSingularities::EditField(vtkPolyData* surface,
+  DirectionFields::SingularityEditor& editor, const std::vector<WantedSingularity>& wanted,
+  const DirectionFields::Progress& progress, std::vector<std::string>& warnings)
+{
+  DirectionFields::Options options;
+  options.Degree = editor.GetBase().GetDegree();
+  options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
+  options.AlignmentStrength = this->AlignmentStrength;
+  const DirectionFields::Guidance guidance = this->Alignment == ALIGN_POINT_VECTORS
+    ? DirectionFields::PolyDataToGuidance(surface, this->GuidanceVectors, this->GuidanceWeights)
+    : DirectionFields::Guidance();
+  editor.SetGuidance(DirectionFields::GuidanceFor(editor, options, guidance, warnings));
+  DirectionFields::EditedField edited = editor.Edit(wanted, this->MakeOptions(), progress);
+  warnings.insert(warnings.end(), edited.Notes.begin(), edited.Notes.end());
+  return edited;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::Edit(
+  vtkDataObject* input, vtkDataObject* points, vtkDataObject* output, vtkDataObject* singularities)
+{
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
+  this->Last->Begin();
+  if (auto* const surface = vtkPolyData::SafeDownCast(input))
+  {
+    DirectionFields::CheckPolyData(surface);
+    this->EditBlock(surface, DirectionFields::WantedSingularities(points), 0.0, 1.0,
+      vtkPolyData::SafeDownCast(output), vtkPolyData::SafeDownCast(singularities));
+  }
+  else
+  {
+    this->EditBlocks(vtkCompositeDataSet::SafeDownCast(input), points,
+      vtkCompositeDataSet::SafeDownCast(output), vtkCompositeDataSet::SafeDownCast(singularities));
+  }
+  this->Last->End();
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  DirectionFields::Progress(report).Report(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::EditBlocks(vtkCompositeDataSet* input, vtkDataObject* points,
+  vtkCompositeDataSet* output, vtkCompositeDataSet* singularities)
+{
+  const Blocks blocks = BlocksOf(input);
+  for (vtkPolyData* const block : blocks)
+  {
+    if (block)
+    {
+      DirectionFields::CheckPolyData(block);
+    }
+  }
+  const std::vector<std::vector<WantedSingularity>> wanted =
+    DirectionFields::WantedOfBlocks(blocks, input, points);
+  output->CopyStructure(input);
+  singularities->CopyStructure(input);
+  vtkSmartPointer<vtkCompositeDataIterator> at;
+  at.TakeReference(input->NewIterator());
+  std::size_t k = 0;
+  const double part = 1.0 / static_cast<double>(blocks.empty() ? 1 : blocks.size());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem(), ++k)
+  {
+    if (!blocks[k])
+    {
+      continue;
+    }
+    vtkNew<vtkPolyData> field;
+    vtkNew<vtkPolyData> singular;
+    const double begin = part * static_cast<double>(k);
+    this->EditBlock(blocks[k], wanted[k], begin, begin + part, field, singular);
+    output->SetDataSet(at, field);
+    singularities->SetDataSet(at, singular);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldSingularities::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const points = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
+  vtkDataObject* const singularities = vtkDataObject::GetData(outputVector, 1);
+  if (!input || !points || !output || !singularities)
+  {
+    return 0;
+  }
+  std::string error;
+  const bool isRight = DirectionFields::RunFilter(
+    [&] { this->Edit(input, points, output, singularities); }, { output, singularities }, error);
+  if (!isRight || !this->KeepStages)
+  {
+    // A block that was stopped in the middle of an edit is as good as new, but one that was not read to its end is not.
+    this->Last->Clear();
+  }
+  if (!isRight)
+  {
+    vtkErrorMacro(<< error);
+  }
+  return isRight ? 1 : 0;
+}

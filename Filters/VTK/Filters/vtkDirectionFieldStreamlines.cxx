@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkDirectionFieldStreamlines.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
+#include "Conversion/Output/LinesToPolyData.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToField.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Support/Threads.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkDirectionFieldStreamlines);
+
+namespace
+{
+// Where the phases of the progress end: reading the input, tracing the lines.
+constexpr double ProgressRead = 0.2;
+constexpr double ProgressTraced = 0.95;
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionFieldStreamlines::vtkDirectionFieldStreamlines()
+{
+  const DirectionFields::LineOptions defaults;
+  this->SeedType = static_cast<int>(defaults.Seeds);
+  this->SeparatingDistance = defaults.Spacing;
+  this->SeparatingDistanceRatio = defaults.Ratio;
+  this->MaximumStreamlineLength = defaults.MostLength;
+  this->MinimumStreamlineLength = defaults.LeastLength;
+  this->StopAtCrossings = defaults.StopAtCrossings;
+  this->IntegrationDirection = static_cast<int>(defaults.Way);
+  this->MaximumNumberOfLines = defaults.MostLines;
+  this->Offset = defaults.Offset;
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldStreamlines::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedType: " << this->SeedType << "\n";
+  os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
+  os << indent << "SeparatingDistanceRatio: " << this->SeparatingDistanceRatio << "\n";
+  os << indent << "MaximumStreamlineLength: " << this->MaximumStreamlineLength << "\n";
+  os << indent << "MinimumStreamlineLength: " << this->MinimumStreamlineLength << "\n";
+  os << indent << "StopAtCrossings: " << this->StopAtCrossings << "\n";
+  os << indent << "IntegrationDirection: " << this->IntegrationDirection << "\n";
+  os << indent << "MaximumNumberOfLines: " << this->MaximumNumberOfLines << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldStreamlines::SetSeedSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldStreamlines::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::LineOptions vtkDirectionFieldStreamlines::MakeOptions() const
+{
+  DirectionFields::LineOptions options;
+  options.Seeds = static_cast<DirectionFields::SeedType>(this->SeedType);
+  options.Spacing = this->SeparatingDistance;
+  options.Ratio = this->SeparatingDistanceRatio;
+  options.MostLength = this->MaximumStreamlineLength;
+  options.LeastLength = this->MinimumStreamlineLength;
+  options.StopAtCrossings = this->StopAtCrossings;
+  options.Way = static_cast<DirectionFields::LineWay>(this->IntegrationDirection);
+  options.MostLines = this->MaximumNumberOfLines;
+  options.Offset = this->Offset;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldStreamlines::TraceLines(
+  vtkPolyData* input, vtkPointSet* seeds, vtkPolyData* lines, vtkPolyData* nodes)
+{
+  DirectionFields::CheckPolyData(input);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    // Nothing to follow, but cells without points are an error.
+    DirectionFields::PolyDataToSurface(input);
+    return;
+  }
+  if (this->SeedType == POINTS && !seeds)
+  {
+    throw std::invalid_argument("Lines from points need points: give a second input (Seed Source), "
+                                "or choose another SeedType.");
+  }
+  const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
+    input, DirectionFields::Progress(report).Part(0.0, 0.5 * ProgressRead));
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
+  const DirectionFields::GivenField field(surface.Mesh, directions);
+  DirectionFields::Progress(report).Report(ProgressRead);
+  const DirectionFields::FieldLines traced = DirectionFields::TraceFieldLines(field, directions,
+    this->SeedType == POINTS ? DirectionFields::NearestPlaces(surface.Mesh, seeds)
+                             : std::vector<DirectionFields::LineSeed>(),
+    this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressTraced));
+  if (traced.Aborted || DirectionFields::IsAborted(this))
+  {
+    throw DirectionFields::Stopped();
+  }
+  if (traced.IsLimited)
+  {
+    vtkWarningMacro(<< "There are " << this->MaximumNumberOfLines
+                    << " lines, and there would be more. Raise MaximumNumberOfLines, or"
+                       " SeparatingDistance for fewer lines.");
+  }
+  const int type = input->GetPoints()->GetDataType();
+  DirectionFields::AddLines(traced, type, lines);
+  DirectionFields::AddNodes(traced, field.GetDegree(), surface, type, nodes);
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionFieldStreamlines::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPointSet* seeds = vtkPointSet::GetData(inputVector[1]);
+  vtkPolyData* lines = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* nodes = vtkPolyData::GetData(outputVector, 1);
+  if (!input || !lines || !nodes)
+  {
+    return 0;
+  }
+  std::string error;
+  if (DirectionFields::RunFilter([&] { this->TraceLines(input, seeds, lines, nodes); },
+        { lines, nodes }, error,
+        "Raise Separating Distance, lower Maximum Streamline Length, or decimate the surface"))
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}

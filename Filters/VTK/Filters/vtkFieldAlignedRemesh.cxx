@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkFieldAlignedRemesh.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Conversion/Output/FieldToPolyData.h"
+#include "Support/FilterRun.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToField.h"
+#include "Conversion/Input/PolyDataToGuidance.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/RemeshToPolyData.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkFieldAlignedRemesh);
+
+namespace
+{
+// Where the phases of the progress end: reading the input, making the mesh.
+constexpr double ProgressRead = 0.05;
+constexpr double ProgressMade = 0.95;
+}
+
+/// The surface that the last mesh was made of, and what is kept of that.
+struct vtkFieldAlignedRemesh::Stages
+{
+  explicit Stages(DirectionFields::TriangulatedPolyData&& surface)
+    : Surface(std::move(surface))
+    , Mesher(std::make_shared<DirectionFields::Surface>(this->Surface.Mesh))
+  {
+  }
+  DirectionFields::TriangulatedPolyData Surface;
+  DirectionFields::Remesh Mesher;
+};
+
+//------------------------------------------------------------------------------
+vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
+{
+  const DirectionFields::RemeshOptions defaults;
+  this->Element = static_cast<int>(defaults.Element);
+  this->SizeMode = defaults.UseEdgeLength ? EDGE_LENGTH : FACES;
+  this->NumberOfFaces = defaults.NumberOfFaces;
+  this->EdgeLength = defaults.EdgeLength;
+  this->SizingArray = nullptr;
+  this->PureQuads = defaults.PureQuads;
+  this->KeepFeatures = defaults.KeepFeatures;
+  this->FeatureAngle = defaults.FeatureAngle;
+  this->SmoothingIterations = defaults.SmoothingIterations;
+  this->KeepStages = true;
+  this->NumberOfThreads = defaults.NumberOfThreads;
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkFieldAlignedRemesh::~vtkFieldAlignedRemesh()
+{
+  this->SetSizingArray(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Element: " << this->Element << "\n";
+  os << indent << "SizeMode: " << this->SizeMode << "\n";
+  os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
+  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
+  os << indent << "PureQuads: " << this->PureQuads << "\n";
+  os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
+  os << indent << "KeepStages: " << this->KeepStages << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* input) const
+{
+  DirectionFields::RemeshOptions options;
+  options.Element = static_cast<DirectionFields::Element>(this->Element);
+  options.UseEdgeLength = this->SizeMode == EDGE_LENGTH;
+  options.NumberOfFaces = this->NumberOfFaces;
+  options.EdgeLength = this->EdgeLength;
+  options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "SizingArray");
+  options.PureQuads = this->PureQuads;
+  options.KeepFeatures = this->KeepFeatures;
+  options.FeatureAngle = this->FeatureAngle;
+  options.SmoothingIterations = this->SmoothingIterations;
+  options.NumberOfThreads = this->NumberOfThreads;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldAlignedRemesh::MakeMesh(
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* irregular)
+{
+  DirectionFields::CheckPolyData(input);
+  if (!this->Last || !DirectionFields::IsSurfaceOf(input, this->Last->Surface))
+  {
+    this->Last.reset();
+    const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+    this->Last = std::make_unique<Stages>(DirectionFields::PolyDataToSurface(
+      input, DirectionFields::Progress(report).Part(0.0, ProgressRead)));
+  }
+  const DirectionFields::RemeshOptions options = this->MakeOptions(input);
+  const int degree = this->Element == QUADS ? 4 : 6;
+  const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
+  std::vector<DirectionFields::Vector3> directions;
+  std::vector<std::string> warnings;
+  if (field.Degree == degree)
+  {
+    for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
+    {
+      directions.push_back(field.Direction(static_cast<DirectionFields::Index>(p), 0));
+    }
+  }
+  else if (field.Degree > 0)
+  {
+    warnings.push_back("The direction field of the input has degree " +
+      std::to_string(field.Degree) + ", but the mesh follows one of degree " +
+      std::to_string(degree) + ", which was computed. Set Degree of Direction Field to " +
+      std::to_string(degree) + " for the mesh to follow that.");
+  }
+  const DirectionFields::ProgressFunction report =
+    DirectionFields::ReportTo(this, ProgressRead, ProgressMade);
+  const DirectionFields::RemeshResult mesh = this->Last->Mesher.Compute(options, directions,
+    [&](double done)
+    {
+      this->SetProgressText(DirectionFields::Remesh::StepAt(done));
+      return report(done);
+    });
+  this->SetProgressText(nullptr);
+  if (mesh.Aborted || DirectionFields::IsAborted(this))
+  {
+    throw DirectionFields::Stopped();
+  }
+  warnings.insert(warnings.end(), mesh.Notes.begin(), mesh.Notes.end());
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
+  DirectionFields::AddReport(mesh.Repaired, warnings, output->GetFieldData());
+  DirectionFields::AddIrregularVertices(
+    mesh, degree, input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, irregular);
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldAlignedRemesh::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* irregular = vtkPolyData::GetData(outputVector, 1);
+  if (!input || !output || !irregular)
+  {
+    return 0;
+  }
+  std::string error;
+  const bool isRight = DirectionFields::RunFilter([&] { this->MakeMesh(input, output, irregular); },
+    { output, irregular }, error, "Lower Number Of Faces or decimate the surface");
+  if (!this->KeepStages)
+  {
+    this->Last.reset();
+  }
+  if (!isRight)
+  {
+    vtkErrorMacro(<< error);
+  }
+  return isRight ? 1 : 0;
+}

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGuidanceCurves.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Guidance/CurveGuidance.h"
+#include "Support/DefaultThreads.h"
+#include "Conversion/Input/FieldArrays.h"
+#include "Support/FilterRun.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Support/Threads.h"
+
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGuidanceCurves);
+
+namespace
+{
+using Curves = std::vector<std::vector<DirectionFields::Vector3>>;
+
+// Where reading the input ends in the progress.
+constexpr double ProgressRead = 0.2;
+
+/// Appends the lines of polydata.
+void AddLines(vtkPolyData* polyData, Curves& curves)
+{
+  DirectionFields::CheckPolyData(polyData);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < polyData->GetNumberOfLines(); ++i)
+  {
+    polyData->GetLines()->GetCellAtId(i, ids);
+    std::vector<DirectionFields::Vector3> curve(static_cast<std::size_t>(ids->GetNumberOfIds()));
+    for (std::size_t k = 0; k < curve.size(); ++k)
+    {
+      polyData->GetPoints()->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), curve[k].data());
+    }
+    curves.push_back(std::move(curve));
+  }
+}
+
+/// The lines of polydata, or of all polydata in a composite dataset.
+Curves LinesOf(vtkDataObject* data)
+{
+  Curves curves;
+  if (auto* const polyData = vtkPolyData::SafeDownCast(data))
+  {
+    AddLines(polyData, curves);
+  }
+  else if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> blocks;
+    blocks.TakeReference(composite->NewIterator());
+    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    {
+      if (auto* const block = vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject()))
+      {
+        AddLines(block, curves);
+      }
+    }
+  }
+  return curves;
+}
+
+template <typename ArrayT>
+void AddArrays(const DirectionFields::CurveGuidance& guidance, vtkPointData* data)
+{
+  data->AddArray(DirectionFields::MakeVectors<ArrayT>("GuidanceVectors", guidance.Vectors));
+  data->AddArray(DirectionFields::MakeScalars<ArrayT>("GuidanceWeights", guidance.Weights));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkGuidanceCurves::vtkGuidanceCurves()
+{
+  const DirectionFields::CurveGuidanceOptions defaults;
+  this->Degree = defaults.Degree;
+  this->Radius = defaults.Radius;
+  this->Falloff = defaults.Falloff;
+  this->MaximumDistance = defaults.MaximumDistance;
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkGuidanceCurves::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Degree: " << this->Degree << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Falloff: " << this->Falloff << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkGuidanceCurves::SetCurvesConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGuidanceCurves::SetCurvesData(vtkDataObject* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+//------------------------------------------------------------------------------
+int vtkGuidanceCurves::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGuidanceCurves::AddGuidance(vtkPolyData* input, vtkDataObject* curves, vtkPolyData* output)
+{
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::Progress progress(report);
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
+  DirectionFields::CheckPolyData(input);
+  const Curves lines = LinesOf(curves);
+  const DirectionFields::TriangulatedPolyData surface =
+    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
+  DirectionFields::CurveGuidanceOptions options;
+  options.Degree = this->Degree;
+  options.Radius = this->Radius;
+  options.Falloff = this->Falloff;
+  options.MaximumDistance = this->MaximumDistance;
+  const DirectionFields::CurveGuidance guidance =
+    DirectionFields::GuideByCurves(surface.Mesh, lines, options, progress.Part(ProgressRead, 1.0));
+  if (!surface.Mesh.Triangles.empty() && guidance.Samples == guidance.FarSamples)
+  {
+    vtkWarningMacro(
+      << (guidance.Samples == 0
+             ? "The curves have no lines of any length, which could guide a field."
+             : "All parts of the curves are farther from the surface than MaximumDistance. Raise it, or set it to 0."));
+  }
+  output->ShallowCopy(input);
+  if (input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    AddArrays<vtkDoubleArray>(guidance, output->GetPointData());
+  }
+  else
+  {
+    AddArrays<vtkFloatArray>(guidance, output->GetPointData());
+  }
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkGuidanceCurves::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkDataObject* curves = vtkDataObject::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (!input || !curves || !output)
+  {
+    return 0;
+  }
+  std::string error;
+  if (DirectionFields::RunFilter(
+        [&] { this->AddGuidance(input, curves, output); }, { output }, error))
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkStripePattern.h"
+
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToField.h"
+#include "Conversion/Input/PolyDataToGuidance.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/StripesToPolyData.h"
+#include "Support/Threads.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkStripePattern);
+
+namespace
+{
+// Where the phases of the progress end: reading the input, making the pattern.
+constexpr double ProgressRead = 0.1;
+constexpr double ProgressMade = 0.9;
+/// More of the branch points than this sharing a triangle with another one is worth a warning.
+constexpr double MostCrowded = 0.05;
+}
+
+//------------------------------------------------------------------------------
+vtkStripePattern::vtkStripePattern()
+{
+  const DirectionFields::StripeOptions defaults;
+  this->StripeDirection = static_cast<int>(defaults.Direction);
+  this->Spacing = defaults.Spacing;
+  this->SpacingArray = nullptr;
+  this->LineOffset = defaults.LineOffset;
+  this->Bands = defaults.Bands;
+  this->TextureCoordinates = defaults.BandPhases;
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkStripePattern::~vtkStripePattern()
+{
+  this->SetSpacingArray(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkStripePattern::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "StripeDirection: " << this->StripeDirection << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "SpacingArray: " << (this->SpacingArray ? this->SpacingArray : "(none)") << "\n";
+  os << indent << "LineOffset: " << this->LineOffset << "\n";
+  os << indent << "Bands: " << this->Bands << "\n";
+  os << indent << "TextureCoordinates: " << this->TextureCoordinates << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkStripePattern::MakePattern(
+  vtkPolyData* input, vtkPolyData* lines, vtkPolyData* bands, vtkPolyData* branchPoints)
+{
+  DirectionFields::CheckPolyData(input);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    // There is nothing to cover, but cells without points are an error.
+    DirectionFields::PolyDataToSurface(input);
+    return;
+  }
+  const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
+  const std::vector<double> spacings =
+    DirectionFields::PointValues(input, this->SpacingArray, "SpacingArray");
+  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
+  const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
+    input, DirectionFields::Progress(report).Part(0.0, 0.5 * ProgressRead));
+  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
+  const DirectionFields::Threads::Scope scope(threads);
+  const DirectionFields::GivenField field(surface.Mesh, directions);
+  DirectionFields::StripeOptions options;
+  options.Direction = static_cast<DirectionFields::StripeDirection>(this->StripeDirection);
+  options.Spacing = this->Spacing;
+  options.LineOffset = this->LineOffset;
+  options.Bands = this->Bands;
+  options.BandPhases = this->TextureCoordinates;
+  std::function<double(DirectionFields::Index)> spacing;
+  if (!spacings.empty())
+  {
+    spacing = [&spacings](DirectionFields::Index point) { return spacings[point]; };
+  }
+  const DirectionFields::StripePattern pattern = DirectionFields::MakeStripes(
+    field, options, spacing, DirectionFields::Progress(report).Part(ProgressRead, ProgressMade));
+  if (DirectionFields::IsAborted(this))
+  {
+    throw DirectionFields::Stopped();
+  }
+  if (pattern.LineOffset != this->LineOffset)
+  {
+    vtkWarningMacro(<< "Stripes of a line field (degree 2) have no left and right side: LineOffset "
+                    << pattern.LineOffset << " is taken. Choose a multiple of 0.5.");
+  }
+  if (pattern.CrowdedBranchPoints > MostCrowded * pattern.BranchPoints)
+  {
+    vtkWarningMacro(<< "The mesh is too coarse for stripes this narrow: of " << pattern.BranchPoints
+                    << " triangles where stripes branch, " << pattern.CrowdedBranchPoints
+                    << " have more than one line ending in them. Subdivide the surface before"
+                       " Direction Field, or raise Spacing.");
+  }
+  const int type = input->GetPoints()->GetDataType();
+  DirectionFields::AddStripeLines(pattern, type, lines);
+  DirectionFields::AddStripeBands(input, surface, pattern, bands);
+  DirectionFields::AddStripeSingularities(surface, pattern, type, branchPoints);
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkStripePattern::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* lines = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* bands = vtkPolyData::GetData(outputVector, 1);
+  vtkPolyData* branchPoints = vtkPolyData::GetData(outputVector, 2);
+  if (!input || !lines || !bands || !branchPoints)
+  {
+    return 0;
+  }
+  std::string error;
+  if (DirectionFields::RunFilter([&] { this->MakePattern(input, lines, bands, branchPoints); },
+        { lines, bands, branchPoints }, error,
+        "Raise Spacing, turn Bands off, or decimate the surface"))
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< error);
+  return 0;
+}

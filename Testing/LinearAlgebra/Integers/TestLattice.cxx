@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Integers/IntegerElimination.h"
+#include "Integers/IntegerRounding.h"
+#include "Charts/Lattice.h"
+#include "SparseCholesky/LatticeSystem.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <random>
+
+using namespace DirectionFields;
+
+namespace
+{
+LatticePoint RandomPoint(std::mt19937& engine, int range)
+{
+  const auto next = [&]
+  {
+    return static_cast<std::int64_t>(engine() % (2 * range * Lattice::Unit)) -
+      range * Lattice::Unit;
+  };
+  const std::int64_t a = next();
+  return { a, next() };
+}
+}
+
+TEST(Lattice, TurnsAreThoseOfThePlane)
+{
+  std::mt19937 engine(1);
+  for (const int degree : { 4, 6 })
+  {
+    const Lattice plane(degree);
+    for (int k = -degree; k <= degree; ++k)
+    {
+      const LatticePoint p = RandomPoint(engine, 100);
+      EXPECT_NEAR(
+        std::abs(plane.Place(plane.Turned(p, k)) - plane.Root(k) * plane.Place(p)), 0.0, 1e-11);
+    }
+    EXPECT_EQ(plane.Turned({ 3, 5 }, degree), (LatticePoint{ 3, 5 }));
+  }
+}
+
+TEST(Lattice, TransitionsAreAGroup)
+{
+  std::mt19937 engine(2);
+  for (const int degree : { 4, 6 })
+  {
+    const Lattice plane(degree);
+    for (int i = 0; i < 50; ++i)
+    {
+      const Transition s{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
+      const Transition t{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
+      const LatticePoint p = RandomPoint(engine, 50);
+      EXPECT_EQ(plane.Apply(plane.Composed(s, t), p), plane.Apply(s, plane.Apply(t, p)));
+      EXPECT_EQ(plane.Composed(s, plane.Inverse(s)), Transition{});
+      EXPECT_EQ(plane.Composed(plane.Inverse(s), s), Transition{});
+    }
+  }
+}
+
+TEST(Lattice, OrientationIsExactWhereAreasAreOfOneUnit)
+{
+  // Far points, the area of whose triangle is one of 2^-36 of a cell: less than doubles resolve.
+  const std::int64_t far = (std::int64_t(1) << 38) + 1;
+  const LatticePoint origin{ 0, 0 };
+  EXPECT_EQ(Lattice::Orientation(origin, { far, far - 1 }, { far + 1, far }), 1);
+  EXPECT_EQ(Lattice::Orientation(origin, { far + 1, far }, { far, far - 1 }), -1);
+  EXPECT_EQ(Lattice::Orientation(origin, { far, far }, { 2 * far, 2 * far }), 0);
+}
+
+TEST(Lattice, UnitCellsAreOnOneCircle)
+{
+  constexpr std::int64_t one = Lattice::Unit;
+  const Lattice square(4);
+  EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 0, one }));
+  EXPECT_TRUE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 1, one - 1 }));
+  EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { -1, one }));
+  // The six neighbours of a point of the hexagonal lattice are at the same distance.
+  const Lattice hexagonal(6);
+  const LatticePoint p{ one, 0 };
+  EXPECT_FALSE(hexagonal.IsInCircle(
+    p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned(p, 4)));
+  EXPECT_TRUE(hexagonal.IsInCircle(
+    p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned({ one - 1, 0 }, 4)));
+}
+
+TEST(IntegerElimination, AnyValuesOfTheFreeVariablesSatisfyAllEquations)
+{
+  std::mt19937 engine(3);
+  for (int round = 0; round < 50; ++round)
+  {
+    constexpr Index count = 12;
+    std::vector<char> isInteger(count);
+    for (char& flag : isInteger)
+    {
+      flag = engine() % 2 == 0 ? 1 : 0;
+    }
+    IntegerElimination elimination(isInteger);
+    std::vector<IntegerSum> rows;
+    for (int r = 0; r < 6; ++r)
+    {
+      IntegerSum row;
+      for (int k = 0; k < 4; ++k)
+      {
+        row.emplace_back(engine() % count, static_cast<std::int64_t>(engine() % 5) - 2);
+      }
+      rows.push_back(row);
+      elimination.Require(row);
+    }
+    std::vector<std::int64_t> value(elimination.GetNumberOfVariables());
+    for (std::int64_t& v : value)
+    {
+      v = static_cast<std::int64_t>(engine() % 1000) - 500;
+    }
+    for (const IntegerSum& row : rows)
+    {
+      std::int64_t sum = 0;
+      for (const auto& [variable, factor] : row)
+      {
+        for (const auto& [free, coefficient] : IntegerSum(elimination.Resolve(variable)))
+        {
+          ASSERT_TRUE(elimination.IsFree(free));
+          sum += factor * coefficient * value[free];
+        }
+      }
+      EXPECT_EQ(sum, 0);
+    }
+  }
+}
+
+TEST(IntegerRounding, OfIndependentVariablesIsToTheNearest)
+{
+  Eigen::VectorXd x(4);
+  x << 0.4, -1.7, 2.49, 3.0;
+  RoundGreedily(Eigen::MatrixXd::Identity(4, 4), x);
+  EXPECT_EQ(x, Eigen::Vector4d(0.0, -2.0, 2.0, 3.0));
+}
+
+TEST(IntegerRounding, FollowsWhatIsRoundedFirst)
+{
+  // E = (x - y - 0.6)^2 + (x - 0.1)^2 / 100: x goes to 0 first; y then has to be about -0.6, not its own -0.5.
+  Eigen::Matrix2d matrix;
+  matrix << 1.01, -1.0, -1.0, 1.0;
+  const Eigen::MatrixXd factor = matrix.llt().matrixL();
+  Eigen::VectorXd x(2);
+  x << 0.1, -0.5;
+  RoundGreedily(factor, x);
+  EXPECT_EQ(x[0], 0.0);
+  EXPECT_EQ(x[1], -1.0);
+}
+
+TEST(IntegerRounding, KeepsToBoundsFirst)
+{
+  // As before, but y is to be at least 1: it goes first, and x follows it to about 1.6.
+  Eigen::Matrix2d matrix;
+  matrix << 1.01, -1.0, -1.0, 1.0;
+  const Eigen::MatrixXd factor = matrix.llt().matrixL();
+  Eigen::VectorXd x(2);
+  x << 0.1, -0.5;
+  const double infinity = std::numeric_limits<double>::infinity();
+  RoundGreedily(factor, x, Eigen::Vector2d(-infinity, 1.0));
+  EXPECT_EQ(x, Eigen::Vector2d(2.0, 1.0));
+}
+
+TEST(IntegerElimination, LeavesBoundedVariablesFree)
+{
+  IntegerElimination elimination(std::vector<char>(3, 1));
+  const Index sum = elimination.AddFreeInteger();
+  elimination.Require({ { 0, 1 }, { 1, 1 }, { 2, -1 }, { sum, -1 } });
+  EXPECT_TRUE(elimination.IsFree(sum));
+  EXPECT_TRUE(elimination.IsInteger(sum));
+  EXPECT_EQ(elimination.Resolve(2), (IntegerSum{ { 0, 1 }, { 1, 1 }, { sum, -1 } }));
+}
+
+TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
+{
+  // A chain of springs of length 0.3, in numbers that are rounded in batches.
+  constexpr Eigen::Index count = 200;
+  Eigen::MatrixXd factor = Eigen::MatrixXd::Identity(count, count);
+  for (Eigen::Index i = 1; i < count; ++i)
+  {
+    factor(i, i - 1) = -0.5;
+  }
+  Eigen::VectorXd x(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    x[i] = 0.3 * static_cast<double>(i % 7);
+  }
+  const Eigen::VectorXd before = x;
+  RoundGreedily(factor, x, {}, 50);
+  EXPECT_TRUE((x.array() == x.array().round()).all());
+  const double energy = (factor.transpose() * (x - before)).squaredNorm();
+  const double allAtOnce =
+    (factor.transpose() * (before.array().round().matrix() - before)).squaredNorm();
+  EXPECT_LE(energy, allAtOnce);
+}
+
+TEST(LatticeSystem, SolvesAmongIntegers)
+{
+  // Springs in a row between 0 and 10, of which the third of four joints is an integer.
+  std::vector<LatticeSystem::Entry> entries = { { 0, 0, 2.0 }, { 1, 1, 2.0 }, { 2, 2, 2.0 },
+    { 3, 3, 2.0 }, { 1, 0, -1.0 }, { 3, 1, -1.0 }, { 3, 2, -1.0 } };
+  const std::vector<LatticeSystem::Entry> kept = entries;
+  LatticeSystem system(entries, 4, 3);
+  ASSERT_TRUE(system.IsDefinite());
+  Eigen::VectorXd side(4);
+  side << 0.0, 0.0, 10.0, 0.0;
+  // In the order 0, 1, 3, 2 along the row.
+  const Eigen::VectorXd relaxed = system.Solve(side);
+  EXPECT_LT((relaxed - Eigen::Vector4d(2.0, 4.0, 8.0, 6.0)).norm(), 1e-12);
+  const Eigen::VectorXd bent = system.SolveWith(relaxed, Eigen::VectorXd::Constant(1, 3.0));
+  EXPECT_LT((bent - Eigen::Vector4d(1.0, 2.0, 6.5, 3.0)).norm(), 1e-12);
+  // What is left of the matrix once the others are eliminated: 2 - 2/3 - 1/2.
+  EXPECT_NEAR(std::pow(system.TrailingFactor()(0, 0), 2), 5.0 / 6.0, 1e-12);
+  // A factor that was released is the same when it is made again, and nothing is made again where it is kept.
+  for (const std::size_t mostKept : { 0, 100 })
+  {
+    system.Shrink(mostKept);
+    system.Restore();
+    EXPECT_EQ(system.Solve(side), relaxed);
+  }
+  side *= 0.9;
+  const Eigen::VectorXd rounded = SolveInRounds(kept, side, 3);
+  EXPECT_EQ(rounded[3], 5.0);
+  EXPECT_NEAR(rounded[1], 10.0 / 3.0, 1e-12);
+}
