@@ -5,9 +5,9 @@
 
 #include "Computation/ComponentFields.h"
 #include "Computation/FieldToResult.h"
-#include "Guidance/Guidance.h"
 #include "Computation/Guide.h"
 #include "Computation/Stages.h"
+#include "Guidance/Guidance.h"
 #include "Support/Threads.h"
 
 #include <string>

@@ -50,7 +50,7 @@ void Renumber(const std::vector<vtkIdType>& numbers, std::vector<vtkIdType>& cor
   }
 }
 
-vtkSmartPointer<vtkCellArray> MakeCells(const GatheredCells& cells)
+vtkSmartPointer<vtkCellArray> ExtractMesh(const GatheredCells& cells)
 {
   vtkNew<vtkIdTypeArray> offsets;
   const vtkIdType count = cells.First.back();
@@ -126,7 +126,7 @@ void ListParts(const JoinedPoints& joined, const std::vector<vtkIdType>& firstPo
     gathered.FirstPointOf.push_back(static_cast<vtkIdType>(points.size()));
     gathered.OwnPointsOf.push_back(firstPoint[p + 1] - firstPoint[p]);
 
-    std::vector<vtkIdType>& cells = gathered.CellsOf;
+    std::vector<vtkIdType>& cells = gathered.ExtractAll;
     AppendRange(polys.First[p], polys.First[p + 1], 0, cells);
     AppendRange(strips.First[p], strips.First[p + 1], polys.First.back(), cells);
     cells.insert(cells.end(), copiedCells.begin() + ghosts.First[p],
@@ -276,8 +276,8 @@ public:
       ghosts, gathered);
     gathered.Surface = vtkSmartPointer<vtkPolyData>::New();
     gathered.Surface->SetPoints(MakePoints(pieces.Coordinates, first, this->AreDouble));
-    gathered.Surface->SetPolys(MakeCells(polys));
-    gathered.Surface->SetStrips(MakeCells(strips));
+    gathered.Surface->SetPolys(ExtractMesh(polys));
+    gathered.Surface->SetStrips(ExtractMesh(strips));
     for (const TravellingArray& array : this->Arrays)
     {
       array.AddTo(gathered.Surface, first);

@@ -44,7 +44,7 @@ struct GatheredSurface
   /// How many of each process's are points of its own cells.
   std::vector<vtkIdType> OwnPointsOf;
   /// The same for cells: own polygons, own strips, copied polygons.
-  std::vector<vtkIdType> CellsOf;
+  std::vector<vtkIdType> ExtractAll;
   std::vector<vtkIdType> FirstCellOf;
   std::vector<vtkIdType> OwnCellsOf;
 };

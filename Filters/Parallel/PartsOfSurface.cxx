@@ -135,7 +135,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Cut(
 {
   const bool areCells = belong == PartsBelongTo::Cells;
   const std::vector<Owner> owners = areCells
-    ? OwnersOf(gathered.CellsOf, gathered.FirstCellOf, gathered.OwnCellsOf,
+    ? OwnersOf(gathered.ExtractAll, gathered.FirstCellOf, gathered.OwnCellsOf,
         gathered.Surface->GetNumberOfCells())
     : OwnersOf(gathered.PointsOf, gathered.FirstPointOf, gathered.OwnPointsOf,
         gathered.Surface->GetNumberOfPoints());

@@ -318,7 +318,7 @@ void ScatterData(
       {
         points = { gathered.PointsOf, gathered.FirstPointOf, PointPlaces(gathered.Piece) };
       }
-      cells = { gathered.CellsOf, gathered.FirstCellOf, CellPlaces(gathered.Piece) };
+      cells = { gathered.ExtractAll, gathered.FirstCellOf, CellPlaces(gathered.Piece) };
       pointArrays.Expect(isThere, output->GetNumberOfPoints());
       cellArrays.Expect(isThere, output->GetNumberOfCells());
     });

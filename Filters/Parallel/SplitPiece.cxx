@@ -36,7 +36,7 @@ SplitCorners CornersOf(const GatheredSurface& gathered, vtkPolyData* whole)
   {
     for (vtkIdType k = 0; k < gathered.OwnCellsOf[p]; ++k)
     {
-      const vtkIdType cell = gathered.CellsOf[gathered.FirstCellOf[p] + k];
+      const vtkIdType cell = gathered.ExtractAll[gathered.FirstCellOf[p] + k];
       vtkCellArray* const cells = cell < polys ? whole->GetPolys() : whole->GetStrips();
       cells->GetCellAtId(cell < polys ? cell : cell - polys, corners);
       all.Corners.insert(all.Corners.end(), corners->begin(), corners->end());

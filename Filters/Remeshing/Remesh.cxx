@@ -3,16 +3,16 @@
 
 #include "Remesh.h"
 
+#include "Charts/FeatureLines.h"
 #include "Computation/ComponentFields.h"
-#include "Guidance/Guidance.h"
 #include "Computation/Guide.h"
 #include "Computation/Stages.h"
-#include "Charts/FeatureLines.h"
-#include "Extraction/ComponentCells.h"
+#include "Extraction/MeshExtraction.h"
 #include "Finishing/FaceSources.h"
-#include "Preparation/FeatureTurns.h"
 #include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
+#include "Guidance/Guidance.h"
+#include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedSurface.h"
 #include "Preparation/Seams.h"
 #include "Preparation/SizeAdvice.h"
@@ -171,13 +171,13 @@ struct Remesh::Kept
   std::vector<Vector3> Given;
   PreparedSurface Prepared;
   std::vector<Complex> Section;
-  std::optional<FieldCharts> Charts;
+  std::optional<FieldMatching> Charts;
   std::vector<char> IsFeature;
   std::vector<char> IsFrameless;
   std::optional<Seams> Joints;
   ClosestPoints Original;
   /// Of each component.
-  std::vector<KeptMap> Maps;
+  std::vector<ParametrizationCache> Maps;
 };
 
 Remesh::Remesh(std::shared_ptr<const Surface> surface)
@@ -202,16 +202,16 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
 }
 
 /// The cells of all components, with the same vertices on all sides of seams.
-std::vector<ComponentCells> CellsOf(
-  const CellInput& input, const Seams& seams, const Progress& progress, RemeshResult& result)
+std::vector<ExtractedMesh> ExtractAll(
+  const ExtractionInput& input, const Seams& seams, const Progress& progress, RemeshResult& result)
 {
   const std::vector<TriangleMesh::Component>& components = input.Geometry.Mesh.GetComponents();
-  std::vector<ComponentCells> all;
+  std::vector<ExtractedMesh> all;
   const auto count = static_cast<double>(components.size());
   for (const TriangleMesh::Component& component : components)
   {
     const auto done = static_cast<double>(all.size());
-    all.push_back(MakeCells(input, component, progress.Part(done / count, (done + 1.0) / count)));
+    all.push_back(ExtractMesh(input, component, progress.Part(done / count, (done + 1.0) / count)));
     if (all.back().Failure != nullptr)
     {
       result.Notes.push_back("Component " + std::to_string(all.size() - 1) +
@@ -225,7 +225,7 @@ std::vector<ComponentCells> CellsOf(
 }
 
 /// The cells of all components in one mesh.
-FaceMesh JoinedCells(const std::vector<ComponentCells>& cells, const Seams& seams,
+FaceMesh JoinedCells(const std::vector<ExtractedMesh>& cells, const Seams& seams,
   const std::vector<char>& isTurn, RemeshResult& result)
 {
   Index open = 0;
@@ -310,18 +310,18 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     const bool isPure = options.PureQuads && options.Element == Element::Quads;
     if (!isPure)
     {
-      this->Make(options, directions, FaceWay::Mixed, progress, result);
+      this->Make(options, directions, QuadPolicy::Mixed, progress, result);
       return result;
     }
     // Vertices that must not move leave triangles no room.
     const bool mayJoin = options.SmoothingIterations > 0;
     const bool isJoined =
-      mayJoin && this->Make(options, directions, FaceWay::Joined, progress, result);
+      mayJoin && this->Make(options, directions, QuadPolicy::Joined, progress, result);
     const double quality = isJoined ? LeastQuality(result) : -1.0;
     if (quality < Bad)
     {
       RemeshResult split;
-      this->Make(options, directions, FaceWay::Split,
+      this->Make(options, directions, QuadPolicy::Split,
         progress.Part(mayJoin ? AfterJoining : 0.0, 1.0), split);
       if (!isJoined || LeastQuality(split) > quality)
       {
@@ -338,13 +338,13 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
   }
 }
 
-bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions, FaceWay way,
-  const Progress& progress, RemeshResult& result)
+bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  QuadPolicy way, const Progress& progress, RemeshResult& result)
 {
   const std::vector<double> sizes = SizesAt(options, this->Input->Points.size());
   const double area = RelativeArea(*this->Input, sizes);
   result.EdgeLength = EdgeLengthFor(area, options);
-  double coarse = result.EdgeLength * (way == FaceWay::Split ? 2.0 : 1.0);
+  double coarse = result.EdgeLength * (way == QuadPolicy::Split ? 2.0 : 1.0);
   const std::vector<double> longest = LongestEdges(sizes, area, coarse);
   if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
   {
@@ -377,8 +377,8 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   std::vector<char> isFrameless = kept.IsFrameless;
   FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
     std::vector<double>(mesh.GetComponents().size(), coarse));
-  const CellInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section, perLength,
-    kept.Maps };
+  const ExtractionInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section,
+    perLength, kept.Maps };
   features.IsEnd.assign(mesh.GetNumberOfVertices(), 0);
   for (const Index v : kept.Joints->GetEnds())
   {
@@ -393,8 +393,8 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   {
     advice.AddComponent(geometry, component, perLength);
   }
-  const std::vector<ComponentCells> cells =
-    CellsOf(input, *kept.Joints, progress.Part(AfterField, AfterCells), result);
+  const std::vector<ExtractedMesh> cells =
+    ExtractAll(input, *kept.Joints, progress.Part(AfterField, AfterCells), result);
   std::vector<double> reach(size.size());
   for (std::size_t v = 0; v < size.size(); ++v)
   {
@@ -403,7 +403,7 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   FaceMesh faces = JoinedCells(cells, *kept.Joints, FindTurns(geometry, features, reach), result);
   result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
   const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
-  const Ground ground{ *this->Input, kept.Prepared, kept.Original, lines,
+  const SurfaceContext ground{ *this->Input, kept.Prepared, kept.Original, lines,
     options.Sizing.empty() ? options.Sizing : sizes };
   if (!FinishFaces(faces, way, options.Element == Element::Quads, options.SmoothingIterations,
         result.EdgeLength, ground, progress.Part(AfterCells, AfterJoining)))

@@ -17,7 +17,7 @@ namespace DirectionFields
 {
 namespace Internal
 {
-enum class FaceWay : int;
+enum class QuadPolicy : int;
 }
 
 /// The faces of a mesh to be made.
@@ -132,7 +132,7 @@ private:
   struct Kept;
   /// Makes a mesh in one way; returns false where that cannot be. Throws Stopped.
   bool Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
-    Internal::FaceWay way, const Progress& progress, RemeshResult& result);
+    Internal::QuadPolicy way, const Progress& progress, RemeshResult& result);
 
   std::shared_ptr<const Surface> Input;
   std::unique_ptr<Kept> State;

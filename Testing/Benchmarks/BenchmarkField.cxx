@@ -9,11 +9,11 @@
 
 #include "BenchmarkMeshes.h"
 #include "DirectionField.h"
+#include "Eigenpairs/JacobiDavidson.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
-#include "Eigenpairs/JacobiDavidson.h"
 #include "Support/Threads.h"
 
 #include "vtkDirectionField.h"

@@ -13,7 +13,7 @@
 #include "Computation/SmoothestField.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Stripes/PhaseRelaxation.h"
+#include "Stripes/PhaseDiffusion.h"
 
 #include "vtkDirectionField.h"
 #include "vtkStripePattern.h"
@@ -97,7 +97,7 @@ void CompareWithEigenvector(double spacing)
   const GivenField field(surface, Fields::Of(result));
   const WantedPhases wanted(
     field, StripeDirection::Along, [spacing](Index) { return 1.0 / spacing; });
-  const PhaseRelaxation relaxation(wanted, wanted.GetComponents()[0]);
+  const PhaseDiffusion relaxation(wanted, wanted.GetComponents()[0]);
   double start = Now();
   ComplexVector psi = relaxation.Start();
   relaxation.Relax({}, psi);

@@ -3,10 +3,10 @@
 
 #include "ThesisAlgorithm.h"
 
+#include "Eigenpairs/Lanczos.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Sections/Assembly.h"
 #include "Sections/Singularities.h"
-#include "Eigenpairs/Lanczos.h"
 #include "Support/Division.h"
 
 #include <Eigen/SparseCholesky>

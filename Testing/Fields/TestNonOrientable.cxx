@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Computation/Stages.h"
+#include "Interpolation/FieldInterpolation.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 #include "Sections/Assembly.h"
 #include "Sections/DoubleCover.h"
-#include "Interpolation/FieldInterpolation.h"
 
 #include <gtest/gtest.h>
 

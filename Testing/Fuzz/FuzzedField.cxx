@@ -6,8 +6,8 @@
 #include "Bytes.h"
 #include "FuzzedSurface.h"
 #include "Interpolation/GivenField.h"
-#include "Streamlines/FieldLines.h"
 #include "Meshes/Soundness.h"
+#include "Streamlines/TraceStreamlines.h"
 
 #include <cmath>
 #include <limits>
@@ -196,11 +196,11 @@ std::string LinesFlaw(const Surface& surface, const Result& result, SeedType see
   directions.Direction = [&result](Index point, int k) { return result.Direction(point, k); };
   directions.Magnitude = [&result](Index point) { return std::abs(result.Representation[point]); };
   const GivenField field(output, directions);
-  LineOptions options;
+  StreamlineOptions options;
   options.Seeds = seeds;
   options.StopAtCrossings = result.Degree % 2 == 0;
   options.MostLines = 20;
-  const FieldLines lines = TraceFieldLines(field, directions, {}, options);
+  const Streamlines lines = TraceStreamlines(field, directions, {}, options);
   for (std::size_t i = 0; i < lines.Points.size(); ++i)
   {
     if (!lines.Points[i].allFinite() || !(std::abs(lines.Directions[i].norm() - 1.0) < 1e-6))

@@ -3,8 +3,8 @@
 
 #include "FuzzedFile.h"
 
-#include "Exchange/FieldImport.h"
 #include "Exchange/FieldFile.h"
+#include "Exchange/FieldImport.h"
 #include "Meshes/Surfaces.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_ByMultigrid_h
 #define DirectionFields_ByMultigrid_h
 
-#include "Meshes/System.h"
 #include "Eigenpairs/JacobiDavidson.h"
+#include "Meshes/System.h"
 
 namespace Meshes
 {

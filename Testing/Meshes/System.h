@@ -5,8 +5,8 @@
 #define DirectionFields_System_h
 
 #include "Geometry/SurfaceGeometry.h"
-#include "Sections/Assembly.h"
 #include "Matrices/CompactValues.h"
+#include "Sections/Assembly.h"
 
 #include <random>
 

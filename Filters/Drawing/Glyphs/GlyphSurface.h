@@ -5,11 +5,11 @@
 #define DirectionFields_GlyphSurface_h
 
 #include "Glyphs/GlyphOptions.h"
+#include "Glyphs/SurfaceSampling.h"
 #include "Interpolation/GivenField.h"
+#include "Paths/SurfaceIncidence.h"
 #include "Progress.h"
 #include "Surface.h"
-#include "Paths/SurfaceIncidence.h"
-#include "Glyphs/SurfaceSampling.h"
 
 #include <memory>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include "Glyphs/Glyphs.h"
 
-#include "Support/Threads.h"
 #include "Paths/SurfacePath.h"
+#include "Support/Threads.h"
 
 #include <algorithm>
 #include <cmath>

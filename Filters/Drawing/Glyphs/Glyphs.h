@@ -7,9 +7,9 @@
 #include "Glyphs/GlyphOptions.h"
 #include "Glyphs/GlyphShapes.h"
 #include "Glyphs/GlyphSurface.h"
+#include "Interpolation/FieldInterpolation.h"
 #include "Progress.h"
 #include "Surface.h"
-#include "Interpolation/FieldInterpolation.h"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_SurfaceSampling_h
 #define DirectionFields_SurfaceSampling_h
 
-#include "Progress.h"
 #include "Paths/SurfaceIncidence.h"
+#include "Progress.h"
 #include "Types.h"
 
 #include <vector>

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_LineMeetings_h
 #define DirectionFields_LineMeetings_h
 
-#include "Streamlines/LineTrace.h"
+#include "Streamlines/StreamlineTrace.h"
 
 #include <functional>
 #include <vector>

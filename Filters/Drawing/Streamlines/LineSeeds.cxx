@@ -64,7 +64,7 @@ void AddInner(const GivenField& field, Index triangle, double size, std::vector<
   {
     return;
   }
-  const PowerOnTriangle power(geometry, field.GetDegree(), field.GetSection().data(), triangle);
+  const FieldInterpolant power(geometry, field.GetDegree(), field.GetSection().data(), triangle);
   const FlatTriangle& flat = power.Flat();
   longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
   const int edge = longest == flat.Length(0) ? 0 : longest == flat.Length(1) ? 1 : 2;
@@ -150,7 +150,7 @@ std::vector<SeedPlace> SeedPlaces(
 
 LineStart StartAt(const GivenField& field, const SeedPlace& place, int k)
 {
-  const PowerOnTriangle power(
+  const FieldInterpolant power(
     field.GetGeometry(), field.GetDegree(), field.GetSection().data(), place.Triangle);
   const Complex first =
     TracedField::DirectionNear(power.At(place.Place), field.GetDegree(), place.Along, 1);

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_LineSeeds_h
 #define DirectionFields_LineSeeds_h
 
-#include "Streamlines/LineTrace.h"
+#include "Streamlines/StreamlineTrace.h"
 
 #include <vector>
 

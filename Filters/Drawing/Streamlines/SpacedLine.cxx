@@ -85,9 +85,9 @@ std::vector<LineStart> SpacedLine::Places() const
   return places;
 }
 
-TracedLine SpacedLine::Joined() &&
+TracedStreamline SpacedLine::Joined() &&
 {
-  TracedLine forward;
+  TracedStreamline forward;
   forward.Pieces = std::move(this->Forward.Pieces);
   forward.Ends[1] = this->Forward.End;
   forward.Zeros[1] = this->Forward.Zero;
@@ -97,7 +97,7 @@ TracedLine SpacedLine::Joined() &&
     forward.Ends[0] = LineEnd::Loop;
     return forward;
   }
-  TracedLine backward;
+  TracedStreamline backward;
   backward.Pieces = std::move(this->Backward.Pieces);
   backward.Ends[1] = this->Backward.End;
   backward.Zeros[1] = this->Backward.Zero;
@@ -105,7 +105,7 @@ TracedLine SpacedLine::Joined() &&
 }
 
 SpacedTracing::SpacedTracing(
-  const GivenField& field, const FieldZeros& zeros, Index component, const EvenOptions& options)
+  const GivenField& field, const SingularPoints& zeros, Index component, const EvenOptions& options)
   : Field(field)
   , Traced{ field, zeros }
   , Options(options)
@@ -153,7 +153,7 @@ LineStart SpacedTracing::Aligned(const LineStart& start) const
 {
   LineStart aligned = start;
   const int degree = this->Field.GetDegree();
-  const PowerOnTriangle power(
+  const FieldInterpolant power(
     this->Field.GetGeometry(), degree, this->Field.GetSection().data(), start.Triangle);
   const Complex value = power.At(start.Place);
   aligned.Sense = 1;
@@ -206,7 +206,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
 {
   const double spacing = this->Options.Spacing;
   const double step = SamplePart * spacing / this->Unit;
-  LineTrace trace(this->Traced, start);
+  StreamlineTrace trace(this->Traced, start);
   const LineSample first = this->SampleAt(start, 0.0);
   double length = 0.0;
   double nextMark = way > 0 ? 0.0 : step;

@@ -5,7 +5,7 @@
 #define DirectionFields_SpacedLine_h
 
 #include "Streamlines/LineGrid.h"
-#include "Streamlines/TracedLine.h"
+#include "Streamlines/TracedStreamline.h"
 
 #include <vector>
 
@@ -58,7 +58,7 @@ struct SpacedLine
   void InsertInto(LineGrid& grid) const;
   /// Places all along the line from which lines beside it may start, with directions along it.
   std::vector<LineStart> Places() const;
-  TracedLine Joined() &&;
+  TracedStreamline Joined() &&;
 };
 
 /// Traces lines that keep their distance from others.
@@ -66,8 +66,8 @@ class SpacedTracing
 {
 public:
   /// All must outlive this.
-  SpacedTracing(
-    const GivenField& field, const FieldZeros& zeros, Index component, const EvenOptions& options);
+  SpacedTracing(const GivenField& field, const SingularPoints& zeros, Index component,
+    const EvenOptions& options);
 
   LineGrid MakeGrid() const;
   /// The line at a place.

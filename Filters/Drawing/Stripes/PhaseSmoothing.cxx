@@ -5,8 +5,8 @@
 
 #include "Matrices/VectorOperations.h"
 #include "Multigrid/Hierarchy.h"
-#include "Systems/ConjugateGradients.h"
 #include "Stripes/StripeMatrices.h"
+#include "Systems/ConjugateGradients.h"
 
 #include <algorithm>
 #include <cmath>

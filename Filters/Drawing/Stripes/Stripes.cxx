@@ -3,7 +3,7 @@
 
 #include "Stripes/Stripes.h"
 
-#include "Stripes/PhaseRelaxation.h"
+#include "Stripes/PhaseDiffusion.h"
 #include "Stripes/PhaseSmoothing.h"
 #include "Stripes/StripeBands.h"
 #include "Stripes/StripeLines.h"
@@ -117,7 +117,7 @@ std::vector<double> FindPhases(const WantedPhases& wanted, const Progress& progr
   ForComponents(wanted, progress.Part(0.0, RelaxedPart),
     [&](const WantedPhases::Component& component, const Progress& part)
     {
-      const PhaseRelaxation relaxation(wanted, component);
+      const PhaseDiffusion relaxation(wanted, component);
       ComplexVector psi = relaxation.Start();
       relaxation.Relax(part, psi);
       const std::vector<double> own = relaxation.Phases(psi);

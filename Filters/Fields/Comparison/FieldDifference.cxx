@@ -3,8 +3,8 @@
 
 #include "Comparison/FieldDifference.h"
 
-#include "Interpolation/PowerOnTriangle.h"
-#include "Interpolation/PowerZero.h"
+#include "Interpolation/FieldInterpolant.h"
+#include "Interpolation/InterpolantZero.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ struct Singularities
       {
         continue;
       }
-      const PowerOnTriangle power(
+      const FieldInterpolant power(
         field.GetGeometry(), field.GetDegree(), field.GetSection().data(), at);
       const bool isSimple = std::abs(indices[at]) == 1;
       const std::array<double, 3> middle = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };

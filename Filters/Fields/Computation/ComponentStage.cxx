@@ -5,9 +5,9 @@
 
 #include "Matrices/OperatorProducts.h"
 #include "Matrices/VectorOperations.h"
+#include "Support/Division.h"
 #include "Systems/ConjugateGradients.h"
 #include "Systems/DirectSystem.h"
-#include "Support/Division.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #ifndef DirectionFields_ComponentStage_h
 #define DirectionFields_ComponentStage_h
 
-#include "Guidance/GuidanceTerms.h"
 #include "Computation/SmoothestField.h"
 #include "Computation/SystemFactors.h"
+#include "Guidance/GuidanceTerms.h"
 #include "Progress.h"
 #include "Result.h"
 #include "Systems/FreeSystem.h"

@@ -3,8 +3,8 @@
 
 #include "Computation/Guide.h"
 
-#include "Guidance/Guidance.h"
 #include "Computation/Stages.h"
+#include "Guidance/Guidance.h"
 #include "Support/Threads.h"
 
 #include <algorithm>

@@ -4,10 +4,10 @@
 #ifndef DirectionFields_SmoothestField_h
 #define DirectionFields_SmoothestField_h
 
-#include "Options.h"
 #include "Eigenpairs/Eigenpair.h"
 #include "Multigrid/Hierarchy.h"
 #include "Multigrid/SectionBlock.h"
+#include "Options.h"
 
 #include <functional>
 #include <memory>

@@ -5,8 +5,8 @@
 #define DirectionFields_Stages_h
 
 #include "Computation/ComponentStage.h"
-#include "Curvature/Curvature.h"
 #include "Computation/UnitStage.h"
+#include "Curvature/Curvature.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Mesh/MergePoints.h"

@@ -5,7 +5,7 @@
 
 #include "Matrices/OperatorProducts.h"
 #include "Matrices/VectorOperations.h"
-#include "UnitLength/UnitField.h"
+#include "UnitLength/UnitLengthField.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +81,8 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
   const Operators& matrices = this->Stage.GetMatrices();
   const double strength = guide.Guidance.size() > 0 ? this->PullStrength(guide, options) : 0.0;
   // The mirror images of a cover's edges are known in the surface's own triangulation only.
-  UnitProblem problem{ this->Component.IsCover ? this->Surface : this->Triangulation, this->Surface,
-    this->Component, this->Degree, this->Energy, matrices.Mass,
+  UnitLengthProblem problem{ this->Component.IsCover ? this->Surface : this->Triangulation,
+    this->Surface, this->Component, this->Degree, this->Energy, matrices.Mass,
     strength > 0.0 ? this->Pull(guide, strength) : ComplexVector{}, {} };
   FreeSystem* free = nullptr;
   if (!guide.Given.Vertices.empty())
@@ -95,7 +95,7 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
     }
     free = &this->Stage.FreeSystemOf(guide.Given);
   }
-  UnitFieldSettings settings;
+  UnitLengthSettings settings;
   settings.SingularityCost = options.SingularityCost * 2.0 * Pi * std::log(2.0);
   settings.Rate = this->Stage.Sigma();
   settings.Pull = problem.Pull.size() > 0 ? strength : 0.0;
@@ -105,8 +105,8 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
     report.UnitEnergyBefore = report.UnitEnergyAfter = problem.Energy(u);
     return;
   }
-  const UnitFieldReport made =
-    MakeUnitField(problem, free ? free->Hierarchy : this->Stage.GetHierarchy(),
+  const UnitLengthReport made =
+    MakeUnitLength(problem, free ? free->Hierarchy : this->Stage.GetHierarchy(),
       free ? &free->Free : nullptr, settings, progress, u);
   report.UnitEnergyBefore = made.EnergyBefore;
   report.UnitEnergyAfter = made.EnergyAfter;

@@ -25,9 +25,9 @@ public:
     ComplexVector& u, ComponentReport& report);
 
 private:
-  /// How strongly the guidance draws, over its mean modulus: w of UnitField's Pull.
+  /// How strongly the guidance draws, over its mean modulus: w of UnitLengthField's Pull.
   double PullStrength(const ComponentGuide& guide, const Options& options) const;
-  /// p of UnitProblem; empty for none.
+  /// p of UnitLengthProblem; empty for none.
   ComplexVector Pull(const ComponentGuide& guide, double strength) const;
 
   const IntrinsicGeometry& Triangulation;

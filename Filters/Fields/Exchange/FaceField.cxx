@@ -3,7 +3,7 @@
 
 #include "Exchange/FaceField.h"
 
-#include "Interpolation/PowerOnTriangle.h"
+#include "Interpolation/FieldInterpolant.h"
 #include "Support/Threads.h"
 
 #include <array>
@@ -48,7 +48,7 @@ FaceField AtPlaces(const GivenField& field, const std::vector<std::array<double,
     {
       for (Index t = begin; t < end; ++t)
       {
-        const PowerOnTriangle power(geometry, faces.Degree, field.GetSection().data(), t);
+        const FieldInterpolant power(geometry, faces.Degree, field.GetSection().data(), t);
         const std::array<double, 3>& given = weights[geometry.Mesh.InputTriangle(t)];
         std::array<double, 3> place = given;
         for (int c = 0; given != AtMiddle && c < 3; ++c)
@@ -178,7 +178,7 @@ std::vector<Complex> ToVertices(const SurfaceGeometry& geometry, const FaceField
     {
       for (Index t = begin; t < end; ++t)
       {
-        const PowerOnTriangle triangle(geometry, faces.Degree, none.data(), t);
+        const FieldInterpolant triangle(geometry, faces.Degree, none.data(), t);
         const Complex middle = triangle.Flat().Place(AtMiddle);
         const std::array<double, 3> angles = geometry.Lengths.CornerAngles(mesh, t);
         for (int c = 0; c < 3; ++c)

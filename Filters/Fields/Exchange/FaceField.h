@@ -20,7 +20,7 @@ struct FaceField
   std::vector<Complex> Power;
 };
 
-/// The directions of a field at the triangles' centroids (PowerOnTriangle). Where a field vanishes at a centroid
+/// The directions of a field at the triangles' centroids (FieldInterpolant). Where a field vanishes at a centroid
 /// they are those along the triangle's first edge.
 FaceField AtCentroids(const GivenField& field);
 

@@ -3,8 +3,8 @@
 
 #include "Exchange/FieldExport.h"
 
-#include "Exchange/SharpEdges.h"
 #include "Exchange/CompanionFiles.h"
+#include "Exchange/SharpEdges.h"
 #include "Support/VectorMath.h"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #define DirectionFields_FieldExport_h
 
 #include "Exchange/FaceField.h"
-#include "Exchange/FieldImport.h"
 #include "Exchange/FieldFile.h"
+#include "Exchange/FieldImport.h"
 #include "Interpolation/GivenField.h"
 
 #include <string>

@@ -3,10 +3,10 @@
 
 #include "Exchange/FieldImport.h"
 
-#include "Exchange/FaceField.h"
 #include "Computation/FieldToResult.h"
+#include "Exchange/FaceField.h"
 #include "Guidance/Guidance.h"
-#include "Interpolation/PowerOnTriangle.h"
+#include "Interpolation/FieldInterpolant.h"
 #include "Mesh/MergePoints.h"
 #include "Mesh/OutputPoints.h"
 #include "Sections/DoubleCover.h"

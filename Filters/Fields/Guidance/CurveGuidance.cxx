@@ -5,8 +5,8 @@
 
 #include "Distance/ClosestPoints.h"
 #include "Distance/SurfaceDistance.h"
+#include "Interpolation/FieldInterpolant.h"
 #include "Interpolation/GivenField.h"
-#include "Interpolation/PowerOnTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,7 +156,7 @@ void Strokes::AddToTriangle(
   {
     place.Weights[this->Given.MeshCorner(triangle, c)] = found.Weights[c];
   }
-  const PowerOnTriangle power(
+  const FieldInterpolant power(
     this->Geometry, this->Degree, this->Given.GetSection().data(), triangle);
   const Complex at = power.Flat().Place(place.Weights);
   for (int c = 0; c < 3; ++c)

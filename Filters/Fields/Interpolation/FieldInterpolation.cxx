@@ -3,7 +3,7 @@
 
 #include "Interpolation/FieldInterpolation.h"
 
-#include "Interpolation/PowerOnTriangle.h"
+#include "Interpolation/FieldInterpolant.h"
 #include "Support/VectorMath.h"
 
 #include <array>
@@ -106,7 +106,7 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
     return result;
   }
   const TriangleInSpace space = this->Given.InSpace(triangle);
-  const PowerOnTriangle power(
+  const FieldInterpolant power(
     this->Given.GetGeometry(), this->Field.Degree, this->Given.GetSection().data(), triangle);
   std::array<double, 3> weights;
   std::array<int, 3> corners;

@@ -26,7 +26,7 @@ struct DirectionsAt
   Vector3 Turned(int k, int degree) const;
 };
 
-/// A direction field between the points where it is given: that of PowerOnTriangle, which lines follow, too.
+/// A direction field between the points where it is given: that of FieldInterpolant, which lines follow, too.
 /// It is continuous across edges, equals the given one at the points, turns with the surface, and does not
 /// depend on which of the directions comes first.
 class FieldInterpolation

@@ -3,7 +3,7 @@
 
 #include "Interpolation/GivenField.h"
 
-#include "Interpolation/PowerOnTriangle.h"
+#include "Interpolation/FieldInterpolant.h"
 #include "Mesh/MergePoints.h"
 #include "Sections/Singularities.h"
 #include "Support/Threads.h"

@@ -3,10 +3,10 @@
 
 #include "PrescribedSingularities/EditedResult.h"
 
-#include "Curvature/Curvature.h"
 #include "Computation/FieldToResult.h"
-#include "Guidance/Guidance.h"
+#include "Curvature/Curvature.h"
 #include "Geometry/DihedralAngles.h"
+#include "Guidance/Guidance.h"
 #include "Mesh/OutputPoints.h"
 
 #include <algorithm>

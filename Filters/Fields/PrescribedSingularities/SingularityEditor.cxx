@@ -3,9 +3,9 @@
 
 #include "PrescribedSingularities/SingularityEditor.h"
 
+#include "Support/VectorMath.h"
 #include "TrivialConnection/RotationAlignment.h"
 #include "TrivialConnection/RotationAtPlace.h"
-#include "Support/VectorMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,12 +64,12 @@ SingularityEditor::SingularityEditor(const Surface& surface,
   }
 }
 
-ComponentRotation& SingularityEditor::GetRotation(std::size_t component)
+TrivialConnection& SingularityEditor::GetRotation(std::size_t component)
 {
-  std::unique_ptr<ComponentRotation>& rotation = this->Rotations[component];
+  std::unique_ptr<TrivialConnection>& rotation = this->Rotations[component];
   if (!rotation)
   {
-    rotation = std::make_unique<ComponentRotation>(this->Base.GetGeometry(),
+    rotation = std::make_unique<TrivialConnection>(this->Base.GetGeometry(),
       this->Base.GetMesh().GetComponents()[component], this->Base.GetDegree(), this->Section,
       this->IsGiven);
   }
@@ -162,7 +162,7 @@ void SingularityEditor::EditComponent(std::size_t component,
 {
   const TriangleMesh& mesh = this->Base.GetMesh();
   const TriangleMesh::Component& part = mesh.GetComponents()[component];
-  ComponentRotation& rotation = this->GetRotation(component);
+  TrivialConnection& rotation = this->GetRotation(component);
   const RotationTarget target = MakeTarget(this->Base.GetGeometry(), part, this->Base.GetDegree(),
     rotation, this->Base.GetGeometry().Positions, singularities, options, edited.Notes);
   EditedComponent& report = edited.Components[component];
@@ -194,7 +194,7 @@ void SingularityEditor::EditComponent(std::size_t component,
   if (field.KeepsTurningNumbers)
   {
     edited.Notes.push_back("A component has more than " +
-      std::to_string(ComponentRotation::MostLoops) +
+      std::to_string(TrivialConnection::MostLoops) +
       " loops: the field turns along them as the given one does, which may be more than it would have to.");
   }
   this->SetSection(component, target, field, edited);
@@ -205,7 +205,7 @@ void SingularityEditor::SetSection(std::size_t component, const RotationTarget& 
 {
   const TriangleMesh& mesh = this->Base.GetMesh();
   const TriangleMesh::Component& part = mesh.GetComponents()[component];
-  const ComponentRotation& rotation = *this->Rotations[component];
+  const TrivialConnection& rotation = *this->Rotations[component];
   const bool keeps = target.Objective == RotationObjective::LeastChange;
   if (keeps && field.Turn.cwiseAbs().maxCoeff() == 0.0)
   {

@@ -81,7 +81,7 @@ public:
 private:
   std::vector<std::vector<PrescribedSingularity>> Snapped(
     const std::vector<WantedSingularity>& wanted);
-  ComponentRotation& GetRotation(std::size_t component);
+  TrivialConnection& GetRotation(std::size_t component);
   void EditComponent(std::size_t component, const std::vector<PrescribedSingularity>& singularities,
     const EditOptions& options, const Progress& progress, EditedField& edited);
   void SetSection(std::size_t component, const RotationTarget& target, const TurnedField& field,
@@ -99,7 +99,7 @@ private:
   std::vector<Complex> Guidance;
   /// Of the surface's triangles that the mesh has.
   std::optional<TriangleRuns> Nearest;
-  std::vector<std::unique_ptr<ComponentRotation>> Rotations;
+  std::vector<std::unique_ptr<TrivialConnection>> Rotations;
 };
 }
 

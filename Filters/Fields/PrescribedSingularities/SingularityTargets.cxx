@@ -22,7 +22,7 @@ class TargetBuilder
 {
 public:
   TargetBuilder(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
-    int degree, const ComponentRotation& rotation, const std::vector<Vector3>& positions)
+    int degree, const TrivialConnection& rotation, const std::vector<Vector3>& positions)
     : Geometry(geometry)
     , Mesh(geometry.Mesh)
     , Component(component)
@@ -77,7 +77,7 @@ private:
   /// Forgets the base's indices in regions with a singularity.
   void ClearRegions(const std::vector<PrescribedSingularity>& singularities)
   {
-    const DualForest& forest = this->Rotation.GetForest();
+    const TreeCotree& forest = this->Rotation.GetForest();
     std::vector<char> isCleared(forest.GetNumberOfRegions(), 0);
     for (const PrescribedSingularity& singularity : singularities)
     {
@@ -95,7 +95,7 @@ private:
   /// Compares the sums of closed regions with those of the base, which is what they need whatever the field.
   void CheckSums(bool balances, std::vector<std::string>& notes)
   {
-    const DualForest& forest = this->Rotation.GetForest();
+    const TreeCotree& forest = this->Rotation.GetForest();
     std::vector<int> sum(forest.GetNumberOfRegions(), 0);
     std::vector<int> needed(forest.GetNumberOfRegions(), 0);
     for (Index t = 0; t < static_cast<Index>(this->Target.Indices.size()); ++t)
@@ -369,7 +369,7 @@ private:
   const TriangleMesh& Mesh;
   const TriangleMesh::Component& Component;
   int Degree;
-  const ComponentRotation& Rotation;
+  const TrivialConnection& Rotation;
   const std::vector<Vector3>& Positions;
   RotationTarget Target;
   /// The vertices that no triangle may have which gets a singularity; empty as long as nothing is moved.
@@ -378,7 +378,7 @@ private:
 }
 
 RotationTarget MakeTarget(const IntrinsicGeometry& geometry,
-  const TriangleMesh::Component& component, int degree, const ComponentRotation& rotation,
+  const TriangleMesh::Component& component, int degree, const TrivialConnection& rotation,
   const std::vector<Vector3>& positions, const std::vector<PrescribedSingularity>& singularities,
   const TargetOptions& options, std::vector<std::string>& notes)
 {

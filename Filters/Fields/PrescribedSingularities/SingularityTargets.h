@@ -4,7 +4,7 @@
 #ifndef DirectionFields_SingularityTargets_h
 #define DirectionFields_SingularityTargets_h
 
-#include "TrivialConnection/ComponentRotation.h"
+#include "TrivialConnection/TrivialConnection.h"
 
 #include <string>
 #include <vector>
@@ -35,7 +35,7 @@ struct TargetOptions
 /// @param positions of the vertices of the mesh
 /// @param notes     gets a sentence for what was added or moved
 RotationTarget MakeTarget(const IntrinsicGeometry& geometry,
-  const TriangleMesh::Component& component, int degree, const ComponentRotation& rotation,
+  const TriangleMesh::Component& component, int degree, const TrivialConnection& rotation,
   const std::vector<Vector3>& positions, const std::vector<PrescribedSingularity>& singularities,
   const TargetOptions& options, std::vector<std::string>& notes);
 }

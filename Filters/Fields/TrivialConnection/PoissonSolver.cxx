@@ -18,7 +18,7 @@ namespace
 constexpr int MostSteps = 400;
 
 /// The vertices of a group are one row.
-GraphLaplacian LaplacianOf(const EdgeForms& forms, const GivenGroups& groups)
+GraphLaplacian LaplacianOf(const DiscreteForms& forms, const ConstrainedSets& groups)
 {
   const TriangleMesh& mesh = forms.GetMesh();
   const TriangleMesh::Component& component = forms.GetComponent();
@@ -36,7 +36,7 @@ GraphLaplacian LaplacianOf(const EdgeForms& forms, const GivenGroups& groups)
   return laplacian;
 }
 
-Eigen::VectorXd AreasOf(const EdgeForms& forms, const GivenGroups& groups)
+Eigen::VectorXd AreasOf(const DiscreteForms& forms, const ConstrainedSets& groups)
 {
   const Eigen::VectorXd ofVertices = forms.VertexAreas();
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(groups.NumberOfUnknowns);
@@ -55,7 +55,7 @@ double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 }
 }
 
-PoissonSolver::PoissonSolver(const EdgeForms& forms, const GivenGroups& groups)
+PoissonSolver::PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& groups)
   : Unknown(groups.Unknown)
   , Areas(AreasOf(forms, groups))
   , Area(this->Areas.sum())

@@ -4,29 +4,29 @@
 #ifndef DirectionFields_PoissonSolver_h
 #define DirectionFields_PoissonSolver_h
 
-#include "TrivialConnection/EdgeForms.h"
-#include "TrivialConnection/GivenGroups.h"
-#include "TrivialConnection/RigidSets.h"
-#include "Progress.h"
 #include "Laplacian/LaplacianHierarchy.h"
+#include "Progress.h"
+#include "TrivialConnection/ConstrainedSets.h"
+#include "TrivialConnection/DiscreteForms.h"
+#include "TrivialConnection/MergedUnknowns.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
-/// Numbers over the unknowns of one component (see GivenGroups), and the Laplacian of the edges' weights on them,
+/// Numbers over the unknowns of one component (see ConstrainedSets), and the Laplacian of the edges' weights on them,
 /// whose hierarchy is made once for all right-hand sides.
 class PoissonSolver
 {
 public:
-  PoissonSolver(const EdgeForms& forms, const GivenGroups& groups);
+  PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& groups);
 
   struct Problem
   {
     /// Of each unknown.
     const Eigen::VectorXd& RightHandSide;
     /// Unknowns that are joined; null for none.
-    const RigidSets* Rigid = nullptr;
+    const MergedUnknowns* Rigid = nullptr;
     /// What is added to the diagonal, at least 0; null for nothing. Without it the values are open by a common
     /// constant, and the right-hand side has to add up to 0.
     const Eigen::VectorXd* Diagonal = nullptr;

@@ -20,7 +20,7 @@ constexpr double MostStrength = 1.0 - 1e-9;
 
 /// The field after some steps with a strength.
 /// @param weight strength times area times |q| at each vertex
-TurnedField Aligned(ComponentRotation& rotation, const RigidSets& rigid,
+TurnedField Aligned(TrivialConnection& rotation, const MergedUnknowns& rigid,
   const ComplexVector& guidance, const Eigen::VectorXd& weight, const Progress& progress,
   const TurnedField& start)
 {
@@ -61,7 +61,7 @@ double StrengthOf(double alignmentStrength, int degree, double area)
   return 2.0 * Pi * degree / area * tau / (1.0 - tau);
 }
 
-double AlignField(ComponentRotation& rotation, const RotationTarget& target,
+double AlignField(TrivialConnection& rotation, const RotationTarget& target,
   const ComplexVector& guidance, double strength, const Progress& progress, TurnedField& field)
 {
   const PoissonSolver& solver = rotation.GetSolver();
@@ -72,7 +72,7 @@ double AlignField(ComponentRotation& rotation, const RotationTarget& target,
     return 0.0;
   }
   const Eigen::VectorXd weight = areas.array() * guidance.array().abs() / mean;
-  const RigidSets rigid = rotation.MakeRigid(target, field.Rotation, {}, {}, nullptr);
+  const MergedUnknowns rigid = rotation.MakeRigid(target, field.Rotation, {}, {}, nullptr);
   const std::size_t wrong = rotation.WrongTriangles(target, field).size();
   double share = 1.0;
   for (int halving = 0; halving <= MostHalvings; ++halving, share *= 0.5)

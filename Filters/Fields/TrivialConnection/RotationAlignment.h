@@ -4,7 +4,7 @@
 #ifndef DirectionFields_RotationAlignment_h
 #define DirectionFields_RotationAlignment_h
 
-#include "TrivialConnection/ComponentRotation.h"
+#include "TrivialConnection/TrivialConnection.h"
 
 namespace DirectionFields::Internal
 {
@@ -15,7 +15,7 @@ namespace DirectionFields::Internal
 /// @param guidance q of each vertex of the component; its modulus is 1 in the mean square, after scaling
 /// @param strength in 1 / unit^2
 /// @return the part of the strength that was taken
-double AlignField(ComponentRotation& rotation, const RotationTarget& target,
+double AlignField(TrivialConnection& rotation, const RotationTarget& target,
   const ComplexVector& guidance, double strength, const Progress& progress, TurnedField& field);
 
 /// 2 pi n / area times tau / (1 - tau), as for aligned fields.

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_RotationAtPlace_h
 #define DirectionFields_RotationAtPlace_h
 
-#include "Interpolation/PowerOnTriangle.h"
+#include "Interpolation/FieldInterpolant.h"
 
 #include <array>
 #include <optional>

@@ -40,7 +40,7 @@ constexpr double LeastPrediction = 5.0;
 constexpr double GuessMargin = 5.0;
 
 /// Adds the triangles of a pair, and their mirror images, to those that are done with.
-void Finish(const UnitProblem& problem, const SingularityPair& pair, std::set<Index>& done)
+void Finish(const UnitLengthProblem& problem, const SingularityPair& pair, std::set<Index>& done)
 {
   for (const Index t : { pair.From, pair.To })
   {
@@ -78,7 +78,7 @@ constexpr double MostWork = 12.0;
 constexpr double Turned = 0.2;
 }
 
-PairCancellation::PairCancellation(const UnitProblem& problem, double cost)
+PairCancellation::PairCancellation(const UnitLengthProblem& problem, double cost)
   : Problem(problem)
   , Cost(cost)
   , Numbers(problem.Rows())
@@ -354,7 +354,7 @@ private:
   }
 
   PairCancellation& Owner;
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   std::vector<SingularityPair> Pairs;
   std::size_t Next = 0;
   std::vector<Candidate> Waiting;

@@ -17,7 +17,7 @@ class PairCancellation
 {
 public:
   /// @param cost what the energy may rise by for one singularity of index 1 less, at least 0
-  PairCancellation(const UnitProblem& problem, double cost);
+  PairCancellation(const UnitLengthProblem& problem, double cost);
 
   /// Goes through all pairs once, from the closest to the farthest, and changes the field in patches around them;
   /// from the second round on through those with an end where a patch of the round before has turned the field.
@@ -38,7 +38,7 @@ private:
   /// Whether a patch of a double cover reaches its own mirror image, which cannot be changed with it then.
   bool ReachesItself(const PairPatch& patch);
 
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   double Cost;
   PatchNumbers Numbers;
   std::vector<SingularityPair> OnApproval;

@@ -59,7 +59,7 @@ void PatchNumbers::Loan::Set(Index v, Index number)
 }
 
 PairPatch::PairPatch(
-  const UnitProblem& problem, const SingularityPair& pair, Index rings, PatchNumbers& numbers)
+  const UnitLengthProblem& problem, const SingularityPair& pair, Index rings, PatchNumbers& numbers)
   : Problem(problem)
   , Pair(pair)
   , Numbers(numbers)
@@ -323,7 +323,7 @@ int PairPatch::CountIndexChange(const ComplexVector& u) const
 int PairPatch::CountIndices(
   const ComplexVector& u, const PatchNumbers::Loan& number, bool changed) const
 {
-  const UnitProblem& problem = this->Problem;
+  const UnitLengthProblem& problem = this->Problem;
   const TriangleMesh& mesh = problem.Geometry.Mesh;
   const Index first = problem.Component.FirstVertex;
   const auto value = [&](Index v)

@@ -50,8 +50,8 @@ class PairPatch
 {
 public:
   /// Takes all free vertices within a number of edges of the path.
-  PairPatch(
-    const UnitProblem& problem, const SingularityPair& pair, Index rings, PatchNumbers& numbers);
+  PairPatch(const UnitLengthProblem& problem, const SingularityPair& pair, Index rings,
+    PatchNumbers& numbers);
 
   const std::vector<Index>& GetVertices() const { return this->Vertices; }
   /// The vertices that are not in the patch, but neighbours of it.
@@ -72,7 +72,7 @@ private:
   void SortAlong(const std::vector<Index>& places, Index count);
   int CountIndices(const ComplexVector& u, const PatchNumbers::Loan& number, bool changed) const;
 
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   const SingularityPair& Pair;
   PatchNumbers& Numbers;
   Index Rings;

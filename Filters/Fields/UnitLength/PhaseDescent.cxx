@@ -3,12 +3,12 @@
 
 #include "UnitLength/PhaseDescent.h"
 
-#include "Sections/DoubleCover.h"
 #include "Matrices/OperatorProducts.h"
 #include "Matrices/SparseColumns.h"
 #include "Matrices/VectorOperations.h"
-#include "Systems/CyclePreconditioner.h"
+#include "Sections/DoubleCover.h"
 #include "Support/VectorMath.h"
+#include "Systems/CyclePreconditioner.h"
 
 #include <algorithm>
 #include <array>
@@ -270,7 +270,7 @@ private:
     }
   }
 
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   Cycles Preconditioner;
   Index Rows;
   ComplexVector& U;
@@ -289,7 +289,7 @@ private:
 };
 
 PhaseDescent::PhaseDescent(
-  const UnitProblem& problem, const Hierarchy& hierarchy, const FreeVertices* free)
+  const UnitLengthProblem& problem, const Hierarchy& hierarchy, const FreeVertices* free)
   : Problem(problem)
   , Matrices(hierarchy)
   , Free(free)

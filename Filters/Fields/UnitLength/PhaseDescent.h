@@ -4,10 +4,10 @@
 #ifndef DirectionFields_PhaseDescent_h
 #define DirectionFields_PhaseDescent_h
 
-#include "Progress.h"
 #include "Matrices/FreeVertices.h"
 #include "Multigrid/Hierarchy.h"
-#include "UnitLength/UnitProblem.h"
+#include "Progress.h"
+#include "UnitLength/UnitLengthProblem.h"
 
 #include <memory>
 
@@ -20,7 +20,8 @@ class PhaseDescent
 public:
   /// @param hierarchy of the matrices among the free vertices
   /// @param free      the free vertices; null where all are
-  PhaseDescent(const UnitProblem& problem, const Hierarchy& hierarchy, const FreeVertices* free);
+  PhaseDescent(
+    const UnitLengthProblem& problem, const Hierarchy& hierarchy, const FreeVertices* free);
 
   /// One step of diffusion and projection (Merriman, Bence and Osher; for cross fields Viertel and Osting,
   /// SIAM J. Sci. Comput. 41, 2019): u becomes x / |x| with (K + shift M) x = shift M u + p, solved for from u
@@ -37,7 +38,7 @@ public:
 private:
   class Cycles;
   class Iteration;
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   const Hierarchy& Matrices;
   const FreeVertices* Free;
 };

@@ -27,7 +27,7 @@ constexpr double LeastGain = 1e-3;
 constexpr double MostSingularities = 0.04;
 }
 
-SingularityMoves::SingularityMoves(const UnitProblem& problem)
+SingularityMoves::SingularityMoves(const UnitLengthProblem& problem)
   : Problem(problem)
   , Numbers(problem.Rows())
   , Changed(problem.Rows(), 0)

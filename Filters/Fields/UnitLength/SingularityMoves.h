@@ -15,7 +15,7 @@ namespace DirectionFields::Internal
 class SingularityMoves
 {
 public:
-  explicit SingularityMoves(const UnitProblem& problem);
+  explicit SingularityMoves(const UnitLengthProblem& problem);
 
   /// Tries each singularity in six directions, twice as far as it went the last time and half as far as where it did
   /// not; it is done with where it would not go to the next triangle. On double covers nothing is moved. The same
@@ -48,7 +48,7 @@ private:
   /// Goes that way if nothing else has changed there in this sweep.
   bool Go(const Move& move, ComplexVector& u);
 
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   PatchNumbers Numbers;
   /// 1 for the vertices that this sweep has changed.
   std::vector<char> Changed;

@@ -81,7 +81,7 @@ private:
 class Search
 {
 public:
-  Search(const UnitProblem& problem, const std::vector<int>& indices)
+  Search(const UnitLengthProblem& problem, const std::vector<int>& indices)
     : Problem(problem)
     , Mesh(problem.Geometry.Mesh)
     , First(problem.Component.FirstTriangle)
@@ -186,7 +186,7 @@ private:
   }
 
   /// The longest step from triangle to triangle is no longer than this.
-  static double LongestStep(const UnitProblem& problem)
+  static double LongestStep(const UnitLengthProblem& problem)
   {
     const TriangleMesh::Component& c = problem.Component;
     double longest = 0.0;
@@ -241,7 +241,7 @@ private:
     }
   }
 
-  const UnitProblem& Problem;
+  const UnitLengthProblem& Problem;
   const TriangleMesh& Mesh;
   Index First;
   const std::vector<int>& Indices;
@@ -252,7 +252,8 @@ private:
 };
 }
 
-std::vector<SingularityPair> FindPairs(const UnitProblem& problem, const std::vector<int>& indices)
+std::vector<SingularityPair> FindPairs(
+  const UnitLengthProblem& problem, const std::vector<int>& indices)
 {
   Search search(problem, indices);
   search.Run();

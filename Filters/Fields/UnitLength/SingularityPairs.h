@@ -4,7 +4,7 @@
 #ifndef DirectionFields_SingularityPairs_h
 #define DirectionFields_SingularityPairs_h
 
-#include "UnitLength/UnitProblem.h"
+#include "UnitLength/UnitLengthProblem.h"
 
 #include <vector>
 
@@ -29,7 +29,8 @@ struct SingularityPair
 /// index the boundary if it is near, by ascending distance. Paths lead from triangle to triangle and cross no edge
 /// whose ends are both given. Takes time linear in the triangles that are searched, but for the queue.
 /// @param indices of the component's triangles
-std::vector<SingularityPair> FindPairs(const UnitProblem& problem, const std::vector<int>& indices);
+std::vector<SingularityPair> FindPairs(
+  const UnitLengthProblem& problem, const std::vector<int>& indices);
 }
 
 #endif

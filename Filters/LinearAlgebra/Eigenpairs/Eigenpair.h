@@ -4,8 +4,8 @@
 #ifndef DirectionFields_Eigenpair_h
 #define DirectionFields_Eigenpair_h
 
-#include "Progress.h"
 #include "Matrices/WorkLimit.h"
+#include "Progress.h"
 #include "Types.h"
 
 namespace DirectionFields::Internal

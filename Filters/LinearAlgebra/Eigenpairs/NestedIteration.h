@@ -4,9 +4,9 @@
 #ifndef DirectionFields_NestedIteration_h
 #define DirectionFields_NestedIteration_h
 
-#include "Progress.h"
 #include "Multigrid/Cycle.h"
 #include "Multigrid/SectionBlock.h"
+#include "Progress.h"
 
 namespace DirectionFields::Internal
 {

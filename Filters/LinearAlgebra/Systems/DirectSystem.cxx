@@ -3,9 +3,9 @@
 
 #include "Systems/DirectSystem.h"
 
-#include "SparseCholesky/Factorization.h"
 #include "Matrices/OperatorProducts.h"
 #include "Matrices/SparseProducts.h"
+#include "SparseCholesky/Factorization.h"
 #include "Systems/ConjugateGradientLoop.h"
 
 #include <algorithm>

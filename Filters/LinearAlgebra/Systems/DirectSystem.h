@@ -4,8 +4,8 @@
 #ifndef DirectionFields_DirectSystem_h
 #define DirectionFields_DirectSystem_h
 
-#include "Progress.h"
 #include "Matrices/FreeVertices.h"
+#include "Progress.h"
 #include "Systems/SystemSolution.h"
 
 namespace DirectionFields::Internal

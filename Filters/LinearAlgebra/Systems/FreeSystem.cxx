@@ -3,8 +3,8 @@
 
 #include "Systems/FreeSystem.h"
 
-#include "Systems/ConjugateGradients.h"
 #include "Support/Free.h"
+#include "Systems/ConjugateGradients.h"
 
 namespace DirectionFields::Internal
 {

@@ -4,9 +4,9 @@
 #ifndef DirectionFields_ShiftedSystem_h
 #define DirectionFields_ShiftedSystem_h
 
-#include "Progress.h"
 #include "Matrices/Operators.h"
 #include "Matrices/WorkLimit.h"
+#include "Progress.h"
 #include "Types.h"
 
 namespace DirectionFields::Internal

@@ -3,18 +3,18 @@
 
 #include "Distributed/ComponentSolution.h"
 
+#include "Computation/ComponentSetup.h"
+#include "Computation/Guide.h"
+#include "Computation/SystemFactors.h"
 #include "Distributed/DistributedEigenpair.h"
 #include "Distributed/DistributedHierarchy.h"
 #include "Distributed/DistributedMatrices.h"
 #include "Distributed/DistributedSystem.h"
 #include "Distributed/StopSignal.h"
-#include "Computation/ComponentSetup.h"
-#include "Computation/Guide.h"
-#include "Computation/SystemFactors.h"
 #include "Progress.h"
 #include "Sections/ReferenceSection.h"
-#include "Systems/SystemSolution.h"
 #include "Support/Division.h"
+#include "Systems/SystemSolution.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include "Distributed/DistributedEigenpair.h"
 
-#include "Progress.h"
 #include "Eigenpairs/Eigenpair.h"
 #include "Eigenpairs/RayleighRitz.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "Distributed/DistributedField.h"
 
+#include "Computation/FieldToResult.h"
 #include "Distributed/CommonWinding.h"
 #include "Distributed/ComponentSolution.h"
 #include "Distributed/DistributedGuide.h"
@@ -12,7 +13,6 @@
 #include "Distributed/PetscObjects.h"
 #include "Distributed/PieceWithSurroundings.h"
 #include "Distributed/SharedPoints.h"
-#include "Computation/FieldToResult.h"
 #include "Mesh/OutputPoints.h"
 #include "Sections/SectionDirections.h"
 #include "Support/Threads.h"

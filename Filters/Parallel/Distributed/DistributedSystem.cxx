@@ -3,8 +3,8 @@
 
 #include "Distributed/DistributedSystem.h"
 
-#include "Progress.h"
 #include "Eigenpairs/Eigenpair.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <cmath>

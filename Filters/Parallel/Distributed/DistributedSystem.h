@@ -4,13 +4,13 @@
 #ifndef DistributedSystem_h
 #define DistributedSystem_h
 
+#include "Computation/SystemFactors.h"
 #include "Distributed/DistributedGuide.h"
 #include "Distributed/DistributedHierarchy.h"
 #include "Distributed/DistributedMatrices.h"
 #include "Distributed/DistributedMesh.h"
 #include "Distributed/Messages.h"
 #include "Distributed/PetscObjects.h"
-#include "Computation/SystemFactors.h"
 
 #include <functional>
 

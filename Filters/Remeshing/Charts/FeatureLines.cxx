@@ -197,7 +197,7 @@ void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
   }
 }
 
-FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldCharts& charts,
+FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& charts,
   const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
   const std::vector<double>& window)
   : IsFeature(WithBoundary(geometry.Mesh, isFeature))
@@ -269,7 +269,7 @@ void FeatureLines::FindChains(const TriangleMesh& mesh, const std::vector<char>&
   }
 }
 
-void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldCharts& charts,
+void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& charts,
   const std::vector<char>& isFrameless, const std::vector<double>& window)
 {
   const TriangleMesh& mesh = geometry.Mesh;

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_FeatureLines_h
 #define DirectionFields_FeatureLines_h
 
-#include "Charts/FieldCharts.h"
+#include "Charts/FieldMatching.h"
 
 #include <vector>
 
@@ -31,7 +31,7 @@ struct FeatureLines
   /// @param isFrameless of each vertex
   /// @param window      length over which the direction of a curve is averaged before it is rounded to one
   ///                    of the field, in the input's unit; of each component
-  FeatureLines(const IntrinsicGeometry& geometry, const FieldCharts& charts,
+  FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& charts,
     const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
     const std::vector<double>& window);
 
@@ -72,7 +72,7 @@ struct FeatureLines
 
 private:
   void FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless);
-  void FindAxes(const IntrinsicGeometry& geometry, const FieldCharts& charts,
+  void FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& charts,
     const std::vector<char>& isFrameless, const std::vector<double>& window);
 };
 }

@@ -53,7 +53,7 @@ bool HasEdge(const Faces::Face& face, Index tail, Index head)
 }
 }
 
-void InsertBoundaryVertices(ComponentCells& cells, std::vector<BoundaryVertices>& all)
+void InsertBoundaryVertices(ExtractedMesh& cells, std::vector<BoundaryVertices>& all)
 {
   const auto ends = [](Index a, Index b) {
     return std::array<Index, 2>{ std::min(a, b), std::max(a, b) };
@@ -61,8 +61,8 @@ void InsertBoundaryVertices(ComponentCells& cells, std::vector<BoundaryVertices>
   std::sort(all.begin(), all.end(),
     [&](const BoundaryVertices& a, const BoundaryVertices& b)
     { return ends(a.Tail, a.Head) < ends(b.Tail, b.Head); });
-  std::vector<ComponentCells::LineEdge> kept;
-  for (const ComponentCells::LineEdge& edge : cells.LineEdges)
+  std::vector<ExtractedMesh::LineEdge> kept;
+  for (const ExtractedMesh::LineEdge& edge : cells.LineEdges)
   {
     const std::array<Index, 2> key = ends(edge.Ends[0], edge.Ends[1]);
     const auto found = std::lower_bound(all.begin(), all.end(), key,
@@ -94,7 +94,7 @@ void InsertBoundaryVertices(ComponentCells& cells, std::vector<BoundaryVertices>
     for (const Vector3& position : inserted.Positions)
     {
       path.push_back(static_cast<Index>(cells.Vertices.size()));
-      ComponentCells::Vertex vertex;
+      ExtractedMesh::Vertex vertex;
       vertex.Position = position;
       vertex.Line = inserted.Line;
       vertex.IsBoundary = true;

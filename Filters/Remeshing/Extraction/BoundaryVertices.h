@@ -4,7 +4,7 @@
 #ifndef DirectionFields_BoundaryVertices_h
 #define DirectionFields_BoundaryVertices_h
 
-#include "Extraction/ComponentCells.h"
+#include "Extraction/MeshExtraction.h"
 
 #include <vector>
 
@@ -23,7 +23,7 @@ struct BoundaryVertices
 
 /// Puts them into a component: a quad with one vertex more becomes a quad and a triangle.
 /// @param all at most one for each edge; in any order, which changes
-void InsertBoundaryVertices(ComponentCells& cells, std::vector<BoundaryVertices>& all);
+void InsertBoundaryVertices(ExtractedMesh& cells, std::vector<BoundaryVertices>& all);
 }
 
 #endif

@@ -7,7 +7,7 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-bool IsToFlip(const CellMesh& mesh, Index h)
+bool IsToFlip(const ExtractionMesh& mesh, Index h)
 {
   const Index g = mesh.Twin(h);
   if (g == None || mesh.IsFeature(h) || h / 3 == g / 3 || !mesh.IsPositive(h / 3) ||
@@ -15,19 +15,20 @@ bool IsToFlip(const CellMesh& mesh, Index h)
   {
     return false;
   }
-  const Lattice& plane = mesh.GetPlane();
-  const Index opposite = CellMesh::Previous(h);
-  const Index beyond = CellMesh::Previous(g);
-  const LatticePoint& a = mesh.Place(h);
-  const LatticePoint& b = mesh.Place(CellMesh::Next(h));
-  const LatticePoint& c = mesh.Place(opposite);
-  const LatticePoint d = plane.Apply(mesh.Across(h), mesh.Place(beyond));
-  return plane.IsInCircle(a, b, c, d) && Lattice::Orientation(d, c, a) > 0 &&
-    Lattice::Orientation(c, d, b) > 0 && !mesh.AreJoined(mesh.Tail(opposite), mesh.Tail(beyond));
+  const IntegerGrid& plane = mesh.GetPlane();
+  const Index opposite = ExtractionMesh::Previous(h);
+  const Index beyond = ExtractionMesh::Previous(g);
+  const GridPoint& a = mesh.Place(h);
+  const GridPoint& b = mesh.Place(ExtractionMesh::Next(h));
+  const GridPoint& c = mesh.Place(opposite);
+  const GridPoint d = plane.Apply(mesh.Across(h), mesh.Place(beyond));
+  return plane.IsInCircle(a, b, c, d) && IntegerGrid::Orientation(d, c, a) > 0 &&
+    IntegerGrid::Orientation(c, d, b) > 0 &&
+    !mesh.AreJoined(mesh.Tail(opposite), mesh.Tail(beyond));
 }
 }
 
-void MakeDelaunay(CellMesh& mesh, std::vector<Index>& edges)
+void MakeDelaunay(ExtractionMesh& mesh, std::vector<Index>& edges)
 {
   while (!edges.empty())
   {
@@ -40,7 +41,8 @@ void MakeDelaunay(CellMesh& mesh, std::vector<Index>& edges)
     const Index g = mesh.Twin(h);
     mesh.Flip(h);
     edges.insert(edges.end(),
-      { CellMesh::Next(h), CellMesh::Previous(h), CellMesh::Next(g), CellMesh::Previous(g) });
+      { ExtractionMesh::Next(h), ExtractionMesh::Previous(h), ExtractionMesh::Next(g),
+        ExtractionMesh::Previous(g) });
   }
 }
 }

@@ -7,7 +7,7 @@
 
 namespace DirectionFields::Internal
 {
-void SplitDoubleEdges(CellMesh& mesh)
+void SplitDoubleEdges(ExtractionMesh& mesh)
 {
   // The half-edge from the vertex that is looked at to each other one.
   std::vector<Index> edgeTo(mesh.GetNumberOfVertices(), None);
@@ -32,8 +32,8 @@ void SplitDoubleEdges(CellMesh& mesh)
     }
     if (other != None)
     {
-      const LatticePoint& p = mesh.Place(other);
-      const LatticePoint& q = mesh.Place(CellMesh::Next(other));
+      const GridPoint& p = mesh.Place(other);
+      const GridPoint& q = mesh.Place(ExtractionMesh::Next(other));
       const Vector3 middle =
         0.5 * mesh.Position(mesh.Tail(other)) + 0.5 * mesh.Position(mesh.Head(other));
       const Index fresh = mesh.SplitEdge(other, { (p.A + q.A) / 2, (p.B + q.B) / 2 }, middle);

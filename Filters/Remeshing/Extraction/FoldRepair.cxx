@@ -11,7 +11,7 @@ namespace
 {
 /// Of two lattice points at the same place in the ring of a vertex that could not be removed, one is not to
 /// be kept. Near a cone or corner only that counts: others may lie on different sheets.
-bool TakeBack(CellMesh& mesh, Index v, CellMesh::Layout& layout)
+bool TakeBack(ExtractionMesh& mesh, Index v, ExtractionMesh::Layout& layout)
 {
   mesh.LayOut(v, layout);
   const auto isCone = [&](Index w) { return mesh.GetRole(w).IsCone || mesh.GetRole(w).IsCorner; };
@@ -43,7 +43,7 @@ bool TakeBack(CellMesh& mesh, Index v, CellMesh::Layout& layout)
   return false;
 }
 
-int CountFeatures(const CellMesh& mesh, Index v)
+int CountFeatures(const ExtractionMesh& mesh, Index v)
 {
   std::vector<Index> star;
   int count = mesh.GetStar(v, star) ? 1 : 0;
@@ -55,19 +55,19 @@ int CountFeatures(const CellMesh& mesh, Index v)
 }
 
 /// Whether a vertex may move onto its neighbour: along features only, and corners stay.
-bool MayMove(const CellMesh& mesh, Index h)
+bool MayMove(const ExtractionMesh& mesh, Index h)
 {
   const Index v = mesh.Tail(h);
   return !mesh.GetRole(v).IsCorner && (mesh.IsFeature(h) || CountFeatures(mesh, v) == 0);
 }
 
-bool CollapseZeroEdges(CellMesh& mesh)
+bool CollapseZeroEdges(ExtractionMesh& mesh)
 {
   bool hasChanged = false;
-  CellMesh::Layout layout;
+  ExtractionMesh::Layout layout;
   for (Index h = 0; h < 3 * mesh.GetNumberOfTriangles(); ++h)
   {
-    if (!mesh.IsTriangle(h / 3) || mesh.Place(h) != mesh.Place(CellMesh::Next(h)))
+    if (!mesh.IsTriangle(h / 3) || mesh.Place(h) != mesh.Place(ExtractionMesh::Next(h)))
     {
       continue;
     }
@@ -76,7 +76,7 @@ bool CollapseZeroEdges(CellMesh& mesh)
     // A vertex that is not kept goes; of two cones the one that may.
     const auto rank = [&](Index u)
     {
-      const CellMesh::Role& role = mesh.GetRole(u);
+      const ExtractionMesh::Role& role = mesh.GetRole(u);
       return role.IsCorner ? 3 : role.IsCone ? 2 : role.IsKept ? 1 : 0;
     };
     const Index twin = mesh.Twin(h);
@@ -104,10 +104,10 @@ bool CollapseZeroEdges(CellMesh& mesh)
 }
 }
 
-bool RepairFolds(CellMesh& mesh)
+bool RepairFolds(ExtractionMesh& mesh)
 {
   bool hasChanged = false;
-  CellMesh::Layout layout;
+  ExtractionMesh::Layout layout;
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     if (mesh.IsVertex(v) && !mesh.GetRole(v).IsKept)

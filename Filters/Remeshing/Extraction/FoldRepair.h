@@ -4,14 +4,14 @@
 #ifndef DirectionFields_FoldRepair_h
 #define DirectionFields_FoldRepair_h
 
-#include "Extraction/CellMesh.h"
+#include "Extraction/ExtractionMesh.h"
 
 namespace DirectionFields::Internal
 {
 /// Where a map folds, a lattice point may have been inserted more than once, and cones may have been rounded
 /// to the same place. This takes such lattice points back, and makes vertices one that edges without
 /// length join, so that more vertices can be removed. Returns whether anything was done.
-bool RepairFolds(CellMesh& mesh);
+bool RepairFolds(ExtractionMesh& mesh);
 }
 
 #endif

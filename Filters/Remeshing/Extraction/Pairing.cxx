@@ -11,39 +11,40 @@ namespace DirectionFields::Internal
 namespace
 {
 /// The edge is the diagonal of a unit square of the lattice.
-bool IsHypotenuse(const CellMesh& mesh, Index h)
+bool IsHypotenuse(const ExtractionMesh& mesh, Index h)
 {
   const Index g = mesh.Twin(h);
   if (!mesh.IsPositive(h / 3) || !mesh.IsPositive(g / 3))
   {
     return false;
   }
-  const LatticePoint& a = mesh.Place(h);
-  const LatticePoint& b = mesh.Place(CellMesh::Next(h));
-  const LatticePoint& c = mesh.Place(CellMesh::Previous(h));
-  const LatticePoint d = mesh.GetPlane().Apply(mesh.Across(h), mesh.Place(CellMesh::Previous(g)));
-  const LatticePoint side = c - a;
-  const bool isUnit = (side.A == 0 && std::abs(side.B) == Lattice::Unit) ||
-    (side.B == 0 && std::abs(side.A) == Lattice::Unit);
-  const LatticePoint diagonal = b - a;
-  return Lattice::IsLatticePoint(a) && isUnit && std::abs(diagonal.A) == Lattice::Unit &&
-    std::abs(diagonal.B) == Lattice::Unit && a + b == c + d;
+  const GridPoint& a = mesh.Place(h);
+  const GridPoint& b = mesh.Place(ExtractionMesh::Next(h));
+  const GridPoint& c = mesh.Place(ExtractionMesh::Previous(h));
+  const GridPoint d =
+    mesh.GetPlane().Apply(mesh.Across(h), mesh.Place(ExtractionMesh::Previous(g)));
+  const GridPoint side = c - a;
+  const bool isUnit = (side.A == 0 && std::abs(side.B) == IntegerGrid::Unit) ||
+    (side.B == 0 && std::abs(side.A) == IntegerGrid::Unit);
+  const GridPoint diagonal = b - a;
+  return IntegerGrid::IsLatticePoint(a) && isUnit && std::abs(diagonal.A) == IntegerGrid::Unit &&
+    std::abs(diagonal.B) == IntegerGrid::Unit && a + b == c + d;
 }
 
-bool IsUnitTriangle(const CellMesh& mesh, Index t)
+bool IsUnitTriangle(const ExtractionMesh& mesh, Index t)
 {
-  const LatticePoint& a = mesh.Place(3 * t);
-  const LatticePoint& b = mesh.Place(3 * t + 1);
-  const LatticePoint& c = mesh.Place(3 * t + 2);
-  return Lattice::IsLatticePoint(a) && mesh.IsPositive(t) &&
-    mesh.GetPlane().Turned(b - a, 1) == c - a && Lattice::IsLatticePoint(b) &&
+  const GridPoint& a = mesh.Place(3 * t);
+  const GridPoint& b = mesh.Place(3 * t + 1);
+  const GridPoint& c = mesh.Place(3 * t + 2);
+  return IntegerGrid::IsLatticePoint(a) && mesh.IsPositive(t) &&
+    mesh.GetPlane().Turned(b - a, 1) == c - a && IntegerGrid::IsLatticePoint(b) &&
     std::abs(std::norm(mesh.GetPlane().Place(b - a)) - 1.0) < 1e-9;
 }
 
 class Pairs
 {
 public:
-  explicit Pairs(const CellMesh& mesh)
+  explicit Pairs(const ExtractionMesh& mesh)
     : Mesh(mesh)
     , Partner(mesh.GetNumberOfTriangles(), None)
     , FacesAt(mesh.GetNumberOfVertices(), 0)
@@ -83,8 +84,8 @@ public:
   }
   Faces::Face QuadOver(Index h) const
   {
-    return { this->Mesh.Tail(h), this->Mesh.Tail(CellMesh::Previous(this->Mesh.Twin(h))),
-      this->Mesh.Head(h), this->Mesh.Tail(CellMesh::Previous(h)) };
+    return { this->Mesh.Tail(h), this->Mesh.Tail(ExtractionMesh::Previous(this->Mesh.Twin(h))),
+      this->Mesh.Head(h), this->Mesh.Tail(ExtractionMesh::Previous(h)) };
   }
 
   /// Joins a triangle that is left over with another one by way of few quads between them, whose triangles are
@@ -136,7 +137,7 @@ public:
     }
   }
 
-  const CellMesh& Mesh;
+  const ExtractionMesh& Mesh;
   /// The half-edge over which each triangle is joined to another one.
   std::vector<Index> Partner;
 
@@ -199,7 +200,7 @@ private:
 };
 }
 
-Faces PairTriangles(const CellMesh& mesh)
+Faces PairTriangles(const ExtractionMesh& mesh)
 {
   Faces faces;
   const Index halfEdges = 3 * mesh.GetNumberOfTriangles();

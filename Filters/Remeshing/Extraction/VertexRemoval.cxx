@@ -21,17 +21,17 @@ double VertexRemoval::QualityOf(int i, int j, int k, Mode mode) const
 {
   if (mode != Mode::Relaxed)
   {
-    const LatticePoint& p = this->Star.Places[i];
-    const LatticePoint& q = this->Star.Places[j];
-    const LatticePoint& r = this->Star.Places[k];
-    const int orientation = Lattice::Orientation(p, q, r);
+    const GridPoint& p = this->Star.Places[i];
+    const GridPoint& q = this->Star.Places[j];
+    const GridPoint& r = this->Star.Places[k];
+    const int orientation = IntegerGrid::Orientation(p, q, r);
     if (orientation <= 0)
     {
       const bool isAllowed =
         mode == Mode::Joining && orientation == 0 && (p == q || q == r || r == p);
       return isAllowed ? NoArea : -1.0;
     }
-    const Lattice& plane = this->Mesh.GetPlane();
+    const IntegerGrid& plane = this->Mesh.GetPlane();
     const Complex u = plane.Place(q - p);
     const Complex v = plane.Place(r - p);
     return (std::conj(u) * v).imag() / (std::norm(u) + std::norm(v) + std::norm(v - u));
@@ -162,7 +162,7 @@ void VertexRemoval::FindJoined()
     for (const Index h : this->Scratch)
     {
       mark(this->Mesh.Head(h));
-      mark(this->Mesh.Tail(CellMesh::Previous(h)));
+      mark(this->Mesh.Tail(ExtractionMesh::Previous(h)));
     }
   }
 }
@@ -181,7 +181,7 @@ bool VertexRemoval::IsSimple()
     std::array<Index, 3> beyond{};
     for (int i = 0; i < 3; ++i)
     {
-      const Index twin = this->Mesh.Twin(CellMesh::Next(this->Star.Star[i]));
+      const Index twin = this->Mesh.Twin(ExtractionMesh::Next(this->Star.Star[i]));
       beyond[i] = twin == None ? None : twin / 3;
     }
     return beyond[0] == None || beyond[0] != beyond[1] || beyond[0] != beyond[2];
@@ -210,7 +210,7 @@ bool VertexRemoval::KeepsOrientations(const std::vector<Triangle>& triangles) co
   Index wrong = 0;
   for (const Triangle& t : triangles)
   {
-    wrong += Lattice::Orientation(
+    wrong += IntegerGrid::Orientation(
                this->Star.Places[t[0]], this->Star.Places[t[1]], this->Star.Places[t[2]]) > 0
       ? 0
       : 1;
@@ -229,8 +229,8 @@ bool VertexRemoval::Remove(Index v, Mode mode)
     return false;
   }
   if (this->Star.IsOpen && count == 2 &&
-    (this->Mesh.Twin(CellMesh::Next(this->Star.Star[0])) == None ||
-      this->Mesh.IsFeature(CellMesh::Next(this->Star.Star[0]))))
+    (this->Mesh.Twin(ExtractionMesh::Next(this->Star.Star[0])) == None ||
+      this->Mesh.IsFeature(ExtractionMesh::Next(this->Star.Star[0]))))
   {
     return false;
   }
@@ -274,7 +274,7 @@ bool VertexRemoval::Remove(Index v, Mode mode)
     if (isNext(a, b) || isNext(b, a))
     {
       const Index first = isNext(a, b) ? a : b;
-      isPossible = !this->Mesh.IsFeature(CellMesh::Next(this->Star.Star[first]));
+      isPossible = !this->Mesh.IsFeature(ExtractionMesh::Next(this->Star.Star[first]));
     }
     isPossible = isPossible && !joined(a, b) && this->Triangulate(range(a, b), mode, triangles) &&
       this->Triangulate(range(b, a), mode, triangles);

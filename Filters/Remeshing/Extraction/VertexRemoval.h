@@ -4,7 +4,7 @@
 #ifndef DirectionFields_VertexRemoval_h
 #define DirectionFields_VertexRemoval_h
 
-#include "Extraction/CellMesh.h"
+#include "Extraction/ExtractionMesh.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace DirectionFields::Internal
 class VertexRemoval
 {
 public:
-  explicit VertexRemoval(CellMesh& mesh)
+  explicit VertexRemoval(ExtractionMesh& mesh)
     : Mesh(mesh)
   {
   }
@@ -52,8 +52,8 @@ private:
   bool HasCoincidence() const;
   bool KeepsOrientations(const std::vector<Triangle>& triangles) const;
 
-  CellMesh& Mesh;
-  CellMesh::Layout Star;
+  ExtractionMesh& Mesh;
+  ExtractionMesh::Layout Star;
   Vector3 Normal = Vector3::Zero();
   /// Whether two places of the ring are joined outside of the star.
   std::vector<char> Joined;

@@ -27,7 +27,7 @@ int PlaceOf(const Faces::Face& face, Index v)
 }
 }
 
-FaceEdits::FaceEdits(FaceStars& faces, std::vector<Rule> rules)
+FaceEdits::FaceEdits(VertexStars& faces, std::vector<Rule> rules)
   : Cells(faces)
   , Rules(std::move(rules))
 {

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_FaceEdits_h
 #define DirectionFields_FaceEdits_h
 
-#include "FaceMesh/FaceStars.h"
+#include "FaceMesh/VertexStars.h"
 
 #include <vector>
 
@@ -33,7 +33,7 @@ public:
     /// The number of its faces must not change.
     bool IsLocked = false;
   };
-  FaceEdits(FaceStars& faces, std::vector<Rule> rules);
+  FaceEdits(VertexStars& faces, std::vector<Rule> rules);
 
   /// Two faces with a common edge whose polygon is cut another way, or a vertex that becomes one with another one,
   /// to which an edge or the diagonal of a quad leads, or a quad that becomes two triangles.
@@ -69,7 +69,7 @@ private:
   std::vector<Index> PolygonOf(Index f, Index g) const;
   int Growth(Index v, Index more) const;
 
-  FaceStars& Cells;
+  VertexStars& Cells;
   std::vector<Rule> Rules;
 };
 }

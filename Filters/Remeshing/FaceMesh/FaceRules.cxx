@@ -22,7 +22,7 @@ double AngleAt(const std::vector<Vector3>& points, const Faces::Face& face, Inde
 }
 
 /// How many faces there should be at a vertex on lines: as many as there is room for in each sector between them.
-Index FacesBetweenLines(const FaceStars& faces, const std::vector<Vector3>& points, Index v)
+Index FacesBetweenLines(const VertexStars& faces, const std::vector<Vector3>& points, Index v)
 {
   const std::vector<Index>& star = faces.At(v);
   std::vector<char> isSeen(star.size(), 0);
@@ -60,8 +60,8 @@ Index FacesBetweenLines(const FaceStars& faces, const std::vector<Vector3>& poin
 }
 }
 
-std::vector<FaceEdits::Rule> RulesFor(
-  const FaceStars& faces, const MovableFaces& places, const std::vector<FaceMesh::Vertex>& vertices)
+std::vector<FaceEdits::Rule> RulesFor(const VertexStars& faces, const MovableFaces& places,
+  const std::vector<FaceMesh::Vertex>& vertices)
 {
   std::vector<FaceEdits::Rule> rules(faces.GetNumberOfVertices());
   for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
@@ -96,7 +96,7 @@ std::vector<FaceEdits::Rule> WithoutLocks(std::vector<FaceEdits::Rule> rules)
   return rules;
 }
 
-std::vector<char> FindVerticesNearHubs(const FaceStars& faces, const MovableFaces& places)
+std::vector<char> FindVerticesNearHubs(const VertexStars& faces, const MovableFaces& places)
 {
   std::vector<char> isNear(faces.GetNumberOfVertices(), 0);
   std::vector<Index> hubs;

@@ -13,14 +13,14 @@ namespace DirectionFields::Internal
 {
 /// How many faces each vertex should have, and what may be done with it: inside four, unless a singularity of the field
 /// explains what it has; on lines as many as there is room for in each sector between them.
-std::vector<FaceEdits::Rule> RulesFor(const FaceStars& faces, const MovableFaces& places,
+std::vector<FaceEdits::Rule> RulesFor(const VertexStars& faces, const MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices);
 
 /// The same rules, but vertices whose number of faces a singularity explains may have others.
 std::vector<FaceEdits::Rule> WithoutLocks(std::vector<FaceEdits::Rule> rules);
 
 /// Marks the vertices whose edits would change faces at a hub.
-std::vector<char> FindVerticesNearHubs(const FaceStars& faces, const MovableFaces& places);
+std::vector<char> FindVerticesNearHubs(const VertexStars& faces, const MovableFaces& places);
 }
 
 #endif

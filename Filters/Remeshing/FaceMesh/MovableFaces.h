@@ -4,8 +4,8 @@
 #ifndef DirectionFields_MovableFaces_h
 #define DirectionFields_MovableFaces_h
 
-#include "FaceMesh/FaceStars.h"
 #include "Distance/ClosestPoints.h"
+#include "FaceMesh/VertexStars.h"
 
 #include <vector>
 
@@ -28,7 +28,8 @@ struct SmoothingDomain
 class MovableFaces
 {
 public:
-  MovableFaces(const FaceStars& faces, const SmoothingDomain& domain, std::vector<Vector3>& points)
+  MovableFaces(
+    const VertexStars& faces, const SmoothingDomain& domain, std::vector<Vector3>& points)
     : Cells(faces)
     , Domain(domain)
     , Points(points)
@@ -81,7 +82,7 @@ private:
     Index v, const Vector3& place, const Vector3& normal, const Vector3& otherwise) const;
   int CornerAt(Index f, Index v) const;
 
-  const FaceStars& Cells;
+  const VertexStars& Cells;
   const SmoothingDomain& Domain;
   std::vector<Vector3>& Points;
   /// The triangle that each vertex was last on: the next one is near. Only the time depends on it.

@@ -3,9 +3,9 @@
 
 #include "Finishing/FaceShaping.h"
 
-#include "Improvement/FaceCleanup.h"
-#include "Improvement/FaceMends.h"
 #include "Improvement/FaceSmoothing.h"
+#include "Improvement/QualityRepair.h"
+#include "Improvement/ValenceOptimization.h"
 #include "PureQuads/TrianglePairs.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ std::array<Index, 2> EndsOf(Index a, Index b)
 }
 
 /// The edges of lines after changes.
-std::vector<FaceMesh::LineEdge> LineEdgesOf(const FaceStars& stars, const FaceMesh& mesh)
+std::vector<FaceMesh::LineEdge> LineEdgesOf(const VertexStars& stars, const FaceMesh& mesh)
 {
   std::map<std::array<Index, 2>, Index> lines;
   for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
   {
     lines[EndsOf(edge.Ends[0], edge.Ends[1])] = edge.Line;
   }
-  for (const FaceStars::Change& change : stars.GetChanges())
+  for (const VertexStars::Change& change : stars.GetChanges())
   {
     if (change.Face == None)
     {
@@ -48,7 +48,7 @@ std::vector<FaceMesh::LineEdge> LineEdgesOf(const FaceStars& stars, const FaceMe
 }
 
 /// Takes out the faces and vertices that are no longer used.
-void Compress(const FaceStars& stars, FaceMesh& mesh)
+void Compress(const VertexStars& stars, FaceMesh& mesh)
 {
   mesh.LineEdges = LineEdgesOf(stars, mesh);
   std::vector<Index> number(mesh.Points.size(), None);
@@ -88,7 +88,7 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
   {
     return;
   }
-  FaceStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
+  VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
   SmoothingDomain domain{ surface, lines, {}, edgeLength };
   for (const FaceMesh::Vertex& vertex : mesh.Vertices)
   {
@@ -104,7 +104,7 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
   RelaxFaces(movable, before, progress.Part(0.1, 0.4));
   if (settings.AreQuads)
   {
-    CleanUpFaces(stars, movable, mesh.Vertices, progress.Part(0.4, 0.5));
+    OptimizeValences(stars, movable, mesh.Vertices, progress.Part(0.4, 0.5));
   }
   if (!settings.IsDraft)
   {
@@ -113,7 +113,8 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
   }
   if (settings.AreQuads && settings.Mends)
   {
-    MendFaces(stars, movable, mesh.Vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));
+    RepairQuality(
+      stars, movable, mesh.Vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));
   }
   if (!stars.GetChanges().empty())
   {

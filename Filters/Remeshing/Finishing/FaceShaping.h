@@ -4,8 +4,8 @@
 #ifndef DirectionFields_FaceShaping_h
 #define DirectionFields_FaceShaping_h
 
-#include "FaceMesh/FaceMesh.h"
 #include "Distance/ClosestPoints.h"
+#include "FaceMesh/FaceMesh.h"
 #include "Progress.h"
 
 #include <vector>

@@ -4,10 +4,10 @@
 #include "Finishing/FinishedFaces.h"
 
 #include "Finishing/FaceShaping.h"
+#include "Finishing/FaceSources.h"
 #include "Improvement/FoldedQuads.h"
 #include "PureQuads/QuadSplit.h"
 #include "PureQuads/TriangleParity.h"
-#include "Finishing/FaceSources.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ namespace
 {
 /// The wanted length of edges at each point of a mesh.
 std::vector<double> WantedLengths(
-  const Ground& ground, const std::vector<Vector3>& points, double edgeLength)
+  const SurfaceContext& ground, const std::vector<Vector3>& points, double edgeLength)
 {
   std::vector<double> wanted(points.size(), edgeLength);
   if (!ground.Sizes.empty())
@@ -38,15 +38,15 @@ std::vector<double> WantedLengths(
 }
 }
 
-bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double edgeLength,
-  const Ground& ground, const Progress& progress)
+bool FinishFaces(FaceMesh& mesh, QuadPolicy way, bool areQuads, int steps, double edgeLength,
+  const SurfaceContext& ground, const Progress& progress)
 {
   const auto shape = [&](double length, ShapingSettings settings, const Progress& part)
   {
     ShapeFaces(mesh, settings, ground.Triangles, ground.Lines,
       WantedLengths(ground, mesh.Points, length), part);
   };
-  const bool isSplit = way == FaceWay::Split;
+  const bool isSplit = way == QuadPolicy::Split;
   ShapingSettings settings{ steps, areQuads };
   settings.Mends = isSplit;
   settings.MayMakeTriangles = true;
@@ -61,20 +61,20 @@ bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double e
     CutFoldedQuads(mesh.Cells, mesh.Points);
     SplitIntoQuads(mesh);
   }
-  if (way == FaceWay::Joined && !EvenOutTriangles(mesh))
+  if (way == QuadPolicy::Joined && !EvenOutTriangles(mesh))
   {
     return false;
   }
-  settings.MayMakeTriangles = way == FaceWay::Mixed;
+  settings.MayMakeTriangles = way == QuadPolicy::Mixed;
   settings.JoinsTriangles = !isSplit;
   settings.IsDraft = false;
   settings.Mends = true;
   shape(edgeLength, settings, progress.Part(0.4, 1.0));
-  if (way == FaceWay::Mixed)
+  if (way == QuadPolicy::Mixed)
   {
     CutFoldedQuads(mesh.Cells, mesh.Points);
   }
-  return way == FaceWay::Mixed ||
+  return way == QuadPolicy::Mixed ||
     std::all_of(mesh.Cells.Corners.begin(), mesh.Cells.Corners.end(),
       [](const Faces::Face& face) { return Faces::Size(face) == 4; });
 }

@@ -5,15 +5,15 @@
 #define DirectionFields_FinishedFaces_h
 
 #include "FaceMesh/FaceMesh.h"
-#include "Progress.h"
 #include "Preparation/PreparedSurface.h"
+#include "Progress.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
 /// How faces are made.
-enum class FaceWay : int
+enum class QuadPolicy : int
 {
   /// Quads and the triangles that are left among them, or triangles only.
   Mixed,
@@ -24,7 +24,7 @@ enum class FaceWay : int
 };
 
 /// What a surface is to its mesh.
-struct Ground
+struct SurfaceContext
 {
   const Surface& Input;
   const PreparedSurface& Prepared;
@@ -39,8 +39,8 @@ struct Ground
 /// @param areQuads   the field is of degree 4
 /// @param steps      in which the vertices move
 /// @param edgeLength wanted, where the size is 1
-bool FinishFaces(FaceMesh& mesh, FaceWay way, bool areQuads, int steps, double edgeLength,
-  const Ground& ground, const Progress& progress);
+bool FinishFaces(FaceMesh& mesh, QuadPolicy way, bool areQuads, int steps, double edgeLength,
+  const SurfaceContext& ground, const Progress& progress);
 }
 
 #endif

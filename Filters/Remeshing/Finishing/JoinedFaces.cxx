@@ -5,16 +5,16 @@
 
 namespace DirectionFields::Internal
 {
-FaceMesh JoinFaces(const std::vector<ComponentCells>& components, const Seams& seams,
+FaceMesh JoinFaces(const std::vector<ExtractedMesh>& components, const Seams& seams,
   const std::vector<char>& isTurn, Index& open)
 {
   FaceMesh mesh;
   const std::vector<Index> joined = seams.Joined(components, open);
   std::vector<Index> number(joined.size(), None);
   std::size_t k = 0;
-  for (const ComponentCells& cells : components)
+  for (const ExtractedMesh& cells : components)
   {
-    for (const ComponentCells::Vertex& vertex : cells.Vertices)
+    for (const ExtractedMesh::Vertex& vertex : cells.Vertices)
     {
       const auto own = static_cast<Index>(k++);
       const bool isCorner = vertex.IsCorner &&
@@ -33,7 +33,7 @@ FaceMesh JoinFaces(const std::vector<ComponentCells>& components, const Seams& s
     }
   }
   k = 0;
-  for (const ComponentCells& cells : components)
+  for (const ExtractedMesh& cells : components)
   {
     for (const Faces::Face& face : cells.Cells.Corners)
     {
@@ -46,7 +46,7 @@ FaceMesh JoinFaces(const std::vector<ComponentCells>& components, const Seams& s
     }
     mesh.Cells.IsRegular.insert(
       mesh.Cells.IsRegular.end(), cells.Cells.IsRegular.begin(), cells.Cells.IsRegular.end());
-    for (const ComponentCells::LineEdge& edge : cells.LineEdges)
+    for (const ExtractedMesh::LineEdge& edge : cells.LineEdges)
     {
       mesh.LineEdges.push_back(
         { { number[edge.Ends[0] + k], number[edge.Ends[1] + k] }, edge.Line });

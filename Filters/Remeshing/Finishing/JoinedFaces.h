@@ -4,8 +4,8 @@
 #ifndef DirectionFields_JoinedFaces_h
 #define DirectionFields_JoinedFaces_h
 
+#include "Extraction/MeshExtraction.h"
 #include "FaceMesh/FaceMesh.h"
-#include "Extraction/ComponentCells.h"
 #include "Preparation/Seams.h"
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace DirectionFields::Internal
 /// Puts the faces of all components into one mesh, in which the sides of seams share their vertices.
 /// @param isTurn of each vertex of the surface's mesh, see FindTurns: corners of the map elsewhere are none here
 /// @param open   gets the number of seams that stay open
-FaceMesh JoinFaces(const std::vector<ComponentCells>& components, const Seams& seams,
+FaceMesh JoinFaces(const std::vector<ExtractedMesh>& components, const Seams& seams,
   const std::vector<char>& isTurn, Index& open);
 }
 

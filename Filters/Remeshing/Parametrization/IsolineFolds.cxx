@@ -16,8 +16,7 @@ constexpr double ShortestStep = 0.1;
 class Folds
 {
 public:
-  Folds(
-    const ChartedMesh& mesh, const std::vector<Transition>& own, std::vector<LatticePoint>& places)
+  Folds(const CutMesh& mesh, const std::vector<Transition>& own, std::vector<GridPoint>& places)
     : Mesh(mesh)
     , Plane(mesh.Degree)
     , Own(own)
@@ -26,27 +25,27 @@ public:
   }
 
   /// How far a map goes along an edge.
-  std::int64_t LengthOf(const ChartedMesh::IsolineEdge& edge) const
+  std::int64_t LengthOf(const CutMesh::IsolineEdge& edge) const
   {
     const Index tail = 3 * edge.Triangle + edge.Corner;
     const Index head = 3 * edge.Triangle + (edge.Corner + 1) % 3;
-    const LatticePoint along =
+    const GridPoint along =
       this->Plane.Apply(this->Own[head], this->Places[EndOf(this->Mesh, edge, true)]) -
       this->Plane.Apply(this->Own[tail], this->Places[EndOf(this->Mesh, edge, false)]);
     return this->Plane.Turned(along, -edge.Axis).A;
   }
 
   /// Returns whether the map goes forward along the stretch as a whole.
-  bool Unfold(const IsolineStretch& stretch)
+  bool Unfold(const FeatureIsoline& stretch)
   {
-    const std::vector<IsolineStretch::Step>& steps = stretch.Steps;
+    const std::vector<FeatureIsoline::Step>& steps = stretch.Steps;
     std::vector<std::int64_t> length;
     std::vector<double> wanted;
     std::int64_t total = 0;
     double sum = 0.0;
-    for (const IsolineStretch::Step& step : steps)
+    for (const FeatureIsoline::Step& step : steps)
     {
-      const ChartedMesh::IsolineEdge& edge = this->Mesh.Isolines[step.Isoline];
+      const CutMesh::IsolineEdge& edge = this->Mesh.Isolines[step.Isoline];
       length.push_back(this->LengthOf(edge));
       wanted.push_back(std::abs(this->Mesh.Triangles[edge.Triangle].Target[edge.Corner]));
       total += length.back();
@@ -71,32 +70,31 @@ public:
       reached += wanted[i];
       const std::int64_t shift = std::llround(reached / sum * static_cast<double>(total)) - before;
       // The direction of the edge in the chart of the vertex that it leads to.
-      const ChartedMesh::IsolineEdge& edge = this->Mesh.Isolines[steps[i].Isoline];
+      const CutMesh::IsolineEdge& edge = this->Mesh.Isolines[steps[i].Isoline];
       const bool atHead = !steps[i].IsReversed;
       const Index corner = 3 * edge.Triangle + (edge.Corner + (atHead ? 1 : 0)) % 3;
       const int turn =
         edge.Axis - this->Own[corner].Turn + (steps[i].IsReversed ? this->Mesh.Degree / 2 : 0);
-      LatticePoint& place = this->Places[EndOf(this->Mesh, edge, atHead)];
+      GridPoint& place = this->Places[EndOf(this->Mesh, edge, atHead)];
       place = place + this->Plane.Turned({ shift, 0 }, turn);
     }
     return true;
   }
 
 private:
-  const ChartedMesh& Mesh;
-  Lattice Plane;
+  const CutMesh& Mesh;
+  IntegerGrid Plane;
   const std::vector<Transition>& Own;
-  std::vector<LatticePoint>& Places;
+  std::vector<GridPoint>& Places;
 };
 }
 
-std::vector<IsolineStretch> UnfoldIsolines(const ChartedMesh& mesh,
-  const std::vector<Transition>& own, const std::vector<IsolineStretch>& stretches,
-  std::vector<LatticePoint>& places)
+std::vector<FeatureIsoline> UnfoldIsolines(const CutMesh& mesh, const std::vector<Transition>& own,
+  const std::vector<FeatureIsoline>& stretches, std::vector<GridPoint>& places)
 {
   Folds folds(mesh, own, places);
-  std::vector<IsolineStretch> collapsed;
-  for (const IsolineStretch& stretch : stretches)
+  std::vector<FeatureIsoline> collapsed;
+  for (const FeatureIsoline& stretch : stretches)
   {
     if (!folds.Unfold(stretch))
     {

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_IsolineFolds_h
 #define DirectionFields_IsolineFolds_h
 
-#include "Charts/IsolineStretches.h"
-#include "Charts/Lattice.h"
+#include "Charts/FeatureIsolines.h"
+#include "Charts/IntegerGrid.h"
 
 #include <vector>
 
@@ -17,9 +17,8 @@ namespace DirectionFields::Internal
 /// the wrong order: they stay as they are.
 /// @param own    from the chart of each corner's vertex to that of its triangle
 /// @param places of each vertex in its own chart
-std::vector<IsolineStretch> UnfoldIsolines(const ChartedMesh& mesh,
-  const std::vector<Transition>& own, const std::vector<IsolineStretch>& stretches,
-  std::vector<LatticePoint>& places);
+std::vector<FeatureIsoline> UnfoldIsolines(const CutMesh& mesh, const std::vector<Transition>& own,
+  const std::vector<FeatureIsoline>& stretches, std::vector<GridPoint>& places);
 }
 
 #endif

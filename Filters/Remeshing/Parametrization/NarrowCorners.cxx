@@ -16,8 +16,9 @@ constexpr double LeastRoom = 0.75;
 class Corners
 {
 public:
-  Corners(const SurfaceGeometry& geometry, const FieldCharts& charts, const FeatureLines& features,
-    const std::vector<char>& isFrameless, const std::vector<double>& perLength)
+  Corners(const SurfaceGeometry& geometry, const FieldMatching& charts,
+    const FeatureLines& features, const std::vector<char>& isFrameless,
+    const std::vector<double>& perLength)
     : Geometry(geometry)
     , Mesh(geometry.Mesh)
     , Charts(charts)
@@ -168,7 +169,7 @@ private:
 
   const SurfaceGeometry& Geometry;
   const TriangleMesh& Mesh;
-  const FieldCharts& Charts;
+  const FieldMatching& Charts;
   const FeatureLines& Features;
   const std::vector<char>& IsFrameless;
   const std::vector<double>& PerLength;
@@ -180,8 +181,9 @@ private:
 }
 
 std::vector<Index> EdgesInNarrowCorners(const SurfaceGeometry& geometry,
-  const TriangleMesh::Component& component, const FieldCharts& charts, const FeatureLines& features,
-  const std::vector<char>& isFrameless, const std::vector<double>& perLength)
+  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const FeatureLines& features, const std::vector<char>& isFrameless,
+  const std::vector<double>& perLength)
 {
   Corners corners(geometry, charts, features, isFrameless, perLength);
   for (Index v = component.FirstVertex; v < component.EndVertex; ++v)

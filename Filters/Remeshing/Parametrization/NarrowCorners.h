@@ -4,8 +4,8 @@
 #ifndef DirectionFields_NarrowCorners_h
 #define DirectionFields_NarrowCorners_h
 
-#include "Geometry/SurfaceGeometry.h"
 #include "Charts/FeatureLines.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include <vector>
 
@@ -17,8 +17,9 @@ namespace DirectionFields::Internal
 /// of the lattice.
 /// @param perLength 1 / h of each vertex of the mesh, h the wanted length of an edge
 std::vector<Index> EdgesInNarrowCorners(const SurfaceGeometry& geometry,
-  const TriangleMesh::Component& component, const FieldCharts& charts, const FeatureLines& features,
-  const std::vector<char>& isFrameless, const std::vector<double>& perLength);
+  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const FeatureLines& features, const std::vector<char>& isFrameless,
+  const std::vector<double>& perLength);
 }
 
 #endif

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_FeatureTurns_h
 #define DirectionFields_FeatureTurns_h
 
-#include "Geometry/SurfaceGeometry.h"
 #include "Charts/FeatureLines.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include <vector>
 

@@ -4,13 +4,13 @@
 #ifndef DirectionFields_PreparedSurface_h
 #define DirectionFields_PreparedSurface_h
 
-#include "Distance/ClosestPoints.h"
-#include "Geometry/SurfaceGeometry.h"
 #include "Charts/FeatureLines.h"
-#include "Mesh/MergePoints.h"
-#include "Progress.h"
-#include "Preparation/FeaturePaths.h"
+#include "Distance/ClosestPoints.h"
 #include "Features/KeptFeatures.h"
+#include "Geometry/SurfaceGeometry.h"
+#include "Mesh/MergePoints.h"
+#include "Preparation/FeaturePaths.h"
+#include "Progress.h"
 #include "Surface.h"
 
 #include <memory>

@@ -3,8 +3,8 @@
 
 #include "Preparation/Seams.h"
 
-#include "Soup/JoinedSets.h"
 #include "Extraction/BoundaryVertices.h"
+#include "Soup/JoinedSets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -197,7 +197,7 @@ private:
 class Seams::Sheets
 {
 public:
-  explicit Sheets(const std::vector<ComponentCells>& components)
+  explicit Sheets(const std::vector<ExtractedMesh>& components)
     : First(components.size() + 1, 0)
   {
     for (std::size_t c = 0; c < components.size(); ++c)
@@ -252,7 +252,7 @@ public:
   std::vector<Index> FaceAt;
 
 private:
-  void FindBoundary(const ComponentCells& cells, Index first)
+  void FindBoundary(const ExtractedMesh& cells, Index first)
   {
     for (std::size_t v = 0; v < cells.Vertices.size(); ++v)
     {
@@ -357,7 +357,7 @@ std::vector<Index> Seams::GetEnds() const
   return ends;
 }
 
-void Seams::Equalize(std::vector<ComponentCells>& components) const
+void Seams::Equalize(std::vector<ExtractedMesh>& components) const
 {
   if (this->All.empty())
   {
@@ -365,9 +365,9 @@ void Seams::Equalize(std::vector<ComponentCells>& components) const
   }
   const Sheets sheets(components);
   std::vector<Vector3> points;
-  for (const ComponentCells& cells : components)
+  for (const ExtractedMesh& cells : components)
   {
-    for (const ComponentCells::Vertex& vertex : cells.Vertices)
+    for (const ExtractedMesh::Vertex& vertex : cells.Vertices)
     {
       points.push_back(vertex.Position);
     }
@@ -424,7 +424,7 @@ void Seams::Equalize(std::vector<ComponentCells>& components) const
   }
 }
 
-std::vector<Index> Seams::Joined(const std::vector<ComponentCells>& components, Index& open) const
+std::vector<Index> Seams::Joined(const std::vector<ExtractedMesh>& components, Index& open) const
 {
   open = 0;
   const Sheets sheets(components);

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_Seams_h
 #define DirectionFields_Seams_h
 
+#include "Extraction/MeshExtraction.h"
 #include "Mesh/TriangleMesh.h"
-#include "Extraction/ComponentCells.h"
 
 #include <vector>
 
@@ -28,10 +28,10 @@ public:
 
   /// Puts vertices on the sides of seams that have fewer of them than another one, and moves the others
   /// to where that has them. A quad with one vertex more becomes a quad and a triangle.
-  void Equalize(std::vector<ComponentCells>& components) const;
+  void Equalize(std::vector<ExtractedMesh>& components) const;
   /// Which vertex stands for each one, the vertices of all components being numbered one after the other. Counts
   /// the seams that stay open: where the faces on both sides are so few that they would become one.
-  std::vector<Index> Joined(const std::vector<ComponentCells>& components, Index& open) const;
+  std::vector<Index> Joined(const std::vector<ExtractedMesh>& components, Index& open) const;
 
 private:
   /// A side of a seam: the boundary of a sheet from one vertex of the mesh to another one.

@@ -27,7 +27,7 @@ bool HasEdge(const Faces::Face& face, Index tail, Index head)
   return has;
 }
 
-FaceStrip::FaceStrip(const FaceStars& faces, const std::vector<Index>& way)
+FaceStrip::FaceStrip(const VertexStars& faces, const std::vector<Index>& way)
   : Cells(faces)
 {
   std::vector<std::array<Index, 2>> ends;

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_FaceStrip_h
 #define DirectionFields_FaceStrip_h
 
-#include "FaceMesh/FaceStars.h"
+#include "FaceMesh/VertexStars.h"
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@ class FaceStrip
 {
 public:
   /// @param way the faces; edges of lines are not between them
-  FaceStrip(const FaceStars& faces, const std::vector<Index>& way);
+  FaceStrip(const VertexStars& faces, const std::vector<Index>& way);
 
   /// The vertices around the strip, counter-clockwise, from one that only the first face has.
   const std::vector<Index>& GetPolygon() const { return this->Polygon; }
@@ -51,7 +51,7 @@ private:
   void Walk(Index f, Index from, Index to);
   double CostOf(const Faces::Face& quad, const std::vector<Vector3>& points) const;
 
-  const FaceStars& Cells;
+  const VertexStars& Cells;
   std::vector<Index> Polygon;
   std::vector<Chord> Edges;
 };

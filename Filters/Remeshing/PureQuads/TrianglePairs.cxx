@@ -33,7 +33,7 @@ constexpr Faces::Face Nothing = { None, None, None, None };
 class Pairs
 {
 public:
-  Pairs(FaceStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules, int mostGrown)
+  Pairs(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules, int mostGrown)
     : Cells(faces)
     , Places(places)
     , Edits(faces, std::move(rules))
@@ -347,7 +347,7 @@ private:
     return true;
   }
 
-  FaceStars& Cells;
+  VertexStars& Cells;
   MovableFaces& Places;
   FaceEdits Edits;
   /// By how much irregularity may grow at most.
@@ -362,7 +362,7 @@ private:
 };
 }
 
-void JoinTriangles(FaceStars& faces, MovableFaces& places,
+void JoinTriangles(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, bool atAnyPrice, const Progress& progress)
 {
   Pairs pairs(faces, places, WithoutLocks(RulesFor(faces, places, vertices)),

@@ -4,8 +4,8 @@
 #ifndef DirectionFields_TrianglePairs_h
 #define DirectionFields_TrianglePairs_h
 
-#include "FaceMesh/FaceStars.h"
 #include "FaceMesh/MovableFaces.h"
+#include "FaceMesh/VertexStars.h"
 #include "Progress.h"
 
 #include <vector>
@@ -18,7 +18,7 @@ namespace DirectionFields::Internal
 /// triangle than the one it is joined with. Throws Stopped.
 /// @param atAnyPrice where no way leaves faces good they become as good as they can, and vertices may become irregular;
 ///                   only triangles that find no other one stay. Otherwise all do that are no use joining.
-void JoinTriangles(FaceStars& faces, MovableFaces& places,
+void JoinTriangles(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, bool atAnyPrice, const Progress& progress = {});
 }
 

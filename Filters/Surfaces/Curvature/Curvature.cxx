@@ -3,10 +3,10 @@
 
 #include "Curvature/Curvature.h"
 
-#include "Features/Creases.h"
 #include "Curvature/Rounding.h"
 #include "Curvature/ShapeFit.h"
 #include "Curvature/ShapeSmoothing.h"
+#include "Features/Creases.h"
 #include "Mesh/EnclosedVolume.h"
 #include "Support/Threads.h"
 

@@ -3,10 +3,10 @@
 
 #include "Mesh/MeshBuilder.h"
 
+#include "Mesh/MeshOrder.h"
 #include "Soup/ConnectedTriangles.h"
 #include "Soup/CoveredTriangles.h"
 #include "Soup/EdgeMatching.h"
-#include "Mesh/MeshOrder.h"
 #include "Soup/SortedTriangles.h"
 #include "Support/RadixSort.h"
 #include "Support/Threads.h"

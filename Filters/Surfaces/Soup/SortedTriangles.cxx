@@ -3,8 +3,8 @@
 
 #include "Soup/SortedTriangles.h"
 
-#include "Soup/DuplicateTriangles.h"
 #include "MeshError.h"
+#include "Soup/DuplicateTriangles.h"
 #include "Support/MortonCurve.h"
 #include "Support/RadixSort.h"
 #include "Support/Threads.h"

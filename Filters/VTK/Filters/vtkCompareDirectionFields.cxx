@@ -3,14 +3,14 @@
 
 #include "vtkCompareDirectionFields.h"
 
-#include "Support/AlgorithmProgress.h"
-#include "Conversion/Output/ComparisonToPolyData.h"
-#include "Support/CompositeOutputs.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/ComparisonToPolyData.h"
+#include "Support/AlgorithmProgress.h"
+#include "Support/CompositeOutputs.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
 #include "Support/Threads.h"
 
 #include "vtkCompositeDataIterator.h"

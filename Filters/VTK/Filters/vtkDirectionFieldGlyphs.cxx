@@ -3,14 +3,14 @@
 
 #include "vtkDirectionFieldGlyphs.h"
 
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToField.h"
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/GlyphsToPolyData.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/DefaultThreads.h"
 #include "Support/FilterRun.h"
 #include "Support/GlyphSurfaceCache.h"
-#include "Conversion/Output/GlyphsToPolyData.h"
-#include "Conversion/Input/PolyDataCheck.h"
-#include "Conversion/Input/PolyDataToField.h"
-#include "Conversion/Input/PolyDataToSurface.h"
 #include "Support/Threads.h"
 
 #include "vtkCommand.h"

@@ -3,16 +3,16 @@
 
 #include "vtkDirectionFieldReader.h"
 
-#include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Exchange/FieldImport.h"
-#include "Conversion/Output/FieldToPolyData.h"
-#include "Exchange/TextFile.h"
-#include "Support/FilterRun.h"
 #include "Conversion/Input/GivenPolyData.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Conversion/Output/SingularPoints.h"
+#include "Conversion/Output/FieldToPolyData.h"
+#include "Conversion/Output/SingularityPoints.h"
+#include "Exchange/FieldImport.h"
+#include "Exchange/TextFile.h"
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
 #include "Support/Threads.h"
 
 #include "vtkInformation.h"

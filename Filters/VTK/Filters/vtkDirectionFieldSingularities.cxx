@@ -3,15 +3,15 @@
 
 #include "vtkDirectionFieldSingularities.h"
 
+#include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Input/PolyDataToGuidance.h"
+#include "Conversion/Output/EditedPolyData.h"
+#include "Conversion/Output/RefinedPolyData.h"
+#include "PrescribedSingularities/EditedResult.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/CompositeOutputs.h"
 #include "Support/DefaultThreads.h"
-#include "Conversion/Output/EditedPolyData.h"
 #include "Support/FilterRun.h"
-#include "Conversion/Input/PolyDataCheck.h"
-#include "Conversion/Input/PolyDataToGuidance.h"
-#include "PrescribedSingularities/EditedResult.h"
-#include "Conversion/Output/RefinedPolyData.h"
 #include "Support/SingularityEditorCache.h"
 #include "Support/Threads.h"
 

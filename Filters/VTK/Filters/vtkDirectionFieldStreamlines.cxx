@@ -3,13 +3,13 @@
 
 #include "vtkDirectionFieldStreamlines.h"
 
-#include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
-#include "Conversion/Output/LinesToPolyData.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/StreamlinesToPolyData.h"
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
 #include "Support/Threads.h"
 
 #include "vtkInformation.h"
@@ -35,7 +35,7 @@ constexpr double ProgressTraced = 0.95;
 //------------------------------------------------------------------------------
 vtkDirectionFieldStreamlines::vtkDirectionFieldStreamlines()
 {
-  const DirectionFields::LineOptions defaults;
+  const DirectionFields::StreamlineOptions defaults;
   this->SeedType = static_cast<int>(defaults.Seeds);
   this->SeparatingDistance = defaults.Spacing;
   this->SeparatingDistanceRatio = defaults.Ratio;
@@ -83,16 +83,16 @@ int vtkDirectionFieldStreamlines::FillInputPortInformation(int port, vtkInformat
 }
 
 //------------------------------------------------------------------------------
-DirectionFields::LineOptions vtkDirectionFieldStreamlines::MakeOptions() const
+DirectionFields::StreamlineOptions vtkDirectionFieldStreamlines::MakeOptions() const
 {
-  DirectionFields::LineOptions options;
+  DirectionFields::StreamlineOptions options;
   options.Seeds = static_cast<DirectionFields::SeedType>(this->SeedType);
   options.Spacing = this->SeparatingDistance;
   options.Ratio = this->SeparatingDistanceRatio;
   options.MostLength = this->MaximumStreamlineLength;
   options.LeastLength = this->MinimumStreamlineLength;
   options.StopAtCrossings = this->StopAtCrossings;
-  options.Way = static_cast<DirectionFields::LineWay>(this->IntegrationDirection);
+  options.Way = static_cast<DirectionFields::IntegrationDirection>(this->IntegrationDirection);
   options.MostLines = this->MaximumNumberOfLines;
   options.Offset = this->Offset;
   return options;
@@ -122,9 +122,9 @@ void vtkDirectionFieldStreamlines::TraceLines(
   const DirectionFields::Threads::Scope scope(threads);
   const DirectionFields::GivenField field(surface.Mesh, directions);
   DirectionFields::Progress(report).Report(ProgressRead);
-  const DirectionFields::FieldLines traced = DirectionFields::TraceFieldLines(field, directions,
+  const DirectionFields::Streamlines traced = DirectionFields::TraceStreamlines(field, directions,
     this->SeedType == POINTS ? DirectionFields::NearestPlaces(surface.Mesh, seeds)
-                             : std::vector<DirectionFields::LineSeed>(),
+                             : std::vector<DirectionFields::StreamlineSeed>(),
     this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressTraced));
   if (traced.Aborted || DirectionFields::IsAborted(this))
   {

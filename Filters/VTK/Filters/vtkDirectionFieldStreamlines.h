@@ -75,7 +75,7 @@ namespace DirectionFields
 {
 namespace Internal
 {
-struct LineOptions;
+struct StreamlineOptions;
 }
 }
 
@@ -200,7 +200,7 @@ private:
   void operator=(const vtkDirectionFieldStreamlines&) = delete;
 
   /// The options of the tracing, from the properties.
-  DirectionFields::Internal::LineOptions MakeOptions() const;
+  DirectionFields::Internal::StreamlineOptions MakeOptions() const;
 
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
   void TraceLines(vtkPolyData* input, vtkPointSet* seeds, vtkPolyData* lines, vtkPolyData* nodes);

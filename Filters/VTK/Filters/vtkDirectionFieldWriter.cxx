@@ -3,14 +3,14 @@
 
 #include "vtkDirectionFieldWriter.h"
 
-#include "Support/DefaultThreads.h"
-#include "Exchange/FieldExport.h"
-#include "Exchange/CompanionFiles.h"
-#include "Exchange/TextFile.h"
 #include "Conversion/Input/GivenPolyData.h"
-#include "Options.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Exchange/CompanionFiles.h"
+#include "Exchange/FieldExport.h"
+#include "Exchange/TextFile.h"
+#include "Options.h"
+#include "Support/DefaultThreads.h"
 #include "Support/Threads.h"
 
 #include "vtkErrorCode.h"

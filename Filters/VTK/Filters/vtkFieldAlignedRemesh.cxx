@@ -3,14 +3,14 @@
 
 #include "vtkFieldAlignedRemesh.h"
 
-#include "Support/AlgorithmProgress.h"
-#include "Conversion/Output/FieldToPolyData.h"
-#include "Support/FilterRun.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToGuidance.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
+#include "Support/AlgorithmProgress.h"
+#include "Support/FilterRun.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

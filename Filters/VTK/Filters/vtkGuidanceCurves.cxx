@@ -3,13 +3,13 @@
 
 #include "vtkGuidanceCurves.h"
 
-#include "Support/AlgorithmProgress.h"
-#include "Guidance/CurveGuidance.h"
-#include "Support/DefaultThreads.h"
 #include "Conversion/Input/FieldArrays.h"
-#include "Support/FilterRun.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Guidance/CurveGuidance.h"
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
 #include "Support/Threads.h"
 
 #include "vtkCellArray.h"

@@ -3,14 +3,14 @@
 
 #include "vtkStripePattern.h"
 
-#include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToGuidance.h"
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StripesToPolyData.h"
+#include "Support/AlgorithmProgress.h"
+#include "Support/DefaultThreads.h"
+#include "Support/FilterRun.h"
 #include "Support/Threads.h"
 
 #include "vtkInformation.h"

@@ -4,8 +4,8 @@
 #ifndef DirectionFieldCache_h
 #define DirectionFieldCache_h
 
-#include "DirectionField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "DirectionField.h"
 
 #include <memory>
 #include <optional>

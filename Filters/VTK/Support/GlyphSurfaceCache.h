@@ -4,8 +4,8 @@
 #ifndef GlyphSurfaceCache_h
 #define GlyphSurfaceCache_h
 
-#include "Glyphs/GlyphSurface.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Glyphs/GlyphSurface.h"
 #include "Progress.h"
 
 #include "vtkType.h"
@@ -48,7 +48,7 @@ private:
     std::unique_ptr<GlyphSurface> Glyphs;
   };
 
-  static std::array<State, 3> CellsOf(vtkPolyData* input);
+  static std::array<State, 3> ExtractAll(vtkPolyData* input);
   /// Whether a block has points and cells of these very values, as far as that is told quickly.
   static bool IsOf(vtkPolyData* input, const Block& block);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshes/Surfaces.h"
 #include "Glyphs/DiskGrid.h"
 #include "Glyphs/SurfaceSampling.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 

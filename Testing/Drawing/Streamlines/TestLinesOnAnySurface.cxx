@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Streamlines/FieldLines.h"
-#include "Streamlines/LineGrid.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "Streamlines/LineGrid.h"
+#include "Streamlines/TraceStreamlines.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ using namespace DirectionFields;
 
 namespace
 {
-LineOptions OnSurface(SeedType seeds = SeedType::EvenlySpaced)
+StreamlineOptions OnSurface(SeedType seeds = SeedType::EvenlySpaced)
 {
-  LineOptions options;
+  StreamlineOptions options;
   options.Seeds = seeds;
   options.Offset = 0.0;
   return options;
@@ -39,7 +39,7 @@ PointDirections Along(const Vector3& axis, int degree)
   return directions;
 }
 
-LineSample SampleOf(const FieldLines& lines, std::int64_t point, std::size_t line)
+LineSample SampleOf(const Streamlines& lines, std::int64_t point, std::size_t line)
 {
   LineSample sample;
   sample.Position = lines.Points[point];
@@ -63,7 +63,7 @@ TEST(LinesOnAnySurface, CloseAroundATorus)
   };
   around.Magnitude = [](Index) { return 1.0; };
   const GivenField field(torus, around);
-  const FieldLines lines = TraceFieldLines(field, around, {}, OnSurface());
+  const Streamlines lines = TraceStreamlines(field, around, {}, OnSurface());
   ASSERT_GT(lines.Length.size(), 10u);
   int closed = 0;
   for (std::size_t i = 0; i < lines.Length.size(); ++i)
@@ -111,8 +111,8 @@ TEST(LinesOnAnySurface, EndAtEdgesOfMoreThanTwoTriangles)
   const GivenField field(surface, directions);
   for (Index t = 0; t < static_cast<Index>(surface.Triangles.size()) - 16; t += 5)
   {
-    const FieldLines lines =
-      TraceFieldLines(field, directions, { { t, { 0.3, 0.3, 0.4 } } }, OnSurface(SeedType::Points));
+    const Streamlines lines = TraceStreamlines(
+      field, directions, { { t, { 0.3, 0.3, 0.4 } } }, OnSurface(SeedType::Points));
     ASSERT_EQ(lines.Length.size(), 1u);
     EXPECT_EQ(lines.Ends[0][0], LineEnd::Boundary);
     EXPECT_EQ(lines.Ends[0][1], LineEnd::Boundary);
@@ -135,7 +135,7 @@ TEST(LinesOnAnySurface, RunIntoGhostsButDoNotStartThere)
   }
   const PointDirections directions = Along(Vector3(0.6, 0.8, 0.0), 2);
   const GivenField field(surface, directions);
-  const FieldLines lines = TraceFieldLines(field, directions, {}, OnSurface());
+  const Streamlines lines = TraceStreamlines(field, directions, {}, OnSurface());
   ASSERT_GT(lines.Length.size(), 5u);
   int intoGhosts = 0;
   for (std::size_t i = 0; i < lines.Length.size(); ++i)
@@ -164,7 +164,7 @@ TEST(LinesOnAnySurface, CoverBothSidesOfWhatCannotBeOrientedOnce)
       const PointDirections directions = Fields::Of(result);
       const GivenField field(surface, directions);
       ASSERT_TRUE(field.GetMesh().GetComponents()[0].IsCover);
-      const FieldLines lines = TraceFieldLines(field, directions, {}, OnSurface());
+      const Streamlines lines = TraceStreamlines(field, directions, {}, OnSurface());
       ASSERT_GT(lines.Length.size(), 2u);
       // One side counts as the other.
       LineGrid grid(surface.Points[0], lines.Spacing, degree / 2, true);
@@ -218,9 +218,9 @@ TEST(LinesOnAnySurface, GetOnOverSlivers)
       const GivenField field(surface, directions);
       for (const SeedType seeds : { SeedType::EvenlySpaced, SeedType::Singularities })
       {
-        LineOptions options = OnSurface(seeds);
+        StreamlineOptions options = OnSurface(seeds);
         options.MostLength = 12.0;
-        const FieldLines lines = TraceFieldLines(field, directions, {}, options);
+        const Streamlines lines = TraceStreamlines(field, directions, {}, options);
         EXPECT_TRUE(seeds == SeedType::Singularities || !lines.Length.empty());
         for (const auto& ends : lines.Ends)
         {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Streamlines/FieldLines.h"
-#include "Streamlines/FieldZeros.h"
-#include "Streamlines/TracedLine.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "Streamlines/SingularPoints.h"
+#include "Streamlines/TraceStreamlines.h"
+#include "Streamlines/TracedStreamline.h"
 
 #include <gtest/gtest.h>
 
@@ -62,10 +62,10 @@ TEST(Separatrices, OfLinearFieldsOnThePlaneAreStraight)
       {
         const PointDirections directions = PlanarZero(disk, degree, center, isConjugate);
         const GivenField field(disk, directions);
-        LineOptions options;
+        StreamlineOptions options;
         options.Seeds = SeedType::Singularities;
         options.Offset = 0.0;
-        const FieldLines lines = TraceFieldLines(field, directions, {}, options);
+        const Streamlines lines = TraceStreamlines(field, directions, {}, options);
         const int index = isConjugate ? -1 : 1;
         const int count = (degree - index) * (degree % 2 == 1 ? 2 : 1);
         ASSERT_EQ(static_cast<int>(lines.Length.size()), count) << degree;
@@ -101,10 +101,10 @@ TEST(Separatrices, AreAsManyAsTheIndicesSay)
       const Result result = Fields::Compute(surface, degree);
       const PointDirections directions = Fields::Of(result);
       const GivenField field(surface, directions);
-      LineOptions options;
+      StreamlineOptions options;
       options.Seeds = SeedType::Singularities;
       options.MostLength = 0.5 * std::sqrt(surface.Triangles.size());
-      const FieldLines lines = TraceFieldLines(field, directions, {}, options);
+      const Streamlines lines = TraceStreamlines(field, directions, {}, options);
       std::vector<int> count(lines.Nodes.size(), 0);
       for (std::size_t i = 0; i < lines.Length.size(); ++i)
       {
@@ -146,11 +146,11 @@ TEST(Separatrices, LeaveAlongTheField)
     const Result result = Fields::Compute(surface, degree);
     const PointDirections directions = Fields::Of(result);
     const GivenField field(surface, directions);
-    const FieldZeros zeros(field);
+    const SingularPoints zeros(field);
     for (Index i = 0; i < static_cast<Index>(zeros.GetZeros().size()); ++i)
     {
-      const FieldZero& zero = zeros.GetZeros()[i];
-      const PowerOnTriangle power(
+      const SingularPoint& zero = zeros.GetZeros()[i];
+      const FieldInterpolant power(
         field.GetGeometry(), degree, field.GetSection().data(), zero.Triangle);
       for (const ZeroRay& ray : zeros.Rays(i))
       {

@@ -3,7 +3,7 @@
 
 #include "Computation/SmoothestField.h"
 #include "Drawing/Stripes/Patterns.h"
-#include "Stripes/PhaseRelaxation.h"
+#include "Stripes/PhaseDiffusion.h"
 #include "Stripes/PhaseSmoothing.h"
 #include "Stripes/StripeMatrices.h"
 
@@ -42,7 +42,7 @@ std::vector<double> PhasesOf(const WantedPhases& wanted, const Section& section)
   std::vector<double> phases;
   for (const WantedPhases::Component& component : wanted.GetComponents())
   {
-    const PhaseRelaxation relaxation(wanted, component);
+    const PhaseDiffusion relaxation(wanted, component);
     const std::vector<double> own = relaxation.Phases(section(relaxation));
     phases.insert(phases.end(), own.begin(), own.end());
   }
@@ -52,7 +52,7 @@ std::vector<double> PhasesOf(const WantedPhases& wanted, const Section& section)
 std::vector<double> Relaxed(const WantedPhases& wanted)
 {
   return PhasesOf(wanted,
-    [](const PhaseRelaxation& relaxation)
+    [](const PhaseDiffusion& relaxation)
     {
       ComplexVector psi = relaxation.Start();
       relaxation.Relax({}, psi);
@@ -64,7 +64,7 @@ std::vector<double> Relaxed(const WantedPhases& wanted)
 std::vector<double> OfTheEigenvector(const WantedPhases& wanted)
 {
   return PhasesOf(wanted,
-    [&](const PhaseRelaxation& relaxation)
+    [&](const PhaseDiffusion& relaxation)
     {
       EigenpairSettings settings;
       settings.Scale = relaxation.GetDensity();
@@ -214,7 +214,7 @@ TEST(StripeMatrices, HaveNoEnergyForThePhasesThatAreWanted)
   EXPECT_NEAR(psi.dot(matrices.Mass * psi).real(), geometry.Lengths.ComponentArea[0], 1e-9 * 64.0);
 }
 
-TEST(PhaseRelaxation, MissesLessThanTheSmallestEigenvector)
+TEST(PhaseDiffusion, MissesLessThanTheSmallestEigenvector)
 {
   const auto check = [](const Wanted& wanted, double atMost)
   {
@@ -237,14 +237,14 @@ TEST(PhaseRelaxation, MissesLessThanTheSmallestEigenvector)
   }
 }
 
-TEST(PhaseRelaxation, MissesLittleOfWhatIntegrates)
+TEST(PhaseDiffusion, MissesLittleOfWhatIntegrates)
 {
   const Surface torus = Meshes::Torus(96, 48);
   const Wanted wanted(torus, East(torus), 0.25);
   EXPECT_LT(Misfit(wanted.Phases, Relaxed(wanted.Phases)), 0.02);
   // Phases at random miss all.
   const std::vector<double> random =
-    PhasesOf(wanted.Phases, [](const PhaseRelaxation& relaxation) { return relaxation.Start(); });
+    PhasesOf(wanted.Phases, [](const PhaseDiffusion& relaxation) { return relaxation.Start(); });
   EXPECT_GT(Misfit(wanted.Phases, random), 1.0);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "DirectionField.h"
 #include "Computation/ComponentStage.h"
-#include "Guidance/Guidance.h"
 #include "Computation/Stages.h"
+#include "DirectionField.h"
+#include "Guidance/Guidance.h"
 #include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "DirectionField.h"
 #include "Computation/ComponentStage.h"
 #include "Computation/Stages.h"
+#include "DirectionField.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 

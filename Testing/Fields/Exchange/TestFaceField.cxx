@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Exchange/FaceField.h"
-#include "Interpolation/PowerOnTriangle.h"
-#include "Interpolation/PowerZero.h"
+#include "Interpolation/FieldInterpolant.h"
+#include "Interpolation/InterpolantZero.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 #include "Sections/Singularities.h"
@@ -24,7 +24,7 @@ namespace
 constexpr std::array<double, 3> Middle = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
 
 /// How the section turns on the straight way between two places of a triangle.
-double TurnAlong(const PowerOnTriangle& power, const Complex& from, const Complex& to)
+double TurnAlong(const FieldInterpolant& power, const Complex& from, const Complex& to)
 {
   constexpr int steps = 60;
   double turn = 0.0;
@@ -62,7 +62,7 @@ std::vector<int> IndicesByTheSection(const GivenField& field)
       for (const bool isOut : { true, false })
       {
         const Index at = isOut ? out : in;
-        const PowerOnTriangle power(geometry, n, field.GetSection().data(), at / 3);
+        const FieldInterpolant power(geometry, n, field.GetSection().data(), at / 3);
         const Complex centroid = power.Flat().Place(Middle);
         const Complex edge =
           0.5 * (power.Flat().Corner(at % 3) + power.Flat().Corner((at % 3 + 1) % 3));
@@ -87,7 +87,7 @@ std::vector<int> IndicesByZeros(const GivenField& field)
     {
       continue;
     }
-    const PowerOnTriangle power(
+    const FieldInterpolant power(
       field.GetGeometry(), field.GetDegree(), field.GetSection().data(), t);
     const std::array<double, 3> weights = power.Flat().Weights(FindZero(power, given[t]).Place);
     const auto corner = std::max_element(weights.begin(), weights.end()) - weights.begin();

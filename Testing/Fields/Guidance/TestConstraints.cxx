@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "DirectionField.h"
 #include "Computation/Stages.h"
+#include "DirectionField.h"
 #include "Meshes/Surfaces.h"
 #include "Systems/DirectSystem.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Features/Creases.h"
 #include "Computation/Stages.h"
+#include "Features/Creases.h"
 #include "Geometry/DihedralAngles.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Guidance/CurveGuidance.h"
 #include "DirectionField.h"
 #include "Distance/ClosestPoints.h"
+#include "Guidance/CurveGuidance.h"
 #include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Interpolation/FieldInterpolation.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Interpolation/FieldInterpolation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Interpolation/FieldInterpolant.h"
 #include "Interpolation/GivenField.h"
-#include "Interpolation/PowerOnTriangle.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 

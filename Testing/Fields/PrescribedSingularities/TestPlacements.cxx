@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshes/Fields.h"
-#include "Meshes/Surfaces.h"
 #include "Fields/PrescribedSingularities/Placements.h"
 #include "Fields/PrescribedSingularities/Representable.h"
+#include "Meshes/Fields.h"
+#include "Meshes/Surfaces.h"
 #include "Sections/Singularities.h"
 
 #include <gtest/gtest.h>

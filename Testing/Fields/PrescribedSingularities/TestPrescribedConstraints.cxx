@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Interpolation/PowerOnTriangle.h"
+#include "Fields/PrescribedSingularities/Placements.h"
+#include "Interpolation/FieldInterpolant.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Fields/PrescribedSingularities/Placements.h"
 #include "Sections/DoubleCover.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Fields/PrescribedSingularities/Placements.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Fields/PrescribedSingularities/Placements.h"
 #include "Sections/Singularities.h"
 #include "Support/Threads.h"
 
@@ -52,7 +52,7 @@ double LargestDifference(const SingularityEditor& one, const EditedField& a, con
 
 /// The sums of the rotation around all triangles against 2 pi k - Omega, for a target of a component.
 double LargestDefect(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
-  int degree, const ComponentRotation& rotation, const RotationTarget& target,
+  int degree, const TrivialConnection& rotation, const RotationTarget& target,
   const TurnedField& field)
 {
   double largest = 0.0;
@@ -79,7 +79,7 @@ TEST(PrescribedRotation, SumsUpToTheIndexLessTheHolonomyAroundEachTriangle)
       const GivenField given(surface, Fields::Of(base));
       const SurfaceGeometry& geometry = given.GetGeometry();
       const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[0];
-      ComponentRotation rotation(geometry, component, degree, given.GetSection(), {});
+      TrivialConnection rotation(geometry, component, degree, given.GetSection(), {});
       for (const auto objective : { RotationObjective::Smoothest, RotationObjective::LeastChange })
       {
         std::vector<PrescribedSingularity> wanted;

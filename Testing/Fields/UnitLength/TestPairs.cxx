@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
+#include "Matrices/OperatorProducts.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Sections/Singularities.h"
-#include "Matrices/OperatorProducts.h"
 #include "UnitLength/PairCancellation.h"
 #include "UnitLength/PairPatch.h"
 #include "UnitLength/PhaseDescent.h"
@@ -33,7 +33,7 @@ struct Case : Meshes::System
         UnitEnergyMatrix(*this, this->Mesh.GetComponents()[0], degree, bias, this->Matrices.Energy))
   {
   }
-  UnitProblem Problem() const
+  UnitLengthProblem Problem() const
   {
     return { *this, *this, this->Mesh.GetComponents()[0], this->Degree, this->Energy,
       this->Matrices.Mass, {}, {} };
@@ -74,7 +74,7 @@ double Dipole(const Vector3& p, double distance)
 }
 }
 
-TEST(UnitProblem, OnFlatDelaunayMeshesBothEnergiesAreTheSame)
+TEST(UnitLengthProblem, OnFlatDelaunayMeshesBothEnergiesAreTheSame)
 {
   for (const double bias : { 0.0, -0.7 })
   {
@@ -83,7 +83,7 @@ TEST(UnitProblem, OnFlatDelaunayMeshesBothEnergiesAreTheSame)
   }
 }
 
-TEST(UnitProblem, TheMatrixIsHermitianWithTheEnergyOfUnitSections)
+TEST(UnitLengthProblem, TheMatrixIsHermitianWithTheEnergyOfUnitSections)
 {
   for (const double bias : { 0.0, 0.6 })
   {
@@ -119,7 +119,7 @@ TEST(SingularityPairs, PathsLeadFromThePositiveTriangleToTheNegativeOne)
   const ComplexVector u = flat.Planar([](const Vector3& p) { return Dipole(p, 0.4); });
   const std::vector<int> indices = flat.Indices(u);
   ASSERT_EQ(flat.Count(u), 2);
-  const UnitProblem problem = flat.Problem();
+  const UnitLengthProblem problem = flat.Problem();
   const std::vector<SingularityPair> pairs = FindPairs(problem, indices);
   int inside = 0;
   for (const SingularityPair& pair : pairs)
@@ -151,7 +151,7 @@ TEST(SingularityPairs, AreFoundAcrossNoEdgeWithTwoGivenEnds)
 {
   const Case flat(Square(24), 2);
   const ComplexVector u = flat.Planar([](const Vector3& p) { return Dipole(p, 0.4); });
-  UnitProblem problem = flat.Problem();
+  UnitLengthProblem problem = flat.Problem();
   problem.IsGiven.assign(u.size(), 0);
   for (Index v = 0; v < u.size(); ++v)
   {
@@ -167,7 +167,7 @@ TEST(PairPatch, TellsHowTheEnergyAndTheIndicesChange)
 {
   const Case flat(Square(24), 2);
   ComplexVector u = flat.Planar([](const Vector3& p) { return Dipole(p, 0.25); });
-  const UnitProblem problem = flat.Problem();
+  const UnitLengthProblem problem = flat.Problem();
   PatchNumbers numbers(problem.Rows());
   const std::vector<SingularityPair> pairs = FindPairs(problem, flat.Indices(u));
   const auto pair =
@@ -203,7 +203,7 @@ TEST(PairCancellation, ADipoleOnTheFlatSquareGoes)
       const Case flat(Square(32), degree);
       ComplexVector u = flat.Planar([&](const Vector3& p) { return Dipole(p, distance); });
       ASSERT_EQ(flat.Count(u), 2);
-      const UnitProblem problem = flat.Problem();
+      const UnitLengthProblem problem = flat.Problem();
       PairCancellation cancellation(problem, 0.0);
       const double before = problem.Energy(u);
       EXPECT_EQ(cancellation.Round(u, {}), 1);
@@ -222,7 +222,7 @@ TEST(PairCancellation, FarPairsAreCancelledOnApproval)
   // The path is so long that only narrow patches around it are made: what they leave, descent takes away.
   const Surface torus = Torus(100, 40);
   const Case system(torus, 4);
-  const UnitProblem problem = system.Problem();
+  const UnitLengthProblem problem = system.Problem();
   const Hierarchy hierarchy(system.Matrices, system.Scale);
   const PhaseDescent descent(problem, hierarchy, nullptr);
   Options options;
@@ -255,7 +255,7 @@ TEST(PhaseDescent, NeverRaisesTheEnergyAndReachesTheHarmonicPhase)
     flat.Planar([](const Vector3& p) { return 1.5 * p.x() - 0.8 * p.y(); });
   std::vector<Index> given;
   ComplexVector u = exact;
-  UnitProblem problem = flat.Problem();
+  UnitLengthProblem problem = flat.Problem();
   problem.IsGiven.assign(u.size(), 0);
   for (Index v = 0; v < u.size(); ++v)
   {
@@ -300,7 +300,7 @@ TEST(SingularityMoves, ASingularityGoesToTheMiddleOfTheDisk)
       const double edge = std::atan2(p.y(), p.x());
       return p.norm() > 1.0 - 1e-9 ? edge : std::atan2(p.y() - 0.031, p.x() - 0.613);
     });
-  UnitProblem problem = disk.Problem();
+  UnitLengthProblem problem = disk.Problem();
   problem.IsGiven.assign(u.size(), 0);
   std::vector<Index> given;
   for (Index v = 0; v < u.size(); ++v)

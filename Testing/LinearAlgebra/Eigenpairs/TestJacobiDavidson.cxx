@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "LinearAlgebra/ByMultigrid.h"
-#include "Meshes/Surfaces.h"
 #include "Eigenpairs/DeflatedGradients.h"
 #include "Eigenpairs/Lanczos.h"
 #include "Eigenpairs/NestedIteration.h"
+#include "LinearAlgebra/ByMultigrid.h"
+#include "Meshes/Surfaces.h"
 #include "Multigrid/LevelMatrices.h"
 
 #include <gtest/gtest.h>

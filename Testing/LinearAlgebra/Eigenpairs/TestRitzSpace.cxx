@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Eigenpairs/RitzSpace.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Eigenpairs/RitzSpace.h"
 #include "Multigrid/LevelMatrices.h"
 
 #include <gtest/gtest.h>

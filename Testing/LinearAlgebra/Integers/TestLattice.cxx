@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Charts/IntegerGrid.h"
 #include "Integers/IntegerElimination.h"
 #include "Integers/IntegerRounding.h"
-#include "Charts/Lattice.h"
-#include "SparseCholesky/LatticeSystem.h"
+#include "SparseCholesky/SchurSystem.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -17,45 +17,45 @@ using namespace DirectionFields;
 
 namespace
 {
-LatticePoint RandomPoint(std::mt19937& engine, int range)
+GridPoint RandomPoint(std::mt19937& engine, int range)
 {
   const auto next = [&]
   {
-    return static_cast<std::int64_t>(engine() % (2 * range * Lattice::Unit)) -
-      range * Lattice::Unit;
+    return static_cast<std::int64_t>(engine() % (2 * range * IntegerGrid::Unit)) -
+      range * IntegerGrid::Unit;
   };
   const std::int64_t a = next();
   return { a, next() };
 }
 }
 
-TEST(Lattice, TurnsAreThoseOfThePlane)
+TEST(IntegerGrid, TurnsAreThoseOfThePlane)
 {
   std::mt19937 engine(1);
   for (const int degree : { 4, 6 })
   {
-    const Lattice plane(degree);
+    const IntegerGrid plane(degree);
     for (int k = -degree; k <= degree; ++k)
     {
-      const LatticePoint p = RandomPoint(engine, 100);
+      const GridPoint p = RandomPoint(engine, 100);
       EXPECT_NEAR(
         std::abs(plane.Place(plane.Turned(p, k)) - plane.Root(k) * plane.Place(p)), 0.0, 1e-11);
     }
-    EXPECT_EQ(plane.Turned({ 3, 5 }, degree), (LatticePoint{ 3, 5 }));
+    EXPECT_EQ(plane.Turned({ 3, 5 }, degree), (GridPoint{ 3, 5 }));
   }
 }
 
-TEST(Lattice, TransitionsAreAGroup)
+TEST(IntegerGrid, TransitionsAreAGroup)
 {
   std::mt19937 engine(2);
   for (const int degree : { 4, 6 })
   {
-    const Lattice plane(degree);
+    const IntegerGrid plane(degree);
     for (int i = 0; i < 50; ++i)
     {
       const Transition s{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
       const Transition t{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
-      const LatticePoint p = RandomPoint(engine, 50);
+      const GridPoint p = RandomPoint(engine, 50);
       EXPECT_EQ(plane.Apply(plane.Composed(s, t), p), plane.Apply(s, plane.Apply(t, p)));
       EXPECT_EQ(plane.Composed(s, plane.Inverse(s)), Transition{});
       EXPECT_EQ(plane.Composed(plane.Inverse(s), s), Transition{});
@@ -63,26 +63,26 @@ TEST(Lattice, TransitionsAreAGroup)
   }
 }
 
-TEST(Lattice, OrientationIsExactWhereAreasAreOfOneUnit)
+TEST(IntegerGrid, OrientationIsExactWhereAreasAreOfOneUnit)
 {
   // Far points, the area of whose triangle is one of 2^-36 of a cell: less than doubles resolve.
   const std::int64_t far = (std::int64_t(1) << 38) + 1;
-  const LatticePoint origin{ 0, 0 };
-  EXPECT_EQ(Lattice::Orientation(origin, { far, far - 1 }, { far + 1, far }), 1);
-  EXPECT_EQ(Lattice::Orientation(origin, { far + 1, far }, { far, far - 1 }), -1);
-  EXPECT_EQ(Lattice::Orientation(origin, { far, far }, { 2 * far, 2 * far }), 0);
+  const GridPoint origin{ 0, 0 };
+  EXPECT_EQ(IntegerGrid::Orientation(origin, { far, far - 1 }, { far + 1, far }), 1);
+  EXPECT_EQ(IntegerGrid::Orientation(origin, { far + 1, far }, { far, far - 1 }), -1);
+  EXPECT_EQ(IntegerGrid::Orientation(origin, { far, far }, { 2 * far, 2 * far }), 0);
 }
 
-TEST(Lattice, UnitCellsAreOnOneCircle)
+TEST(IntegerGrid, UnitCellsAreOnOneCircle)
 {
-  constexpr std::int64_t one = Lattice::Unit;
-  const Lattice square(4);
+  constexpr std::int64_t one = IntegerGrid::Unit;
+  const IntegerGrid square(4);
   EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 0, one }));
   EXPECT_TRUE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 1, one - 1 }));
   EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { -1, one }));
   // The six neighbours of a point of the hexagonal lattice are at the same distance.
-  const Lattice hexagonal(6);
-  const LatticePoint p{ one, 0 };
+  const IntegerGrid hexagonal(6);
+  const GridPoint p{ one, 0 };
   EXPECT_FALSE(hexagonal.IsInCircle(
     p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned(p, 4)));
   EXPECT_TRUE(hexagonal.IsInCircle(
@@ -200,13 +200,13 @@ TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
   EXPECT_LE(energy, allAtOnce);
 }
 
-TEST(LatticeSystem, SolvesAmongIntegers)
+TEST(SchurSystem, SolvesAmongIntegers)
 {
   // Springs in a row between 0 and 10, of which the third of four joints is an integer.
-  std::vector<LatticeSystem::Entry> entries = { { 0, 0, 2.0 }, { 1, 1, 2.0 }, { 2, 2, 2.0 },
+  std::vector<SchurSystem::Entry> entries = { { 0, 0, 2.0 }, { 1, 1, 2.0 }, { 2, 2, 2.0 },
     { 3, 3, 2.0 }, { 1, 0, -1.0 }, { 3, 1, -1.0 }, { 3, 2, -1.0 } };
-  const std::vector<LatticeSystem::Entry> kept = entries;
-  LatticeSystem system(entries, 4, 3);
+  const std::vector<SchurSystem::Entry> kept = entries;
+  SchurSystem system(entries, 4, 3);
   ASSERT_TRUE(system.IsDefinite());
   Eigen::VectorXd side(4);
   side << 0.0, 0.0, 10.0, 0.0;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Geometry/SurfaceGeometry.h"
 #include "Distance/TriangleRuns.h"
-#include "Meshes/Surfaces.h"
-#include "TrivialConnection/PoissonSolver.h"
+#include "Geometry/SurfaceGeometry.h"
 #include "Laplacian/LaplacianCycle.h"
+#include "Meshes/Surfaces.h"
 #include "Support/Threads.h"
+#include "TrivialConnection/PoissonSolver.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ struct Problem
   }
 
   SurfaceGeometry Geometry;
-  EdgeForms Forms;
+  DiscreteForms Forms;
 };
 
 Eigen::VectorXd RandomNumbers(Eigen::Index size, unsigned seed)
@@ -134,7 +134,7 @@ TEST(Laplacian, CyclesReduceResidualsOnMeshesOfAnySize)
 TEST(Laplacian, SolutionsHaveTheSameBytesForAnyNumberOfThreads)
 {
   const Problem problem(Meshes::Potato(5));
-  const GivenGroups groups(problem.Geometry.Mesh, problem.Forms.GetComponent(), {});
+  const ConstrainedSets groups(problem.Geometry.Mesh, problem.Forms.GetComponent(), {});
   const Eigen::VectorXd right = RandomNumbers(groups.NumberOfUnknowns, 5);
   Eigen::VectorXd first;
   for (const int number : { 1, 2, 5 })
@@ -161,7 +161,7 @@ TEST(Laplacian, GroupsAreOneUnknown)
   {
     isGiven[v] = mesh.IsBoundary(v) ? 1 : 0;
   }
-  const GivenGroups groups(mesh, problem.Forms.GetComponent(), isGiven);
+  const ConstrainedSets groups(mesh, problem.Forms.GetComponent(), isGiven);
   ASSERT_EQ(groups.Groups.size(), 1U);
   const PoissonSolver solver(problem.Forms, groups);
   Eigen::VectorXd values = Eigen::VectorXd::Zero(groups.NumberOfUnknowns);

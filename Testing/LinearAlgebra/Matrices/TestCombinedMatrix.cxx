@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Meshes/Surfaces.h"
-#include "Meshes/System.h"
 #include "Matrices/CombinedMatrix.h"
 #include "Matrices/OperatorProducts.h"
+#include "Meshes/Surfaces.h"
+#include "Meshes/System.h"
 
 #include <gtest/gtest.h>
 

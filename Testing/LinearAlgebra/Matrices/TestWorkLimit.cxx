@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Matrices/WorkLimit.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Matrices/WorkLimit.h"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Eigenpairs/JacobiDavidson.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Eigenpairs/JacobiDavidson.h"
 #include "Systems/ConjugateGradients.h"
 #include "Systems/DirectSystem.h"
 #include "Systems/FreeSystem.h"

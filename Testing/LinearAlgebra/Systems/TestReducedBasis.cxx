@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "DirectionField.h"
+#include "Eigenpairs/JacobiDavidson.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "Eigenpairs/JacobiDavidson.h"
 #include "Systems/ConjugateGradients.h"
 #include "Systems/ReducedBasis.h"
 

@@ -20,8 +20,8 @@ struct Grid
 {
   template <typename Height>
   Grid(std::vector<ClosestPoints::Corners> triangles, const Height& height)
-    : Ground(triangles)
-    , Domain{ this->Ground, this->NoLines, {}, {} }
+    : SurfaceContext(triangles)
+    , Domain{ this->SurfaceContext, this->NoLines, {}, {} }
   {
     for (int j = 0; j <= Cells; ++j)
     {
@@ -53,7 +53,7 @@ struct Grid
   }
 
   std::vector<ClosestPoints> NoLines;
-  ClosestPoints Ground;
+  ClosestPoints SurfaceContext;
   SmoothingDomain Domain;
   Faces Cover;
   std::vector<Vector3> Points;
@@ -78,7 +78,7 @@ TEST(WorstFaces, DoNotCutOffARidge)
   // The quads in the middle lie over the ridge, half an edge on either side.
   constexpr double slope = 2.0;
   Grid grid(Roof(slope), [](double x) { return -slope * std::abs(x); });
-  const FaceStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
+  const VertexStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
   MovableFaces faces(stars, grid.Domain, grid.Points);
   const auto farthest = [&]
   {
@@ -103,7 +103,7 @@ TEST(WorstFaces, DoNotCutOffARidge)
 TEST(WorstFaces, AreUnfolded)
 {
   Grid grid(Roof(0.0), [](double) { return 0.0; });
-  const FaceStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
+  const VertexStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
   MovableFaces faces(stars, grid.Domain, grid.Points);
   // Over the far side of the quads beside it.
   const Index pulled = 3 * (Cells + 1) + 3;

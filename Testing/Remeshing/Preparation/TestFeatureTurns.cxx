@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Charts/FieldCharts.h"
+#include "Charts/FieldMatching.h"
 #include "Meshes/Surfaces.h"
 #include "Preparation/FeatureTurns.h"
 
@@ -19,7 +19,7 @@ std::vector<Vector3> TurnsOf(const Surface& surface, double length, Index alsoEn
 {
   const SurfaceGeometry geometry(surface);
   const std::vector<Complex> section(geometry.Mesh.GetNumberOfVertices(), Complex(1.0, 0.0));
-  const FieldCharts charts(geometry, 4, section);
+  const FieldMatching charts(geometry, 4, section);
   const std::vector<char> isFrameless = FramelessVertices(geometry, 4, {});
   FeatureLines features(geometry, charts, {}, isFrameless, { length });
   if (alsoEnd != None)

@@ -179,7 +179,7 @@ struct Plates
       domain.Line.push_back(vertex.Line);
       domain.EdgeLength.push_back(1.0);
     }
-    FaceStars stars(
+    VertexStars stars(
       this->Mesh.Cells, static_cast<Index>(this->Mesh.Points.size()), this->Mesh.LineEdges);
     MovableFaces movable(stars, domain, this->Mesh.Points);
     JoinTriangles(stars, movable, this->Mesh.Vertices, true);

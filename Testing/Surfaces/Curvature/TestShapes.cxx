@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Features/Creases.h"
 #include "Curvature/ShapeFit.h"
 #include "Curvature/ShapeSmoothing.h"
+#include "Features/Creases.h"
 #include "Geometry/DihedralAngles.h"
 #include "Meshes/Surfaces.h"
 

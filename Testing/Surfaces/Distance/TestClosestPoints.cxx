@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Improvement/FaceSmoothing.h"
-#include "FaceMesh/Faces.h"
 #include "Distance/ClosestPoints.h"
-#include "Meshes/Surfaces.h"
+#include "FaceMesh/Faces.h"
 #include "Features/KeptFeatures.h"
+#include "Improvement/FaceSmoothing.h"
+#include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -148,7 +148,7 @@ TEST(FaceSmoothing, BringsAGridBackThatWasPulledApart)
       }
     }
   }
-  const FaceStars stars(faces, static_cast<Index>(points.size()));
+  const VertexStars stars(faces, static_cast<Index>(points.size()));
   MovableFaces movable(stars, domain, points);
   RelaxFaces(movable, 60);
   ImproveFaces(movable);

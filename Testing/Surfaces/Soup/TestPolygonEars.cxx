@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Soup/PolygonEars.h"
 #include "Mesh/TriangleMesh.h"
+#include "Soup/PolygonEars.h"
 
 #include <gtest/gtest.h>
 

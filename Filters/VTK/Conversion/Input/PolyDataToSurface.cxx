@@ -5,8 +5,8 @@
 
 #include "Conversion/Input/DuplicatePolygons.h"
 #include "Conversion/Input/PolyDataCheck.h"
-#include "Support/Threads.h"
 #include "Conversion/Input/Triangulator.h"
+#include "Support/Threads.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"

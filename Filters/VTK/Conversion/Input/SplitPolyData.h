@@ -4,8 +4,8 @@
 #ifndef SplitPolyData_h
 #define SplitPolyData_h
 
-#include "DirectionField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "DirectionField.h"
 
 #include "vtkType.h"
 

@@ -3,12 +3,12 @@
 
 #include "Conversion/Output/CellDirections.h"
 
-#include "Exchange/FaceField.h"
 #include "Conversion/Input/FieldArrays.h"
-#include "Distance/ClosestPoints.h"
-#include "Interpolation/GivenField.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Distance/ClosestPoints.h"
+#include "Exchange/FaceField.h"
+#include "Interpolation/GivenField.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -5,9 +5,9 @@
 
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Output/FieldToPolyData.h"
+#include "Conversion/Output/SingularityPoints.h"
 #include "Distance/ClosestPoints.h"
 #include "PrescribedSingularities/EditedResult.h"
-#include "Conversion/Output/SingularPoints.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

@@ -4,8 +4,8 @@
 #ifndef FieldToPolyData_h
 #define FieldToPolyData_h
 
-#include "DirectionField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "DirectionField.h"
 #include "Progress.h"
 
 #include <string>

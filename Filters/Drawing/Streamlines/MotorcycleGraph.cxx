@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Streamlines/MotorcycleGraph.h"
+
+#include "Streamlines/LineMeetings.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr double Never = std::numeric_limits<double>::infinity();
+/// The first round's length, in mean edges.
+constexpr double FirstRound = 8.0;
+/// A line runs into a singularity along a ray of it if it comes from that direction within this angle.
+constexpr double SameRay = Pi;
+
+/// A line that is traced on from round to round.
+struct Motorcycle
+{
+  ZeroRay Ray;
+  std::unique_ptr<StreamlineTrace> Trace;
+  TracedStreamline Line;
+  /// The length at which the trace begins.
+  double Before = 0.0;
+  /// The line that is this one turned around; None without one.
+  Index Reverse = None;
+  /// When it stops, and at which line, as of the last round.
+  double End = Never;
+  Index Stopper = None;
+  bool MeetsReverse = false;
+
+  bool IsTraced() const { return this->Line.Ends[1] != LineEnd::None; }
+  /// When it stops if no other line stops it.
+  double OwnEnd() const { return this->IsTraced() ? this->Line.Length() : Never; }
+};
+
+class Motorcycles
+{
+public:
+  Motorcycles(const TracedField& field, const std::vector<ZeroRay>& rays, double mostLength)
+    : Traced(field)
+    , MostLength(mostLength)
+    , Riders(rays.size())
+  {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      Motorcycle& rider = this->Riders[i];
+      rider.Ray = rays[i];
+      const RayStart start = StartOf(field, rays[i]);
+      rider.Line = BeginOf(rays[i], start);
+      rider.Before = rider.Line.Length();
+      if (start.Start.Triangle != None)
+      {
+        rider.Trace = std::make_unique<StreamlineTrace>(field, start.Start);
+        rider.Trace->StartAtZero(start.FreeUntil);
+      }
+    }
+  }
+
+  std::vector<TracedStreamline> Run(const Progress& progress)
+  {
+    double time = FirstRound;
+    while (true)
+    {
+      this->TraceTo(std::min(2.0 * time, this->MostLength));
+      this->FindReverses();
+      this->FindEnds(time);
+      std::size_t riding = 0;
+      for (const Motorcycle& rider : this->Riders)
+      {
+        riding += rider.End > time ? 1 : 0;
+      }
+      if (riding == 0 || time >= this->MostLength)
+      {
+        break;
+      }
+      progress.Report(1.0 - static_cast<double>(riding) / this->Riders.size());
+      time *= 2.0;
+    }
+    return this->Finished();
+  }
+
+private:
+  void TraceTo(double length)
+  {
+    ParallelFor(static_cast<Index>(this->Riders.size()), 1,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          Motorcycle& rider = this->Riders[i];
+          if (rider.End < Never || rider.IsTraced())
+          {
+            continue;
+          }
+          TracedStreamline& line = rider.Line;
+          while (line.Length() < length)
+          {
+            std::optional<LinePiece> piece = rider.Trace->Next();
+            if (!piece)
+            {
+              line.Ends[1] = rider.Trace->End();
+              line.Zeros[1] = rider.Trace->EndZero();
+              break;
+            }
+            piece->Arc += rider.Before;
+            line.Pieces.push_back(*piece);
+          }
+          if (!rider.IsTraced() && line.Length() >= this->MostLength)
+          {
+            line.Ends[1] = LineEnd::Length;
+          }
+        }
+      });
+  }
+
+  /// Turns each line that has run into a singularity into the one that comes from there.
+  void FindReverses()
+  {
+    for (Index i = 0; i < static_cast<Index>(this->Riders.size()); ++i)
+    {
+      Motorcycle& rider = this->Riders[i];
+      if (rider.Line.Zeros[1] == None || rider.Reverse != None)
+      {
+        continue;
+      }
+      const Index other = this->RayAlong(rider.Line);
+      if (other == None || other == i || this->Riders[other].Reverse != None)
+      {
+        continue;
+      }
+      Motorcycle& reverse = this->Riders[other];
+      const double length = rider.Line.Length();
+      reverse.Line.Pieces.clear();
+      for (auto piece = rider.Line.Pieces.rbegin(); piece != rider.Line.Pieces.rend(); ++piece)
+      {
+        reverse.Line.Pieces.push_back(piece->Reversed());
+        reverse.Line.Pieces.back().Arc += length;
+      }
+      reverse.Line.Ends[1] = LineEnd::Singularity;
+      reverse.Line.Zeros[1] = rider.Line.Zeros[0];
+      rider.Reverse = other;
+      reverse.Reverse = i;
+    }
+  }
+
+  /// The ray of the singularity at a line's end that the line has come along.
+  Index RayAlong(const TracedStreamline& line) const
+  {
+    const LinePiece& last = line.Pieces.back();
+    const SingularPoint& zero = this->Traced.Zeros.GetZeros()[line.Zeros[1]];
+    Complex from = last.Begin;
+    if (last.Triangle != zero.Triangle)
+    {
+      from = Mirrored(this->Traced.Field, last.Triangle, from);
+    }
+    const double angle = std::arg(from - zero.Place);
+    const auto before = [](const Motorcycle& rider, Index number)
+    { return rider.Ray.Zero < number; };
+    auto at = std::lower_bound(this->Riders.begin(), this->Riders.end(), line.Zeros[1], before);
+    Index nearest = None;
+    double least = SameRay;
+    for (; at != this->Riders.end() && at->Ray.Zero == line.Zeros[1]; ++at)
+    {
+      const double turn = std::abs(std::arg(std::polar(1.0, at->Ray.Angle - angle)));
+      // The one that the field runs against, for odd n.
+      const bool fits = this->Traced.Field.GetDegree() % 2 == 0 || at->Ray.Sense == -line.Sense;
+      if (fits && turn < least)
+      {
+        least = turn;
+        nearest = static_cast<Index>(at - this->Riders.begin());
+      }
+    }
+    return nearest;
+  }
+
+  /// Finds when each line stops, up to a time.
+  void FindEnds(double time)
+  {
+    std::vector<const std::vector<LinePiece>*> lines;
+    for (Motorcycle& rider : this->Riders)
+    {
+      lines.push_back(&rider.Line.Pieces);
+    }
+    std::vector<Meeting> meetings = FindMeetings(this->Traced.Field, lines, time,
+      [this](Index a, Index b) { return this->Riders[a].Reverse == b; });
+    for (Index i = 0; i < static_cast<Index>(this->Riders.size()); ++i)
+    {
+      Motorcycle& rider = this->Riders[i];
+      const bool isPair = rider.Reverse != None;
+      rider.End = isPair || rider.OwnEnd() > time ? Never : rider.OwnEnd();
+      rider.Stopper = None;
+      rider.MeetsReverse = false;
+      const double half = 0.5 * rider.Line.Length();
+      if (isPair && rider.Reverse > i && half <= time)
+      {
+        meetings.push_back({ i, rider.Reverse, half, half });
+      }
+    }
+    this->AddMeetingsOfPairs(meetings);
+    std::stable_sort(meetings.begin(), meetings.end(),
+      [](const Meeting& a, const Meeting& b) { return a.Late < b.Late; });
+    for (const Meeting& meeting : meetings)
+    {
+      Motorcycle& rider = this->Riders[meeting.Line];
+      Motorcycle& other = this->Riders[meeting.Other];
+      if (meeting.Late > time || rider.End <= meeting.Late || other.End < meeting.Early)
+      {
+        continue;
+      }
+      if (rider.Reverse == meeting.Other && meeting.Late == 0.5 * rider.Line.Length())
+      {
+        if (other.End > meeting.Early)
+        {
+          rider.End = meeting.Late;
+          other.End = meeting.Early;
+          rider.MeetsReverse = other.MeetsReverse = true;
+        }
+        continue;
+      }
+      rider.End = meeting.Late;
+      rider.Stopper = meeting.Other;
+    }
+    // What is longer than all that is still to come has been found; a line of a pair ends in its
+    // singularity at last, where the other one was stopped.
+    for (Motorcycle& rider : this->Riders)
+    {
+      if (rider.End == Never && rider.OwnEnd() <= time)
+      {
+        rider.End = rider.OwnEnd();
+      }
+    }
+  }
+
+  /// Where a line of a pair crosses itself, the other one crosses it: that is the same line turned around.
+  void AddMeetingsOfPairs(std::vector<Meeting>& meetings) const
+  {
+    const std::size_t count = meetings.size();
+    for (std::size_t m = 0; m < count; ++m)
+    {
+      const Meeting own = meetings[m];
+      const Index reverse = this->Riders[own.Line].Reverse;
+      if (own.Line == own.Other && reverse != None)
+      {
+        const double there = this->Riders[own.Line].Line.Length() - own.Late;
+        meetings.push_back(own.Early > there ? Meeting{ own.Line, reverse, own.Early, there }
+                                             : Meeting{ reverse, own.Line, there, own.Early });
+      }
+    }
+  }
+
+  std::vector<TracedStreamline> Finished()
+  {
+    // Of two that are one edge the second is left out.
+    std::vector<Index> number(this->Riders.size(), None);
+    Index count = 0;
+    for (Index i = 0; i < static_cast<Index>(this->Riders.size()); ++i)
+    {
+      const Motorcycle& rider = this->Riders[i];
+      number[i] = rider.MeetsReverse && rider.Reverse < i ? number[rider.Reverse] : count++;
+    }
+    std::vector<TracedStreamline> lines;
+    for (Index i = 0; i < static_cast<Index>(this->Riders.size()); ++i)
+    {
+      Motorcycle& rider = this->Riders[i];
+      if (number[i] != static_cast<Index>(lines.size()))
+      {
+        continue;
+      }
+      TracedStreamline& line = rider.Line;
+      if (!rider.MeetsReverse && rider.End < line.Length())
+      {
+        Cut(line, rider.End);
+        line.Ends[1] = LineEnd::Crossing;
+        line.Zeros[1] = None;
+        line.Crossed[1] = rider.Stopper == None ? None : number[rider.Stopper];
+      }
+      lines.push_back(std::move(line));
+    }
+    return lines;
+  }
+
+  static void Cut(TracedStreamline& line, double length)
+  {
+    // On an edge, up to rounding, it ends in the triangle where it was found to meet the other one.
+    const double rounding = 1e-8 * (1.0 + length);
+    while (line.Pieces.size() > 1 && line.Pieces.back().Arc > length + rounding)
+    {
+      line.Pieces.pop_back();
+    }
+    LinePiece& last = line.Pieces.back();
+    const double whole = last.Length();
+    const double part = whole > 0.0 ? std::clamp((length - last.Arc) / whole, 0.0, 1.0) : 1.0;
+    last.End = last.Begin + part * (last.End - last.Begin);
+    const Complex direction =
+      last.BeginDirection + part * (last.EndDirection - last.BeginDirection);
+    last.EndDirection = direction / std::abs(direction);
+  }
+
+  const TracedField& Traced;
+  double MostLength;
+  std::vector<Motorcycle> Riders;
+};
+}
+
+std::vector<TracedStreamline> TraceMotorcycleGraph(const TracedField& field,
+  const std::vector<ZeroRay>& rays, double mostLength, const Progress& progress)
+{
+  return Motorcycles(field, rays, mostLength).Run(progress);
+}
+}

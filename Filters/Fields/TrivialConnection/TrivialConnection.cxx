@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TrivialConnection/TrivialConnection.h"
+
+#include "Interpolation/InterpolantZero.h"
+#include "Sections/DoubleCover.h"
+#include "Sections/Singularities.h"
+#include "Support/Threads.h"
+#include "Support/VectorMath.h"
+#include "TrivialConnection/LoopHolonomies.h"
+#include "TrivialConnection/RotationAtPlace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Phases are exact vertex values whatever the residual is; it only tells how close to the least energy the field is.
+constexpr double Tolerance = 1e-6;
+/// Steps in which the rotation is bounded where the least one is too large.
+constexpr int MostRepairs = 16;
+
+/// What a set rotation may be exceeded by.
+constexpr double Rounding = 1e-6;
+/// A singularity of a field is given as the middle of its triangle: what is there has not been moved.
+constexpr double SameWeight = 1e-3;
+bool IsMiddle(const MeshPlace& place)
+{
+  return std::all_of(place.Weights.begin(), place.Weights.end(),
+    [](double weight) { return std::abs(weight - 1.0 / 3.0) < SameWeight; });
+}
+
+/// Sets edges that turn by more than they may to what they may turn.
+/// @return whether there are any
+bool LimitEdges(const EdgeForm& rotation, std::vector<TrivialConnection::SetEdge>& edges)
+{
+  const std::size_t before = edges.size();
+  for (Index e = 0; e < static_cast<Index>(rotation.size()); ++e)
+  {
+    if (std::abs(rotation[e]) > MostRotation + Rounding)
+    {
+      edges.push_back({ e, rotation[e] > 0.0 ? MostRotation : -MostRotation });
+    }
+  }
+  return edges.size() > before;
+}
+
+double Wrapped(double angle)
+{
+  return angle - 2.0 * Pi * std::round(angle / (2.0 * Pi));
+}
+}
+
+TrivialConnection::TrivialConnection(const IntrinsicGeometry& geometry,
+  const TriangleMesh::Component& component, int degree, const std::vector<Complex>& base,
+  const std::vector<char>& isGiven)
+  : Geometry(geometry)
+  , Component(component)
+  , Degree(degree)
+  , Base(base.begin() + component.FirstVertex, base.begin() + component.EndVertex)
+  , Forms(geometry, component)
+  , Groups(geometry.Mesh, component, isGiven)
+  , BaseRotation(PhaseDifferences(geometry, component, degree, this->Base.data()))
+  , BaseIndices(SingularityIndices(geometry, component, degree, this->Base.data()))
+  , Forest(this->Forms, this->Groups)
+{
+}
+
+const PoissonSolver& TrivialConnection::GetSolver()
+{
+  if (!this->Solver)
+  {
+    this->Solver.emplace(this->Forms, this->Groups);
+  }
+  return *this->Solver;
+}
+
+double TrivialConnection::Holonomy(Index localTriangle) const
+{
+  return this->Degree *
+    this->Geometry.Transport.Curvature[this->Component.FirstTriangle + localTriangle];
+}
+
+Eigen::VectorXd TrivialConnection::SolveFor(const EdgeForm& form, Eigen::VectorXd guess,
+  const MergedUnknowns* rigid, const Progress& progress, double& residual)
+{
+  const PoissonSolver& solver = this->GetSolver();
+  const Eigen::VectorXd inflow = solver.Gathered(this->Forms.Inflow(form));
+  PoissonSolver::Problem problem{ inflow };
+  problem.Rigid = rigid;
+  problem.Tolerance = Tolerance;
+  problem.Progress = progress;
+  if (guess.size() == 0)
+  {
+    guess = Eigen::VectorXd::Zero(solver.NumberOfUnknowns());
+  }
+  if (rigid)
+  {
+    rigid->Satisfy(guess);
+  }
+  residual = solver.Solve(problem, guess);
+  return guess;
+}
+
+const TrivialConnection::Harmonic& TrivialConnection::GetHarmonic(const Progress& progress)
+{
+  if (this->Kept)
+  {
+    return *this->Kept;
+  }
+  Harmonic harmonic;
+  const std::size_t count = this->Forest.GetGenerators().size();
+  harmonic.Products.resize(static_cast<Index>(count), static_cast<Index>(count));
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    harmonic.Forms.push_back(this->Forest.FormOf(j));
+    EdgeForm form(this->Component.Edges(), 0.0);
+    for (const TreeCotree::Term& term : harmonic.Forms[j])
+    {
+      form[term.Edge] = term.Value;
+    }
+    double residual = 0.0;
+    harmonic.Potentials.push_back(this->SolveFor(form, {}, nullptr, progress, residual));
+    this->Forms.SubtractRise(this->GetSolver().Spread(harmonic.Potentials[j]), form);
+    for (std::size_t i = 0; i <= j; ++i)
+    {
+      double product = 0.0;
+      for (const TreeCotree::Term& term : harmonic.Forms[i])
+      {
+        product += this->Forms.Weight(term.Edge) * term.Value * form[term.Edge];
+      }
+      harmonic.Products(static_cast<Index>(i), static_cast<Index>(j)) = product;
+      harmonic.Products(static_cast<Index>(j), static_cast<Index>(i)) = product;
+    }
+  }
+  this->Kept = std::move(harmonic);
+  return *this->Kept;
+}
+
+void TrivialConnection::ChooseTurning(
+  EdgeForm& form, Eigen::VectorXd& potential, const Progress& progress)
+{
+  const Harmonic& harmonic = this->GetHarmonic(progress);
+  const auto count = static_cast<Index>(harmonic.Forms.size());
+  EdgeForm rotation = form;
+  this->Forms.SubtractRise(this->GetSolver().Spread(potential), rotation);
+  Eigen::VectorXd slope(count);
+  for (Index j = 0; j < count; ++j)
+  {
+    slope[j] = 0.0;
+    for (const TreeCotree::Term& term : harmonic.Forms[j])
+    {
+      slope[j] += this->Forms.Weight(term.Edge) * term.Value * rotation[term.Edge] / (2.0 * Pi);
+    }
+  }
+  const Eigen::VectorXi turns = NearestIntegers(harmonic.Products, slope);
+  for (Index j = 0; j < count; ++j)
+  {
+    if (turns[j] != 0)
+    {
+      for (const TreeCotree::Term& term : harmonic.Forms[j])
+      {
+        form[term.Edge] += 2.0 * Pi * turns[j] * term.Value;
+      }
+      potential += 2.0 * Pi * turns[j] * harmonic.Potentials[j];
+    }
+  }
+}
+
+std::optional<std::array<double, 3>> TrivialConnection::RotationsAt(
+  const RotationTarget& target, Index localTriangle, const MeshPlace* place) const
+{
+  const Index triangle = this->Component.FirstTriangle + localTriangle;
+  const int index = target.Indices[localTriangle];
+  if (target.Objective == RotationObjective::LeastChange &&
+    index == this->BaseIndices[localTriangle] && (!place || IsMiddle(*place)))
+  {
+    return std::array<double, 3>{ this->Forms.Along(this->BaseRotation, 3 * triangle),
+      this->Forms.Along(this->BaseRotation, 3 * triangle + 1),
+      this->Forms.Along(this->BaseRotation, 3 * triangle + 2) };
+  }
+  const FlatTriangle flat(this->Geometry, triangle);
+  std::array<double, 3> weights = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
+  if (place)
+  {
+    weights = place->Weights;
+  }
+  else if (index != 0 && index == this->BaseIndices[localTriangle])
+  {
+    const FieldInterpolant power(
+      this->Geometry, this->Degree, this->Base.data() - this->Component.FirstVertex, triangle);
+    weights = flat.Weights(FindZero(power, index > 0 ? 1 : -1).Place);
+  }
+  return RotationAround(flat, weights, index, this->Holonomy(localTriangle));
+}
+
+MergedUnknowns TrivialConnection::MakeRigid(const RotationTarget& target, const EdgeForm& form,
+  const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
+  const Eigen::VectorXd* groupValues) const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  MergedUnknowns sets(this->Groups.NumberOfUnknowns);
+  const std::vector<Index>& groups = this->Groups.Groups;
+  for (std::size_t g = 1; groupValues && g < groups.size(); ++g)
+  {
+    const double difference = (*groupValues)[groups[g]] - (*groupValues)[groups[0]];
+    sets.Join(groups[0], groups[g], 2.0 * Pi * std::round(difference / (2.0 * Pi)));
+  }
+  const auto add = [&](Index localTriangle, const MeshPlace* place)
+  {
+    const Index first = 3 * (this->Component.FirstTriangle + localTriangle);
+    std::array<Index, 3> corner;
+    for (int c = 0; c < 3; ++c)
+    {
+      corner[c] = this->Groups.UnknownOf(mesh.Tail(first + c) - this->Component.FirstVertex);
+    }
+    if (sets.AreJoined(corner[0], corner[1]) || sets.AreJoined(corner[1], corner[2]) ||
+      sets.AreJoined(corner[2], corner[0]))
+    {
+      return;
+    }
+    if (const auto rotation = this->RotationsAt(target, localTriangle, place))
+    {
+      for (int c = 0; c < 2; ++c)
+      {
+        sets.Join(corner[c], corner[c + 1], this->Forms.Along(form, first + c) - (*rotation)[c]);
+      }
+    }
+  };
+  std::vector<char> isDone = isLoose;
+  isDone.resize(target.Indices.size(), 0);
+  for (const MeshPlace& place : target.Places)
+  {
+    const Index t = place.Triangle - this->Component.FirstTriangle;
+    if (target.Indices[t] != 0 && !isDone[t])
+    {
+      isDone[t] = 1;
+      add(t, &place);
+    }
+  }
+  const bool keeps = target.Objective == RotationObjective::LeastChange;
+  for (Index t = 0; t < static_cast<Index>(target.Indices.size()); ++t)
+  {
+    if (!isDone[t] && (target.Indices[t] != 0 || (keeps && this->BaseIndices[t] != 0)))
+    {
+      add(t, nullptr);
+    }
+  }
+  for (const SetEdge& edge : edges)
+  {
+    const Index h = mesh.HalfEdge(this->Component.FirstEdge + edge.Edge);
+    sets.Join(this->Groups.UnknownOf(this->Forms.LocalTail(h)),
+      this->Groups.UnknownOf(this->Forms.LocalHead(h)), form[edge.Edge] - edge.Rotation);
+  }
+  sets.Close();
+  return sets;
+}
+
+/// Lets singular triangles loose that touch one whose index is wrong.
+/// @return whether there are any
+bool TrivialConnection::Loosen(
+  const RotationTarget& target, const std::vector<Index>& wrong, std::vector<char>& isLoose) const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  isLoose.resize(target.Indices.size(), 0);
+  bool hasChanged = false;
+  std::vector<Index> fan;
+  for (const Index t : wrong)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      mesh.GetFan(mesh.Tail(3 * (this->Component.FirstTriangle + t) + c), fan);
+      for (const Index h : fan)
+      {
+        const Index near = h / 3 - this->Component.FirstTriangle;
+        if ((target.Indices[near] != 0 || this->BaseIndices[near] != 0) && !isLoose[near])
+        {
+          isLoose[near] = 1;
+          hasChanged = true;
+        }
+      }
+    }
+  }
+  return hasChanged;
+}
+
+void TrivialConnection::SetTurn(
+  const Eigen::VectorXd& potential, const EdgeForm& whole, TurnedField& field)
+{
+  Eigen::VectorXd turned = potential;
+  if (!this->Groups.Groups.empty())
+  {
+    // The groups are where they were, up to whole turns.
+    turned.array() -= Wrapped(turned[this->Groups.Groups.front()]);
+  }
+  field.Turn = this->GetSolver().Spread(turned);
+  field.Rotation = whole;
+  this->Forms.SubtractRise(field.Turn, field.Rotation);
+}
+
+TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress& progress)
+{
+  TurnedField field;
+  std::vector<int> change(target.Indices.size());
+  std::transform(target.Indices.begin(), target.Indices.end(), this->BaseIndices.begin(),
+    change.begin(), std::minus<>());
+  const IntegerForm jumps = this->Forest.Route(std::move(change));
+  // What is to be made small: all rotation, or what is added to that of the base.
+  EdgeForm form(this->Component.Edges());
+  const bool keeps = target.Objective == RotationObjective::LeastChange;
+  for (Index e = 0; e < this->Component.Edges(); ++e)
+  {
+    form[e] = 2.0 * Pi * jumps[e] + (keeps ? 0.0 : this->BaseRotation[e]);
+  }
+  Eigen::VectorXd potential;
+  progress.Report(0.3);
+  const std::size_t loops = this->Forest.GetGenerators().size();
+  const bool chooses = loops > 0 && loops <= MostLoops;
+  const bool hasGroups = this->Groups.Groups.size() > 1;
+  if (chooses || hasGroups)
+  {
+    potential = this->SolveFor(form, std::move(potential), nullptr, progress, field.Residual);
+  }
+  if (chooses)
+  {
+    this->ChooseTurning(form, potential, progress);
+  }
+  progress.Report(0.6);
+  // Rigid triangles count in the rotation of the field itself.
+  EdgeForm whole = form;
+  for (Index e = 0; keeps && e < this->Component.Edges(); ++e)
+  {
+    whole[e] += this->BaseRotation[e];
+  }
+  const Eigen::VectorXd groupValues = potential;
+  std::vector<char> isLoose;
+  std::vector<SetEdge> edges;
+  TurnedField attempt;
+  std::size_t leastWrong = static_cast<std::size_t>(this->Component.Triangles()) + 1;
+  for (int repairs = 0; repairs < MostRepairs; ++repairs)
+  {
+    const MergedUnknowns rigid =
+      this->MakeRigid(target, whole, isLoose, edges, hasGroups ? &groupValues : nullptr);
+    potential = this->SolveFor(form, std::move(potential), &rigid, progress, attempt.Residual);
+    this->SetTurn(potential, whole, attempt);
+    const std::vector<Index> wrong = this->WrongTriangles(target, attempt);
+    if (wrong.empty())
+    {
+      field = std::move(attempt);
+      break;
+    }
+    if (wrong.size() < leastWrong)
+    {
+      leastWrong = wrong.size();
+      field = attempt;
+    }
+    // Where singularities are too near to each other, it is the edges that have to be bounded.
+    if (this->Loosen(target, wrong, isLoose))
+    {
+      edges.clear();
+    }
+    else if (!LimitEdges(attempt.Rotation, edges))
+    {
+      break;
+    }
+  }
+  field.KeepsTurningNumbers = loops > MostLoops;
+  field.Energy = this->Forms.Product(field.Rotation, field.Rotation);
+  field.TurningNumbers =
+    LoopHolonomies(this->Geometry, this->Component, this->Degree, this->Forest, field.Rotation);
+  return field;
+}
+
+ComplexVector TrivialConnection::SectionOf(const TurnedField& field) const
+{
+  ComplexVector section(this->Component.Vertices());
+  // The phase that is open is the one in which the field is closest to the base.
+  double phase = 0.0;
+  if (this->Groups.Groups.empty())
+  {
+    const Complex overlap = ParallelSum<Complex>(this->Component.Vertices(), LightPiece, 0.0,
+      [&](Index begin, Index end)
+      {
+        Complex sum = 0.0;
+        ForCosinesAndSines(
+          begin, end, [&](Index v) { return field.Turn[v]; },
+          [&](Index v, double cosine, double sine)
+          { sum += std::norm(this->Base[v]) * Complex(cosine, sine); });
+        return sum;
+      });
+    phase = std::arg(overlap);
+  }
+  ParallelFor(this->Component.Vertices(), LightPiece,
+    [&](Index begin, Index end)
+    {
+      ForCosinesAndSines(
+        begin, end, [&](Index v) { return phase - field.Turn[v]; },
+        [&](Index v, double cosine, double sine)
+        {
+          const double modulus = Modulus(this->Base[v]);
+          section[v] =
+            (modulus > 0.0 ? this->Base[v] / modulus : Complex(1.0)) * Complex(cosine, sine);
+        });
+    });
+  if (this->Component.IsCover)
+  {
+    SparseMatrix identity(section.size(), section.size());
+    identity.setIdentity();
+    DoubleCover(this->Geometry, this->Component, this->Degree).MakeSymmetric(section, identity);
+    for (Complex& value : section)
+    {
+      const double modulus = Modulus(value);
+      value = modulus > 0.0 ? value / modulus : Complex(1.0);
+    }
+  }
+  return section;
+}
+
+std::vector<Index> TrivialConnection::WrongTriangles(
+  const RotationTarget& target, const TurnedField& field) const
+{
+  const bool isSmall = ParallelSum(this->Component.Edges(), LightPiece, 0,
+                         [&](Index begin, Index end)
+                         {
+                           int large = 0;
+                           for (Index e = begin; e < end; ++e)
+                           {
+                             large += std::abs(field.Rotation[e]) > Pi - Rounding ? 1 : 0;
+                           }
+                           return large;
+                         }) == 0;
+  // Rotations below a half turn are not changed by being wrapped.
+  if (isSmall && !this->Component.IsCover)
+  {
+    return {};
+  }
+  const ComplexVector section = this->SectionOf(field);
+  const std::vector<int> indices =
+    SingularityIndices(this->Geometry, this->Component, this->Degree, section.data());
+  std::vector<Index> wrong;
+  for (Index t = 0; t < static_cast<Index>(indices.size()); ++t)
+  {
+    if (indices[t] != target.Indices[t])
+    {
+      wrong.push_back(t);
+    }
+  }
+  return wrong;
+}
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_TrivialConnection_h
+#define DirectionFields_TrivialConnection_h
+
+#include "Distance/SurfaceDistance.h"
+#include "Progress.h"
+#include "TrivialConnection/ConstrainedSets.h"
+#include "TrivialConnection/DiscreteForms.h"
+#include "TrivialConnection/PoissonSolver.h"
+#include "TrivialConnection/TreeCotree.h"
+
+#include <optional>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// What a field with prescribed singularities is to be like besides them.
+enum class RotationObjective
+{
+  /// The field turns as little as possible.
+  Smoothest = 0,
+  /// The field turns as little as possible against the one that there was.
+  LeastChange = 1
+};
+
+/// The singularities that a component is to have.
+struct RotationTarget
+{
+  /// Of each triangle of the component, in units of 1/n.
+  std::vector<int> Indices;
+  /// Where in their triangles singularities are, with weights of the mesh's corners. Others are where the base vanishes.
+  std::vector<MeshPlace> Places;
+  RotationObjective Objective = RotationObjective::Smoothest;
+};
+
+/// A field of a component whose singularities are prescribed.
+struct TurnedField
+{
+  /// By how much the base is turned back at each vertex, n times the angle of the directions, radians.
+  Eigen::VectorXd Turn;
+  /// How much the field turns along each edge, not wrapped: its sum around each triangle is 2 pi k - Omega.
+  EdgeForm Rotation;
+  /// How often the directions turn against each loop of the component (see TreeCotree), in units of 1/n.
+  std::vector<int> TurningNumbers;
+  /// The sum over the edges of weight times the square of the rotation.
+  double Energy = 0.0;
+  /// Relative residual of the linear system.
+  double Residual = 0.0;
+  /// The component has too many loops for the best turning numbers to be looked for.
+  bool KeepsTurningNumbers = false;
+};
+
+/// The fields of one component whose singularities are prescribed: trivial connections (K. Crane, M. Desbrun,
+/// P. Schröder, Trivial Connections on Discrete Surfaces, 2010) in terms of the vertices. The rotation w of a field
+/// along the edges, over the parallel transport, has the sum 2 pi k - Omega around each triangle, and is the one of
+/// least energy. It differs from that of a base field by integers times 2 pi along edges and by the rise of a function,
+/// by which the base's directions are turned. So directions are consistent however exactly the function is known, and
+/// the indices are the prescribed ones wherever the rotation stays below pi.
+///
+/// What depends on the base and the component only is kept: each field takes one linear system with a hierarchy that
+/// is there.
+class TrivialConnection
+{
+public:
+  /// All but base and isGiven must outlive this.
+  /// @param base    representation vector of each vertex of the mesh; 0 counts as 1
+  /// @param isGiven whether the base's directions are to stay, of each vertex of the mesh; empty for nowhere
+  TrivialConnection(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
+    int degree, const std::vector<Complex>& base, const std::vector<char>& isGiven);
+
+  /// Throws Stopped.
+  TurnedField Turn(const RotationTarget& target, const Progress& progress);
+  const std::vector<int>& GetBaseIndices() const { return this->BaseIndices; }
+  const TreeCotree& GetForest() const { return this->Forest; }
+  const ConstrainedSets& GetGroups() const { return this->Groups; }
+  const DiscreteForms& GetForms() const { return this->Forms; }
+  /// Made when it is first asked for.
+  const PoissonSolver& GetSolver();
+
+  /// The section of a field, of modulus 1.
+  ComplexVector SectionOf(const TurnedField& field) const;
+  /// The triangles of the component, counted from its first one, whose index is not that of the target.
+  std::vector<Index> WrongTriangles(const RotationTarget& target, const TurnedField& field) const;
+
+  /// An edge along which the rotation is set, counted from the component's first one.
+  struct SetEdge
+  {
+    Index Edge;
+    double Rotation;
+  };
+  /// The corners of singular triangles, joined by the rotations along their edges.
+  /// @param form        what of the rotation along the edges there would be without any turn
+  /// @param edges       other edges whose ends are joined, too
+  /// @param isLoose     not 0 for triangles whose rotations are not set; empty for none
+  /// @param groupValues where the groups would be, which are joined at whole turns near that; null for not
+  MergedUnknowns MakeRigid(const RotationTarget& target, const EdgeForm& form,
+    const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
+    const Eigen::VectorXd* groupValues) const;
+
+  /// More loops than this keep the turning numbers of the base.
+  static constexpr std::size_t MostLoops = 64;
+
+private:
+  /// Forms of the generators with no divergence, up to 2 pi, and their products.
+  struct Harmonic
+  {
+    std::vector<std::vector<TreeCotree::Term>> Forms;
+    /// What makes each of the forms harmonic when its rise is taken away.
+    std::vector<Eigen::VectorXd> Potentials;
+    Eigen::MatrixXd Products;
+  };
+
+  const Harmonic& GetHarmonic(const Progress& progress);
+  Eigen::VectorXd SolveFor(const EdgeForm& form, Eigen::VectorXd guess, const MergedUnknowns* rigid,
+    const Progress& progress, double& residual);
+  double Holonomy(Index localTriangle) const;
+  std::optional<std::array<double, 3>> RotationsAt(
+    const RotationTarget& target, Index localTriangle, const MeshPlace* place) const;
+  bool Loosen(const RotationTarget& target, const std::vector<Index>& wrong,
+    std::vector<char>& isLoose) const;
+  void SetTurn(const Eigen::VectorXd& potential, const EdgeForm& whole, TurnedField& field);
+  void ChooseTurning(EdgeForm& form, Eigen::VectorXd& potential, const Progress& progress);
+
+  const IntrinsicGeometry& Geometry;
+  const TriangleMesh::Component& Component;
+  int Degree;
+  /// The base on this component.
+  std::vector<Complex> Base;
+  DiscreteForms Forms;
+  ConstrainedSets Groups;
+  EdgeForm BaseRotation;
+  std::vector<int> BaseIndices;
+  TreeCotree Forest;
+  std::optional<PoissonSolver> Solver;
+  std::optional<Harmonic> Kept;
+};
+}
+
+#endif

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "UnitLength/UnitLengthField.h"
+
+#include "Sections/Singularities.h"
+#include "UnitLength/PairCancellation.h"
+#include "UnitLength/PhaseDescent.h"
+#include "UnitLength/SingularityMoves.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// How much is done for a field.
+struct Plan
+{
+  /// The times of diffusion, over the inverse of the rate. They end with short ones, which leave little for the
+  /// descent to smooth.
+  std::vector<double> DiffusionTimes;
+  /// V-cycles for each of them.
+  int DiffusionCycles;
+  /// Sweeps over the singularities that might move.
+  int Sweeps;
+};
+
+/// The smoothest field's singularities are nearly where they belong.
+const Plan FreePlan{ { 0.3, 0.1, 0.03, 0.01 }, 1, 2 };
+/// Those of linear systems with given values may be far away, in the middle of what they left open.
+const Plan GivenPlan{ { 3.0, 3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.1, 0.03, 0.01 }, 3, 12 };
+
+/// Later rounds look at what has changed only, and find little that the first has left.
+constexpr int Rounds = 3;
+/// The descent ends where a step lowers the energy by less than this part.
+constexpr double Decrease = 3e-4;
+constexpr int StepsBetween = 5;
+constexpr int LastSteps = 12;
+/// So many steps, down to this part, are to show that pairs were worth cancelling on approval, and follow on moves.
+constexpr int StepsOfApproval = 10;
+constexpr int StepsOfMoves = 3;
+constexpr double RoughDecrease = 1e-3;
+/// Energies below this, which has no unit, are those of parallel fields, up to rounding: there is nothing to gain.
+constexpr double Parallel = 1e-9;
+
+/// The way from a start to a unit field.
+class Improvement
+{
+public:
+  Improvement(const UnitLengthProblem& problem, const Hierarchy& hierarchy,
+    const FreeVertices* free, const UnitLengthSettings& settings, const Progress& progress,
+    ComplexVector& u)
+    : Problem(problem)
+    , Settings(settings)
+    , Progress(progress)
+    , Descent(problem, hierarchy, free)
+    , U(u)
+  {
+    MakeUnit(this->U);
+    this->Report.EnergyBefore = problem.Energy(this->U);
+    this->Report.EnergyAfter = this->Report.EnergyBefore;
+  }
+
+  UnitLengthReport Run()
+  {
+    if (std::abs(this->Report.EnergyBefore) < Parallel)
+    {
+      return this->Report;
+    }
+    const ComplexVector start = this->U;
+    const Plan& plan = this->Problem.IsGiven.empty() ? FreePlan : GivenPlan;
+    for (const double time : plan.DiffusionTimes)
+    {
+      this->Progress.RequireToGoOn();
+      this->Descent.Diffuse(
+        this->Settings.Pull + this->Settings.Rate / time, plan.DiffusionCycles, this->U);
+      ++this->Report.Steps;
+    }
+    this->Polish(this->U, Decrease, StepsBetween);
+    PairCancellation pairs(this->Problem, this->Settings.SingularityCost);
+    for (int round = 0; round < Rounds; ++round)
+    {
+      this->Progress.Report(0.2 + 0.3 * round);
+      const int cancelled = pairs.Round(this->U, this->Progress);
+      this->Report.CancelledPairs += cancelled;
+      if (cancelled > 0)
+      {
+        this->Polish(this->U, Decrease, StepsBetween);
+      }
+      if (!this->CancelOnApproval(pairs) && cancelled == 0)
+      {
+        break;
+      }
+    }
+    this->Progress.Report(0.8);
+    this->MoveSingularities(plan.Sweeps);
+    this->Polish(this->U, Decrease, LastSteps);
+    this->Report.EnergyAfter = this->Problem.Energy(this->U);
+    if (this->Price(this->U, this->Report.EnergyAfter) >
+      this->Price(start, this->Report.EnergyBefore))
+    {
+      this->U = start;
+      this->Report.EnergyAfter = this->Report.EnergyBefore;
+      this->Report.CancelledPairs = 0;
+    }
+    return this->Report;
+  }
+
+private:
+  void Polish(ComplexVector& u, double decrease, int mostSteps)
+  {
+    this->Report.Steps +=
+      this->Descent.Polish(this->Settings.Pull, decrease, mostSteps, this->Progress, u);
+  }
+
+  void MoveSingularities(int sweeps)
+  {
+    SingularityMoves moves(this->Problem);
+    for (int sweep = 0; sweep < sweeps && !moves.IsDone(); ++sweep)
+    {
+      this->Progress.RequireToGoOn();
+      if (moves.Sweep(this->U) > 0)
+      {
+        this->Polish(this->U, RoughDecrease, StepsOfMoves);
+      }
+    }
+  }
+
+  /// Cancels the pairs that are predicted to pay off, and takes all of them back if they do not.
+  bool CancelOnApproval(PairCancellation& pairs)
+  {
+    ComplexVector tried = this->U;
+    const int cancelled = pairs.CancelOnApproval(tried);
+    if (cancelled == 0)
+    {
+      return false;
+    }
+    this->Polish(tried, RoughDecrease, StepsOfApproval);
+    if (!(this->Price(tried, this->Problem.Energy(tried)) <
+          this->Price(this->U, this->Problem.Energy(this->U))))
+    {
+      return false;
+    }
+    this->U = std::move(tried);
+    this->Report.CancelledPairs += cancelled;
+    return true;
+  }
+
+  /// The energy and what the singularities cost.
+  double Price(const ComplexVector& u, double energy) const
+  {
+    if (this->Settings.SingularityCost == 0.0)
+    {
+      return energy;
+    }
+    double count = 0.0;
+    for (const int index : SingularityIndices(
+           this->Problem.Geometry, this->Problem.Component, this->Problem.Degree, u.data()))
+    {
+      count += std::abs(index);
+    }
+    return energy + this->Settings.SingularityCost * count;
+  }
+
+  const UnitLengthProblem& Problem;
+  const UnitLengthSettings& Settings;
+  const DirectionFields::Progress& Progress;
+  PhaseDescent Descent;
+  ComplexVector& U;
+  UnitLengthReport Report;
+};
+}
+
+UnitLengthReport MakeUnitLength(const UnitLengthProblem& problem, const Hierarchy& hierarchy,
+  const FreeVertices* free, const UnitLengthSettings& settings, const Progress& progress,
+  ComplexVector& u)
+{
+  return Improvement(problem, hierarchy, free, settings, progress, u).Run();
+}
+}

@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Improvement/QualityRepair.h"
+
+#include "FaceMesh/FaceRules.h"
+#include "Improvement/WorstFaces.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+constexpr int Passes = 3;
+/// Faces that are looked at: so many, and one of so many. Where more are bad the surface is rough, or has no good map.
+constexpr Index MostAnyway = 16;
+constexpr Index OneOf = 64;
+/// Faces of a scaled Jacobian below the first are mended; above the second they are as good as they need be.
+constexpr double Bad = 0.3;
+constexpr double GoodEnough = 0.4;
+/// What an irregular vertex, which counts 10, takes off how good the faces are.
+constexpr double PerGrowth = 0.004;
+/// What is gained at least.
+constexpr double LeastGain = 0.03;
+/// Middles of faces are at most as far from the surface as this, in lengths of edges, unless they were.
+constexpr double FarthestMiddle = 0.35;
+/// First edits that are followed by a second one.
+constexpr std::size_t MostPairs = 6;
+constexpr int Moves = 6;
+/// Edits that look best after a few moves, which are looked at thoroughly.
+constexpr std::size_t MostLooks = 12;
+
+class Mends
+{
+public:
+  Mends(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules,
+    bool mayMakeTriangles)
+    : Cells(faces)
+    , Places(places)
+    , Edits(faces, std::move(rules))
+    , IsNearHub(FindVerticesNearHubs(faces, places))
+    , MayMakeTriangles(mayMakeTriangles)
+  {
+  }
+
+  /// Vertices that edits have made are away from hubs.
+  bool MayMend(Index f) const
+  {
+    const Faces::Face& face = this->Cells.Face(f);
+    return std::none_of(face.begin(), face.begin() + Faces::Size(face),
+      [&](Index v)
+      { return static_cast<std::size_t>(v) < this->IsNearHub.size() && this->IsNearHub[v] != 0; });
+  }
+
+  double Quality(Index f) const
+  {
+    return ScaledJacobian(this->Places.GetPoints(), this->Cells.Face(f));
+  }
+
+  bool Mend(Index f)
+  {
+    const std::size_t start = this->Cells.GetChanges().size();
+    std::vector<Trial> trials;
+    this->GrownBefore = 0;
+    this->TryAll(this->CornersOf({ f }), {}, start, 0.0, trials);
+    const auto isBetter = [](const Trial& a, const Trial& b) { return a.Gain > b.Gain; };
+    std::stable_sort(trials.begin(), trials.end(), isBetter);
+    const bool isEnough = !trials.empty() && trials.front().IsMended;
+    if (!isEnough)
+    {
+      const std::size_t count = std::min(trials.size(), MostPairs);
+      double best = trials.empty() ? 0.0 : trials.front().Gain;
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        const FaceEdits::Edit first = trials[k].Edits.front();
+        this->GrownBefore = this->Edits.GrowthBy(first);
+        if (this->Edits.Do(first))
+        {
+          best = std::max(best, LeastGain);
+          this->TryAll(this->Cells.TouchedSince(start), { first }, start, best, trials);
+          for (const Trial& trial : trials)
+          {
+            best = std::max(best, trial.Gain);
+          }
+        }
+        this->Cells.UndoTo(start);
+      }
+      std::stable_sort(trials.begin(), trials.end(), isBetter);
+    }
+    if (trials.empty() || trials.front().Gain < LeastGain)
+    {
+      return false;
+    }
+    for (const FaceEdits::Edit& edit : trials.front().Edits)
+    {
+      this->Edits.Do(edit);
+    }
+    this->Settle(this->Cells.TouchedSince(start), true);
+    return true;
+  }
+
+private:
+  struct Trial
+  {
+    std::vector<FaceEdits::Edit> Edits;
+    double Gain;
+    /// No bad face is left.
+    bool IsMended;
+  };
+
+  struct Look
+  {
+    FaceEdits::Edit Edit;
+    int Grown;
+    double Gain;
+  };
+
+  std::vector<Index> CornersOf(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> corners;
+    for (const Index f : faces)
+    {
+      const Faces::Face& face = this->Cells.Face(f);
+      corners.insert(corners.end(), face.begin(), face.begin() + Faces::Size(face));
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+  }
+
+  static bool IsSame(const FaceEdits::Edit& a, const FaceEdits::Edit& b)
+  {
+    return a.First == b.First && a.Second == b.Second && a.Way == b.Way;
+  }
+
+  /// Tries each edit of faces at the vertices, after those that are done already.
+  void TryAll(const std::vector<Index>& vertices, const std::vector<FaceEdits::Edit>& done,
+    std::size_t start, double least, std::vector<Trial>& trials)
+  {
+    std::vector<FaceEdits::Edit> edits;
+    for (const Index v : vertices)
+    {
+      for (const auto& found : { this->Edits.Find(v), this->Edits.FindForBadFaces(v) })
+      {
+        std::copy_if(found.begin(), found.end(), std::back_inserter(edits),
+          [&](const FaceEdits::Edit& edit)
+          {
+            return std::none_of(edits.begin(), edits.end(),
+              [&](const FaceEdits::Edit& other) { return IsSame(edit, other); });
+          });
+      }
+    }
+    std::vector<Look> looks;
+    const std::size_t before = this->Cells.GetChanges().size();
+    for (const FaceEdits::Edit& edit : edits)
+    {
+      const int grown = this->Edits.GrowthBy(edit) + this->GrownBefore;
+      if (this->Edits.Do(edit))
+      {
+        const bool mayBe = this->MayMakeTriangles || !this->HasTriangleSince(start);
+        const std::optional<Trial> trial =
+          mayBe ? this->Try(start, grown, least, false) : std::nullopt;
+        if (trial)
+        {
+          looks.push_back({ edit, grown, trial->Gain });
+        }
+        this->Cells.UndoTo(before);
+      }
+    }
+    std::stable_sort(
+      looks.begin(), looks.end(), [](const Look& a, const Look& b) { return a.Gain > b.Gain; });
+    looks.resize(std::min(looks.size(), MostLooks));
+    for (const Look& look : looks)
+    {
+      this->Edits.Do(look.Edit);
+      std::optional<Trial> trial = this->Try(start, look.Grown, least, true);
+      if (trial)
+      {
+        trial->Edits = done;
+        trial->Edits.push_back(look.Edit);
+        trials.push_back(std::move(*trial));
+      }
+      this->Cells.UndoTo(before);
+    }
+  }
+
+  bool HasTriangleSince(std::size_t start) const
+  {
+    const std::vector<VertexStars::Change>& changes = this->Cells.GetChanges();
+    return std::any_of(changes.begin() + static_cast<std::ptrdiff_t>(start), changes.end(),
+      [&](const VertexStars::Change& change)
+      {
+        return change.Face != None && this->Cells.IsFace(change.Face) &&
+          Faces::Size(this->Cells.Face(change.Face)) == 3;
+      });
+  }
+
+  /// How much is missing to good faces, and the worst one.
+  struct Figures
+  {
+    double Missing = 0.0;
+    double Least = 1.0;
+
+    void Add(double quality)
+    {
+      this->Missing += std::max(0.0, GoodEnough - quality);
+      this->Least = std::min(this->Least, quality);
+    }
+  };
+
+  /// The faces that were changed, as they were.
+  std::vector<Faces::Face> FacesBefore(std::size_t start, std::vector<Index>& changed) const
+  {
+    std::vector<Faces::Face> faces;
+    const std::vector<VertexStars::Change>& changes = this->Cells.GetChanges();
+    for (std::size_t k = start; k < changes.size(); ++k)
+    {
+      const VertexStars::Change& change = changes[k];
+      // Later changes of a face tell of what it was in between.
+      if (change.Face != None &&
+        std::find(changed.begin(), changed.end(), change.Face) == changed.end())
+      {
+        changed.push_back(change.Face);
+        if (change.Corners[0] != None)
+        {
+          faces.push_back(change.Corners);
+        }
+      }
+    }
+    return faces;
+  }
+  std::vector<Index> FacesAround(const std::vector<Index>& vertices) const
+  {
+    std::vector<Index> around;
+    for (const Index v : vertices)
+    {
+      around.insert(around.end(), this->Cells.At(v).begin(), this->Cells.At(v).end());
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    return around;
+  }
+
+  /// What is gained by what was done, or nothing where it must not be or is too little. Everything stays where it is.
+  /// @param isThorough vertices look for better places, and the faces must be good enough
+  std::optional<Trial> Try(std::size_t start, int grown, double least, bool isThorough)
+  {
+    std::vector<Vector3>& points = this->Places.GetPoints();
+    const std::vector<Index> touched = this->Cells.TouchedSince(start);
+    const std::vector<Index> around = this->FacesAround(touched);
+    std::vector<Index> changed;
+    std::vector<Faces::Face> facesBefore = this->FacesBefore(start, changed);
+    for (const Index f : around)
+    {
+      if (std::find(changed.begin(), changed.end(), f) == changed.end())
+      {
+        facesBefore.push_back(this->Cells.Face(f));
+      }
+    }
+    Figures before;
+    for (const Faces::Face& face : facesBefore)
+    {
+      before.Add(ScaledJacobian(points, face));
+    }
+    if (before.Missing - PerGrowth * grown < least)
+    {
+      return {};
+    }
+    std::vector<Vector3> places;
+    for (const Index v : touched)
+    {
+      places.push_back(points[v]);
+    }
+    this->Settle(touched, isThorough);
+    Figures after;
+    for (const Index v : touched)
+    {
+      // Triangles on the wrong side are seen from their vertices only.
+      const bool isThere = !this->Cells.At(v).empty();
+      after.Least = std::min(after.Least, isThere ? this->Places.LeastQuality(v) : 1.0);
+    }
+    for (const Index f : around)
+    {
+      after.Add(this->Quality(f));
+    }
+    const double gain = before.Missing - after.Missing - PerGrowth * grown;
+    bool isGood = !isThorough || (after.Least >= before.Least && gain >= least);
+    double farthest = 0.0;
+    for (std::size_t k = 0; isThorough && isGood && k < around.size(); ++k)
+    {
+      farthest = std::max(farthest, this->Places.Distance(around[k]));
+    }
+    for (std::size_t k = 0; k < touched.size(); ++k)
+    {
+      points[touched[k]] = places[k];
+    }
+    if (isGood && farthest > FarthestMiddle)
+    {
+      isGood = std::any_of(facesBefore.begin(), facesBefore.end(),
+        [&](const Faces::Face& face) { return this->Places.Distance(face) >= farthest; });
+    }
+    return isGood ? std::optional<Trial>(Trial{ {}, gain, after.Least >= Bad }) : std::nullopt;
+  }
+
+  void Settle(const std::vector<Index>& vertices, bool isThorough)
+  {
+    this->Places.Relax(vertices, Moves);
+    double size = 1.0;
+    for (int k = 0; isThorough && k < Moves; ++k, size *= 0.7)
+    {
+      for (const Index v : vertices)
+      {
+        if (this->Places.IsFree(v) && this->Places.LeastQuality(v) < GoodEnough)
+        {
+          MoveToBetterPlace(this->Places, v, size);
+        }
+      }
+    }
+  }
+
+  VertexStars& Cells;
+  MovableFaces& Places;
+  FaceEdits Edits;
+  std::vector<char> IsNearHub;
+  bool MayMakeTriangles;
+  /// What the edits that are done already count.
+  int GrownBefore = 0;
+};
+}
+
+void RepairQuality(VertexStars& faces, MovableFaces& places,
+  const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles, const Progress& progress)
+{
+  // A singularity is better than a bad face, but not the other way round.
+  Mends mends(faces, places, WithoutLocks(RulesFor(faces, places, vertices)), mayMakeTriangles);
+  Index left = MostAnyway + faces.GetNumberOfFaces() / OneOf;
+  // Nothing was found for a face, and nothing has changed around it since.
+  std::vector<char> isHopeless;
+  bool hasChanged = true;
+  for (int k = 0; k < Passes && hasChanged; ++k)
+  {
+    std::vector<std::pair<double, Index>> bad;
+    isHopeless.resize(faces.GetNumberOfFaces(), 0);
+    for (Index f = 0; f < faces.GetNumberOfFaces(); ++f)
+    {
+      const double quality = faces.IsFace(f) && isHopeless[f] == 0 ? mends.Quality(f) : 1.0;
+      if (quality < Bad)
+      {
+        bad.emplace_back(quality, f);
+      }
+    }
+    std::sort(bad.begin(), bad.end());
+    hasChanged = false;
+    for (const auto& [quality, f] : bad)
+    {
+      if (left == 0 || !faces.IsFace(f) || mends.Quality(f) >= Bad || !mends.MayMend(f))
+      {
+        continue;
+      }
+      --left;
+      const std::size_t before = faces.GetChanges().size();
+      const bool isMended = mends.Mend(f);
+      isHopeless[f] = isMended ? 0 : 1;
+      hasChanged = hasChanged || isMended;
+      isHopeless.resize(faces.GetNumberOfFaces(), 0);
+      for (const Index v : faces.TouchedSince(before))
+      {
+        for (const Index g : faces.At(v))
+        {
+          isHopeless[g] = 0;
+        }
+      }
+      progress.RequireToGoOn();
+    }
+    progress.Report((k + 1.0) / Passes);
+  }
+}
+}

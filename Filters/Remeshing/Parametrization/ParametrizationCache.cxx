@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Parametrization/ParametrizationCache.h"
+
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Factors of up to so many values are kept, 24 megabytes. Those of large meshes would be much of the memory while faces are
+/// made, and making these takes most of the time there.
+constexpr std::size_t MostValues = 3000000;
+/// So are those of components with such a part of all triangles only: memory is short while one of many is factored, and
+/// would have to hold all the others.
+constexpr double LeastShare = 0.5;
+}
+
+ParametrizationCache::Features::Features(const TriangleMesh::Component& component,
+  const FeatureLines& features, const std::vector<char>& isFrameless)
+{
+  for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
+  {
+    if (features.IsFeature[e] != 0 || features.Line[e] != 0)
+    {
+      this->Edges.push_back(
+        { e, features.IsFeature[e], features.Line[e], features.Axis[e], features.Base[e] });
+    }
+  }
+  for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+  {
+    if (isFrameless[v] != 0)
+    {
+      this->Frameless.push_back(v);
+    }
+    if (!features.IsEnd.empty() && features.IsEnd[v] != 0)
+    {
+      this->Ends.push_back(v);
+    }
+  }
+}
+
+const CutMesh& ParametrizationCache::MeshFor(const SurfaceGeometry& geometry,
+  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const FeatureLines& features, const std::vector<char>& isFrameless,
+  const std::vector<Complex>& section)
+{
+  Features wanted(component, features, isFrameless);
+  if (this->Mesh == nullptr || !(this->Made == wanted))
+  {
+    this->Equations.reset();
+    this->Mesh.reset();
+    this->Made = std::move(wanted);
+    const CutGraph jumps(geometry, component, charts, features, isFrameless);
+    this->Mesh = std::make_unique<const CutMesh>(
+      geometry, component, charts, features, isFrameless, jumps, section);
+  }
+  return *this->Mesh;
+}
+
+ParametrizationEnergy& ParametrizationCache::EquationsFor(const std::vector<double>& perLength)
+{
+  if (this->Equations == nullptr || !this->Equations->AreFor(perLength))
+  {
+    this->Equations.reset();
+    this->Equations = std::make_unique<ParametrizationEnergy>(*this->Mesh, perLength);
+  }
+  return *this->Equations;
+}
+
+void ParametrizationCache::Shrink(double share)
+{
+  if (this->Equations != nullptr && !this->Equations->AreFactored())
+  {
+    this->Equations.reset();
+  }
+  else if (this->Equations != nullptr)
+  {
+    this->Equations->Shrink(share < LeastShare ? 0 : MostValues);
+  }
+}
+}

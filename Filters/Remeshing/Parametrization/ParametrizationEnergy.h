@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_ParametrizationEnergy_h
+#define DirectionFields_ParametrizationEnergy_h
+
+#include "Parametrization/ParametrizationVariables.h"
+#include "SparseCholesky/SchurSystem.h"
+
+#include <optional>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// The energy of a map as a quadratic function of its free variables, those that are real before the integers. Only its
+/// linear part, and which stretches of features have a bound, depend on the wanted lengths of edges: the factor of
+/// its matrix is that of other lengths, too.
+class ParametrizationEnergy
+{
+public:
+  /// The mesh must live as long.
+  /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the lattice
+  ParametrizationEnergy(const CutMesh& mesh, const std::vector<double>& perLength);
+  ParametrizationEnergy(const ParametrizationEnergy&) = delete;
+  ParametrizationEnergy& operator=(const ParametrizationEnergy&) = delete;
+
+  /// Whether the same stretches of features have a bound for these lengths.
+  bool AreFor(const std::vector<double>& perLength) const
+  {
+    return this->IsShort == this->Unknowns.ShortStretches(perLength);
+  }
+  const CutMesh& GetMesh() const { return this->Unknowns.Mesh; }
+  ParametrizationVariables& GetUnknowns() { return this->Unknowns; }
+  Index GetNumberOfIntegers() const { return this->Count - this->Reals; }
+
+  /// The linear part of the energy.
+  Eigen::VectorXd RightHandSide(const std::vector<double>& perLength) const;
+  /// The least value of each integer.
+  Eigen::VectorXd Least() const;
+  /// The area of the triangles' images, in unit cells' parallelograms.
+  double AreaAt(const Eigen::VectorXd& x);
+
+  /// False where there are too many integers to be rounded with regard to each other: there is no system then.
+  bool AreFactored() const;
+  /// Factored when it is asked for.
+  const SchurSystem& GetSystem();
+  /// As that of the system.
+  void Shrink(std::size_t mostValues);
+  /// As the function of this name, for equations without a system.
+  Eigen::VectorXd SolveInRounds(const Eigen::VectorXd& rightHandSide) const;
+
+private:
+  /// An edge by the half-edge that its target is in the chart of.
+  struct Edge
+  {
+    Index HalfEdge;
+    double Weight;
+  };
+  void AddEdge(const Edge& edge);
+  double Mixed() const { return this->Plane.GetDegree() == 4 ? 0.0 : 0.5; }
+
+  IntegerGrid Plane;
+  ParametrizationVariables Unknowns;
+  std::vector<char> IsShort;
+  /// The place of each free variable in the system.
+  std::vector<Index> Slot;
+  Index Count = 0;
+  Index Reals = 0;
+  /// Of the matrix, until it is factored.
+  std::vector<SchurSystem::Entry> Entries;
+  std::optional<SchurSystem> System;
+  std::vector<Edge> Edges;
+  /// The variables that the two coordinates of each edge are sums of, their factors, and where those of each coordinate
+  /// end.
+  std::vector<Index> Variables;
+  std::vector<double> Factors;
+  std::vector<std::size_t> Ends;
+};
+}
+
+#endif

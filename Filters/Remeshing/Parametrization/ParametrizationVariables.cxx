@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Parametrization/ParametrizationVariables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Stretches of features that are to be longer than this many edges do not need a bound.
+constexpr double LongestBounded = 4.0;
+/// Lengths that depend on more variables than this are not worth a bound: every sum that has one of them becomes
+/// as long.
+constexpr std::size_t MostTerms = 64;
+
+void Append(IntegerSum& to, const IntegerSum& from, std::int64_t factor)
+{
+  for (const auto& [variable, coefficient] : from)
+  {
+    to.emplace_back(variable, factor * coefficient);
+  }
+}
+}
+
+void SymbolicGridPoint::Add(const SymbolicGridPoint& other, std::int64_t factor)
+{
+  Append(this->A, other.A, factor);
+  Append(this->B, other.B, factor);
+}
+
+SymbolicGridPoint SymbolicGridPoint::Turned(int turn, int degree) const
+{
+  SymbolicGridPoint turned = *this;
+  for (int k = 0; k < turn; ++k)
+  {
+    SymbolicGridPoint next;
+    Append(next.A, turned.B, -1);
+    next.B = turned.A;
+    if (degree == 6)
+    {
+      Append(next.B, turned.B, 1);
+    }
+    turned = std::move(next);
+  }
+  return turned;
+}
+
+ParametrizationVariables::ParametrizationVariables(const CutMesh& mesh)
+  : Mesh(mesh)
+  , Degree(mesh.Degree)
+  , Vertices(static_cast<Index>(mesh.Positions.size()))
+  , IsPoint(mesh.Positions.size(), 0)
+  , Solved(this->Flags())
+  , Stretches(FindFeatureIsolines(mesh, this->IsPoint))
+{
+  this->FixOrigin();
+  for (const CutMesh::Cone& cone : mesh.Cones)
+  {
+    SymbolicGridPoint image = this->Vertex(cone.Vertex).Turned(cone.Holonomy.Turn, this->Degree);
+    image.Add(this->Jumps(cone.Holonomy), 1);
+    image.Add(this->Vertex(cone.Vertex), -1);
+    this->Solved.Require(image.A);
+    this->Solved.Require(image.B);
+  }
+  for (const auto& [key, variable] : this->AcrossFeature)
+  {
+    IntegerSum definition = this->Vertex(key.first).Turned(key.second, this->Degree).B;
+    definition.emplace_back(variable, -1);
+    this->Solved.Require(definition);
+  }
+  for (const CutMesh::IsolineEdge& edge : mesh.Isolines)
+  {
+    this->Solved.Require(this->Along(edge).B);
+  }
+}
+
+std::vector<char> ParametrizationVariables::ShortStretches(
+  const std::vector<double>& perLength) const
+{
+  std::vector<char> isShort;
+  for (const FeatureIsoline& stretch : this->Stretches)
+  {
+    double wanted = 0.0;
+    for (const FeatureIsoline::Step& step : stretch.Steps)
+    {
+      const CutMesh::IsolineEdge& edge = this->Mesh.Isolines[step.Isoline];
+      wanted += 0.5 * std::abs(this->Mesh.Triangles[edge.Triangle].Target[edge.Corner]) *
+        (perLength[EndOf(this->Mesh, edge, false)] + perLength[EndOf(this->Mesh, edge, true)]);
+      if (wanted > LongestBounded)
+      {
+        break;
+      }
+    }
+    isShort.push_back(wanted > LongestBounded ? 0 : 1);
+  }
+  return isShort;
+}
+
+void ParametrizationVariables::BoundStretches(const std::vector<char>& isShort)
+{
+  for (std::size_t k = 0; k < this->Stretches.size(); ++k)
+  {
+    if (isShort[k] == 0)
+    {
+      continue;
+    }
+    IntegerSum length;
+    for (const FeatureIsoline::Step& step : this->Stretches[k].Steps)
+    {
+      Append(length, this->Along(this->Mesh.Isolines[step.Isoline]).A, 1);
+    }
+    length = this->Solved.Resolve(length);
+    const bool isInteger = std::all_of(length.begin(), length.end(),
+      [&](const auto& term) { return this->Solved.IsInteger(term.first); });
+    if (length.empty() || length.size() > MostTerms || !isInteger)
+    {
+      continue;
+    }
+    if (length.size() == 1 && length.front().second == 1)
+    {
+      this->Bounded.push_back(length.front().first);
+      continue;
+    }
+    this->Bounded.push_back(this->Solved.AddFreeInteger());
+    length.emplace_back(this->Bounded.back(), -1);
+    this->Solved.Require(length);
+  }
+  // What had to be solved for in the end has no bound.
+  this->Bounded.erase(std::remove_if(this->Bounded.begin(), this->Bounded.end(),
+                        [&](Index variable) { return !this->Solved.IsFree(variable); }),
+    this->Bounded.end());
+}
+
+SymbolicGridPoint ParametrizationVariables::Along(const CutMesh::IsolineEdge& edge) const
+{
+  SymbolicGridPoint along = this->Corner(edge.Triangle, (edge.Corner + 1) % 3);
+  along.Add(this->Corner(edge.Triangle, edge.Corner), -1);
+  return along.Turned((this->Degree - edge.Axis) % this->Degree, this->Degree);
+}
+
+SymbolicGridPoint ParametrizationVariables::Jumps(const SymbolicTransition& t) const
+{
+  SymbolicGridPoint sum;
+  for (const Jump& jump : t.Jumps)
+  {
+    sum.Add(this->Vertex(this->Vertices + jump.Variable).Turned(jump.Turn, this->Degree), 1);
+  }
+  return sum;
+}
+
+SymbolicGridPoint ParametrizationVariables::Corner(Index t, int c) const
+{
+  const CutMesh::MapTriangle& triangle = this->Mesh.Triangles[t];
+  SymbolicGridPoint sum =
+    this->Vertex(triangle.Vertex[c]).Turned(triangle.Corner[c].Turn, this->Degree);
+  sum.Add(this->Jumps(triangle.Corner[c]), 1);
+  return sum;
+}
+
+/// Finds the features at each vertex, and returns which variables are to be integers.
+std::vector<char> ParametrizationVariables::Flags()
+{
+  for (const CutMesh::Cone& cone : this->Mesh.Cones)
+  {
+    this->IsPoint[cone.Vertex] = 1;
+  }
+  // Where a feature ends there is a lattice point, too.
+  for (std::size_t v = 0; v < this->Mesh.IsChainEnd.size(); ++v)
+  {
+    this->IsPoint[v] = this->IsPoint[v] != 0 || this->Mesh.IsChainEnd[v] != 0 ? 1 : 0;
+  }
+  std::vector<char> flags(2 * (this->Vertices + this->Mesh.NumberOfJumps), 1);
+  for (Index v = 0; v < this->Vertices; ++v)
+  {
+    flags[2 * v] = flags[2 * v + 1] = this->IsPoint[v];
+  }
+  auto count = static_cast<Index>(flags.size());
+  for (const CutMesh::IsolineEdge& edge : this->Mesh.Isolines)
+  {
+    const CutMesh::MapTriangle& triangle = this->Mesh.Triangles[edge.Triangle];
+    for (const int c : { edge.Corner, (edge.Corner + 1) % 3 })
+    {
+      // zeta^-axis in the chart of the vertex, up to the sign.
+      const int turn = (triangle.Corner[c].Turn + this->Degree - edge.Axis) % (this->Degree / 2);
+      if (this->IsPoint[triangle.Vertex[c]] == 0 &&
+        this->AcrossFeature.emplace(std::pair(triangle.Vertex[c], turn), count).second)
+      {
+        ++count;
+      }
+    }
+  }
+  flags.resize(count, 1);
+  return flags;
+}
+
+/// Of all maps that differ by a translation takes one that has a lattice point in 0.
+void ParametrizationVariables::FixOrigin()
+{
+  Index origin = this->Mesh.Cones.empty() ? None : this->Mesh.Cones.front().Vertex;
+  for (std::size_t v = 0; origin == None && v < this->Mesh.IsChainEnd.size(); ++v)
+  {
+    origin = this->Mesh.IsChainEnd[v] != 0 ? static_cast<Index>(v) : None;
+  }
+  if (origin == None && !this->AcrossFeature.empty())
+  {
+    origin = this->AcrossFeature.begin()->first.first;
+  }
+  if (origin != None)
+  {
+    this->Solved.Require({ { 2 * origin, 1 } });
+    this->Solved.Require({ { 2 * origin + 1, 1 } });
+  }
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef LinesToPolyData_h
+#define LinesToPolyData_h
+
+#include "Conversion/Input/PolyDataToSurface.h"
+#include "Streamlines/TraceStreamlines.h"
+
+class vtkPointSet;
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// The places of a surface that are nearest to points, on the threads of the scope; of points that are not
+/// finite, and where the surface has no triangle, no place.
+std::vector<StreamlineSeed> NearestPlaces(const Surface& surface, vtkPointSet* points);
+
+/// Adds points, cells and arrays of lines to an empty output. The points are double if the given data type
+/// is, else float.
+void AddLines(const Streamlines& lines, int pointDataType, vtkPolyData* output);
+
+/// The same for what the lines start and end at.
+void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& surface,
+  int pointDataType, vtkPolyData* output);
+}
+
+#endif
