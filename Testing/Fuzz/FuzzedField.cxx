@@ -7,7 +7,7 @@
 #include "FuzzedSurface.h"
 #include "Interpolation/GivenField.h"
 #include "Meshes/Soundness.h"
-#include "Streamlines/TraceStreamlines.h"
+#include "Streamlines.h"
 
 #include <cmath>
 #include <limits>
@@ -199,7 +199,7 @@ std::string LinesFlaw(const Surface& surface, const Result& result, SeedType see
   StreamlineOptions options;
   options.Seeds = seeds;
   options.StopAtCrossings = result.Degree % 2 == 0;
-  options.MostLines = 20;
+  options.MaximumNumber = 20;
   const Streamlines lines = TraceStreamlines(field, directions, {}, options);
   for (std::size_t i = 0; i < lines.Points.size(); ++i)
   {

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_GlyphShapes_h
 #define DirectionFields_GlyphShapes_h
 
+#include "Glyphs.h"
 #include "Paths/SurfacePath.h"
 #include "Types.h"
 
@@ -12,36 +13,6 @@
 
 namespace DirectionFields::Internal
 {
-/// What the glyphs of a field are made of.
-enum class GlyphType
-{
-  /// Arrows for one direction, else Ribbons.
-  Automatic = 0,
-  /// A line for each direction.
-  Lines = 1,
-  /// Flat arrows that face the normal.
-  Arrows = 2,
-  /// Flat bands that face the normal and taper towards the tip.
-  Ribbons = 3,
-  /// Round bars with pointed tips.
-  Tubes = 4
-};
-
-/// Points and cells of many glyphs; either all cells are polygons or all are lines.
-struct GlyphMesh
-{
-  std::vector<Vector3> Points;
-  /// Unit normals of the points.
-  std::vector<Vector3> Normals;
-  /// The points of cell i: Connectivity[Offsets[i]] ... Connectivity[Offsets[i + 1] - 1].
-  std::vector<std::int64_t> Offsets = { 0 };
-  std::vector<std::int64_t> Connectivity;
-  bool AreLines = false;
-  /// The number of each cell's glyph, and which of the n directions the cell shows.
-  std::vector<Index> Glyph;
-  std::vector<int> Branch;
-};
-
 /// Draws one direction after the other into a mesh.
 class GlyphShapes
 {

@@ -93,7 +93,10 @@ public:
   }
 
 private:
-  bool IsFull() const { return static_cast<Index>(this->Lines.size()) >= this->Options.MostLines; }
+  bool IsFull() const
+  {
+    return static_cast<Index>(this->Lines.size()) >= this->Options.MaximumNumber;
+  }
 
   bool IsOpen(const LineStart& start) const
   {
@@ -263,7 +266,7 @@ private:
   void Take(SpacedLine&& line)
   {
     this->Spaced.Cut(line, this->Grid);
-    if (line.Length() * this->Unit < this->Options.LeastLength || line.IsEmpty())
+    if (line.Length() * this->Unit < this->Options.MinimumLength || line.IsEmpty())
     {
       this->Dead.Insert(this->Spaced.SampleAt(line.Seed, 0.0));
       return;

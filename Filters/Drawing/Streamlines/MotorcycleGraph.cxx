@@ -37,7 +37,7 @@ struct Motorcycle
   Index Stopper = None;
   bool MeetsReverse = false;
 
-  bool IsTraced() const { return this->Line.Ends[1] != LineEnd::None; }
+  bool IsTraced() const { return this->Line.Ends[1] != StreamlineEnd::None; }
   /// When it stops if no other line stops it.
   double OwnEnd() const { return this->IsTraced() ? this->Line.Length() : Never; }
 };
@@ -47,7 +47,7 @@ class Motorcycles
 public:
   Motorcycles(const TracedField& field, const std::vector<ZeroRay>& rays, double mostLength)
     : Traced(field)
-    , MostLength(mostLength)
+    , MaximumLength(mostLength)
     , Riders(rays.size())
   {
     for (std::size_t i = 0; i < rays.size(); ++i)
@@ -70,7 +70,7 @@ public:
     double time = FirstRound;
     while (true)
     {
-      this->TraceTo(std::min(2.0 * time, this->MostLength));
+      this->TraceTo(std::min(2.0 * time, this->MaximumLength));
       this->FindReverses();
       this->FindEnds(time);
       std::size_t riding = 0;
@@ -78,7 +78,7 @@ public:
       {
         riding += rider.End > time ? 1 : 0;
       }
-      if (riding == 0 || time >= this->MostLength)
+      if (riding == 0 || time >= this->MaximumLength)
       {
         break;
       }
@@ -114,9 +114,9 @@ private:
             piece->Arc += rider.Before;
             line.Pieces.push_back(*piece);
           }
-          if (!rider.IsTraced() && line.Length() >= this->MostLength)
+          if (!rider.IsTraced() && line.Length() >= this->MaximumLength)
           {
-            line.Ends[1] = LineEnd::Length;
+            line.Ends[1] = StreamlineEnd::Length;
           }
         }
       });
@@ -145,7 +145,7 @@ private:
         reverse.Line.Pieces.push_back(piece->Reversed());
         reverse.Line.Pieces.back().Arc += length;
       }
-      reverse.Line.Ends[1] = LineEnd::Singularity;
+      reverse.Line.Ends[1] = StreamlineEnd::Singularity;
       reverse.Line.Zeros[1] = rider.Line.Zeros[0];
       rider.Reverse = other;
       reverse.Reverse = i;
@@ -279,7 +279,7 @@ private:
       if (!rider.MeetsReverse && rider.End < line.Length())
       {
         Cut(line, rider.End);
-        line.Ends[1] = LineEnd::Crossing;
+        line.Ends[1] = StreamlineEnd::Crossing;
         line.Zeros[1] = None;
         line.Crossed[1] = rider.Stopper == None ? None : number[rider.Stopper];
       }
@@ -306,7 +306,7 @@ private:
   }
 
   const TracedField& Traced;
-  double MostLength;
+  double MaximumLength;
   std::vector<Motorcycle> Riders;
 };
 }

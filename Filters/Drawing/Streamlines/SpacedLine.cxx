@@ -35,7 +35,7 @@ Vector3 Lateral(const LineSample& sample, const Vector3& position)
 void SpacedHalf::Keep(std::size_t marks)
 {
   this->Marks.resize(std::min(marks, this->Marks.size()));
-  this->End = LineEnd::TooClose;
+  this->End = StreamlineEnd::TooClose;
   this->Zero = None;
   this->IsClosed = false;
   if (this->Marks.empty())
@@ -94,7 +94,7 @@ TracedStreamline SpacedLine::Joined() &&
   if (this->Forward.IsClosed)
   {
     forward.IsClosed = true;
-    forward.Ends[0] = LineEnd::Loop;
+    forward.Ends[0] = StreamlineEnd::Loop;
     return forward;
   }
   TracedStreamline backward;
@@ -242,7 +242,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
     {
       LinePiece& last = half.Pieces.back();
       last.End = last.Begin + part * (last.End - last.Begin);
-      half.End = LineEnd::Loop;
+      half.End = StreamlineEnd::Loop;
       half.IsClosed = true;
       return;
     }
@@ -266,7 +266,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
     if (length >= mostLength)
     {
       half.Keep(half.Marks.size());
-      half.End = LineEnd::Length;
+      half.End = StreamlineEnd::Length;
       return;
     }
   }
@@ -283,7 +283,7 @@ SpacedLine SpacedTracing::Trace(const LineStart& seed, const LineGrid& grid) con
   SpacedLine line;
   line.Seed = seed;
   LineGrid own = this->MakeGrid();
-  const double most = this->Options.MostLength / this->Unit;
+  const double most = this->Options.MaximumLength / this->Unit;
   this->TraceHalf(seed, 1, most, grid, own, line.Forward);
   if (!line.Forward.IsClosed)
   {
@@ -305,7 +305,7 @@ void SpacedTracing::Cut(SpacedLine& line, const LineGrid& grid) const
       if (half->IsClosed)
       {
         // It begins at its seed now, where another line is near.
-        line.Backward.End = LineEnd::TooClose;
+        line.Backward.End = StreamlineEnd::TooClose;
       }
       half->Keep(static_cast<std::size_t>(bad - half->Marks.begin()));
     }

@@ -18,10 +18,10 @@ struct EvenOptions
   double Spacing = 1.0;
   /// They end where they would come nearer to each other than this part of it.
   double Ratio = 0.5;
-  double MostLength = 0.0;
+  double MaximumLength = 0.0;
   /// Shorter lines are left out.
-  double LeastLength = 0.0;
-  Index MostLines = 0;
+  double MinimumLength = 0.0;
+  Index MaximumNumber = 0;
 };
 
 /// Half of a line that keeps its distance: from the seed one way.
@@ -38,7 +38,7 @@ struct SpacedHalf
   };
   std::vector<LinePiece> Pieces;
   std::vector<Mark> Marks;
-  LineEnd End = LineEnd::None;
+  StreamlineEnd End = StreamlineEnd::None;
   Index Zero = None;
   bool IsClosed = false;
 

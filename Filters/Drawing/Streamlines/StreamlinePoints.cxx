@@ -203,18 +203,20 @@ void AddNodes(const GivenField& field, const SingularPoints& zeros,
   const TriangleMesh& mesh = field.GetMesh();
   for (const SingularPoint& zero : zeros.GetZeros())
   {
-    result.Nodes.push_back({ PositionOn(field, zero.Triangle, zero.Place), NodeType::Singularity,
-      zero.Index_, mesh.InputTriangle(zero.Triangle) });
+    result.Nodes.push_back({ PositionOn(field, zero.Triangle, zero.Place),
+      StreamlineNodeType::Singularity, zero.Index_, mesh.InputTriangle(zero.Triangle) });
   }
   result.EndNodes.assign(lines.size(), { None, None });
-  for (const NodeType type : { NodeType::Crossing, NodeType::Boundary })
+  for (const StreamlineNodeType type :
+    { StreamlineNodeType::Crossing, StreamlineNodeType::Boundary })
   {
-    const LineEnd reason = type == NodeType::Crossing ? LineEnd::Crossing : LineEnd::Boundary;
+    const StreamlineEnd reason =
+      type == StreamlineNodeType::Crossing ? StreamlineEnd::Crossing : StreamlineEnd::Boundary;
     for (std::size_t i = 0; i < lines.size(); ++i)
     {
       for (int e = 0; e < 2; ++e)
       {
-        if (lines[i].Ends[e] == LineEnd::Singularity)
+        if (lines[i].Ends[e] == StreamlineEnd::Singularity)
         {
           result.EndNodes[i][e] = lines[i].Zeros[e];
         }

@@ -302,7 +302,7 @@ void StreamlineTrace::Cross(int edge, const Step& step)
     edge, step.Place, step.EndDirection);
   if (beyond.Triangle == None)
   {
-    this->Reason = LineEnd::Boundary;
+    this->Reason = StreamlineEnd::Boundary;
     return;
   }
   this->Enter(beyond.Triangle);
@@ -312,7 +312,7 @@ void StreamlineTrace::Cross(int edge, const Step& step)
 
 std::optional<LinePiece> StreamlineTrace::Next()
 {
-  if (this->Reason != LineEnd::None)
+  if (this->Reason != StreamlineEnd::None)
   {
     return std::nullopt;
   }
@@ -328,7 +328,7 @@ std::optional<LinePiece> StreamlineTrace::Next()
       piece.EndDirection = (piece.End - piece.Begin) / piece.Length();
     }
     this->Done += piece.Length();
-    this->Reason = LineEnd::Singularity;
+    this->Reason = StreamlineEnd::Singularity;
     this->RanInto = this->Zero;
     return piece;
   }
@@ -339,7 +339,7 @@ std::optional<LinePiece> StreamlineTrace::Next()
     this->WayInto.pop_back();
     this->At = piece.End;
     this->Done += piece.Length();
-    this->Reason = this->WayInto.empty() ? LineEnd::Singularity : LineEnd::None;
+    this->Reason = this->WayInto.empty() ? StreamlineEnd::Singularity : StreamlineEnd::None;
     return piece;
   }
   Step step = this->Advance(this->StepLength());
@@ -359,7 +359,7 @@ std::optional<LinePiece> StreamlineTrace::Next()
   }
   if (isStuck)
   {
-    this->Reason = LineEnd::Stuck;
+    this->Reason = StreamlineEnd::Stuck;
   }
   else if (exit != None)
   {

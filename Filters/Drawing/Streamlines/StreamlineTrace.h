@@ -4,6 +4,7 @@
 #ifndef DirectionFields_StreamlineTrace_h
 #define DirectionFields_StreamlineTrace_h
 
+#include "Streamlines.h"
 #include "Streamlines/SingularPoints.h"
 
 #include <optional>
@@ -12,26 +13,6 @@
 
 namespace DirectionFields::Internal
 {
-/// Why a line ends. The first ones are VTK's own numbers (vtkStreamTracer).
-enum class LineEnd
-{
-  /// It does not: more of it was not asked for.
-  None = 0,
-  /// The boundary of the surface, or an edge of more than two triangles.
-  Boundary = 1,
-  /// The longest length.
-  Length = 4,
-  /// It does not get on: steps without any progress.
-  Stuck = 5,
-  Singularity = 6,
-  /// It is closed: it has come back to its start.
-  Loop = 7,
-  /// Another line, or an earlier part of it, is too close.
-  TooClose = 8,
-  /// It crosses another line, where lines are to stop at crossings.
-  Crossing = 9
-};
-
 /// A straight piece of a line within one triangle laid flat. Directions are unit numbers along the line.
 struct LinePiece
 {
@@ -92,7 +73,7 @@ public:
   /// Leaves out the singularity that the line starts at until it is away from it.
   void StartAtZero(double arc);
 
-  LineEnd End() const { return this->Reason; }
+  StreamlineEnd End() const { return this->Reason; }
   /// The singularity that the line has run into; None if it has not.
   Index EndZero() const { return this->RanInto; }
   Index Triangle() const { return this->Power.has_value() ? this->Current : None; }
@@ -134,7 +115,7 @@ private:
   /// How many steps there were, and the length when they were looked at last.
   Index Steps = 0;
   double LookedAt = 0.0;
-  LineEnd Reason = LineEnd::None;
+  StreamlineEnd Reason = StreamlineEnd::None;
   Index RanInto = None;
 };
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Streamlines/TraceStreamlines.h"
-
+#include "Streamlines.h"
 #include "Streamlines/EvenStreamlines.h"
 #include "Streamlines/MotorcycleGraph.h"
 #include "Streamlines/StreamlinePoints.h"
@@ -13,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
@@ -46,9 +45,9 @@ void Check(const StreamlineOptions& options)
   require(options.Spacing >= 0.0, "SeparatingDistance must be 0 or more.");
   require(
     options.Ratio >= 0.1 && options.Ratio <= 0.9, "SeparatingDistanceRatio must be 0.1 to 0.9.");
-  require(options.MostLength >= 0.0, "MaximumStreamlineLength must be 0 or more.");
-  require(options.LeastLength >= 0.0, "MinimumStreamlineLength must be 0 or more.");
-  require(options.MostLines >= 1 && options.MostLines <= 10000000,
+  require(options.MaximumLength >= 0.0, "MaximumStreamlineLength must be 0 or more.");
+  require(options.MinimumLength >= 0.0, "MinimumStreamlineLength must be 0 or more.");
+  require(options.MaximumNumber >= 1 && options.MaximumNumber <= 10000000,
     "MaximumNumberOfLines must be 1 to 10000000.");
   require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
 }
@@ -102,10 +101,10 @@ private:
     return options.Spacing > 0.0 ? std::max(options.Spacing, LeastSpacing * std::sqrt(area))
                                  : DefaultSpacing * std::sqrt(area);
   }
-  double MostLength(Index c) const
+  double MaximumLength(Index c) const
   {
-    return this->Options.MostLength > 0.0 ? this->Options.MostLength
-                                          : DefaultLength * this->Extent(c);
+    return this->Options.MaximumLength > 0.0 ? this->Options.MaximumLength
+                                             : DefaultLength * this->Extent(c);
   }
   /// The component of a triangle of the mesh.
   Index ComponentOf(Index triangle) const
@@ -141,12 +140,12 @@ private:
       EvenOptions even;
       even.Spacing = this->Spacing;
       even.Ratio = this->Options.Ratio;
-      even.MostLength = this->MostLength(c);
-      even.LeastLength = this->Options.LeastLength > 0.0
-        ? this->Options.LeastLength
+      even.MaximumLength = this->MaximumLength(c);
+      even.MinimumLength = this->Options.MinimumLength > 0.0
+        ? this->Options.MinimumLength
         : std::min(LeastOfSpacing * even.Spacing, LeastPart * this->Extent(c));
-      even.MostLines = this->Options.MostLines - static_cast<Index>(lines.size());
-      if (even.MostLines <= 0)
+      even.MaximumNumber = this->Options.MaximumNumber - static_cast<Index>(lines.size());
+      if (even.MaximumNumber <= 0)
       {
         break;
       }
@@ -207,7 +206,7 @@ private:
   std::vector<TracedStreamline> FromRays(
     Index component, const std::vector<ZeroRay>& rays, const Progress& progress) const
   {
-    const double most = this->MostLength(component) / this->Unit(component);
+    const double most = this->MaximumLength(component) / this->Unit(component);
     if (rays.empty())
     {
       return {};
@@ -268,9 +267,9 @@ private:
     const LineStart start{ triangle, place, std::polar(1.0, angle), 1 };
     const LineStart back{ triangle, place, -start.Direction, -1 };
     const Index component = this->ComponentOf(triangle);
-    const double most = this->MostLength(component) / this->Unit(component);
+    const double most = this->MaximumLength(component) / this->Unit(component);
     const IntegrationDirection way =
-      this->Field.GetDegree() == 1 ? this->Options.Way : IntegrationDirection::Both;
+      this->Field.GetDegree() == 1 ? this->Options.Direction : IntegrationDirection::Both;
     if (way == IntegrationDirection::Forward)
     {
       line = TraceLine(this->Traced, start, most);
@@ -295,7 +294,7 @@ private:
     Index count, const Progress& progress, const Body& trace) const
   {
     constexpr Index atOnce = 256;
-    const Index most = std::min(count, this->Options.MostLines);
+    const Index most = std::min(count, this->Options.MaximumNumber);
     std::vector<TracedStreamline> lines(most);
     for (Index first = 0; first < most; first += atOnce)
     {
@@ -332,11 +331,11 @@ Streamlines TraceStreamlines(const GivenField& field, const PointDirections& dir
     steps.Report(ProgressRead);
     std::vector<TracedStreamline> traced =
       lines.Trace(seeds, steps.Part(ProgressRead, ProgressTraced));
-    const bool isLimited = static_cast<Index>(traced.size()) >= options.MostLines;
+    const bool isLimited = static_cast<Index>(traced.size()) >= options.MaximumNumber;
     const auto& units = field.GetGeometry().Lengths.Unit;
     traced.erase(std::remove_if(traced.begin(), traced.end(),
                    [&](const TracedStreamline& line)
-                   { return line.Length() * units[line.Component] < options.LeastLength; }),
+                   { return line.Length() * units[line.Component] < options.MinimumLength; }),
       traced.end());
     Streamlines result = ToStreamlines(
       field, directions, lines.GetZeros(), traced, options.Offset * lines.GetSpacing());

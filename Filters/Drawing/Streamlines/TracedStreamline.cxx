@@ -28,12 +28,12 @@ void Follow(StreamlineTrace& trace, double mostLength, TracedStreamline& line)
     {
       piece->End = piece->Begin + (left / length) * (piece->End - piece->Begin);
       line.Pieces.push_back(*piece);
-      line.Ends[1] = LineEnd::Length;
+      line.Ends[1] = StreamlineEnd::Length;
       return;
     }
     line.Pieces.push_back(*piece);
   }
-  line.Ends[1] = trace.End() == LineEnd::None ? LineEnd::Length : trace.End();
+  line.Ends[1] = trace.End() == StreamlineEnd::None ? StreamlineEnd::Length : trace.End();
   line.Zeros[1] = trace.EndZero();
 }
 }
@@ -81,8 +81,8 @@ TracedStreamline BeginOf(const ZeroRay& ray, const RayStart& start)
   line.Sense = ray.Sense;
   line.Seed = ray.Zero;
   line.Zeros[0] = ray.Zero;
-  line.Ends[0] = LineEnd::Singularity;
-  line.Ends[1] = start.Start.Triangle == None ? LineEnd::Boundary : LineEnd::None;
+  line.Ends[0] = StreamlineEnd::Singularity;
+  line.Ends[1] = start.Start.Triangle == None ? StreamlineEnd::Boundary : StreamlineEnd::None;
   line.Pieces = start.Way;
   return line;
 }

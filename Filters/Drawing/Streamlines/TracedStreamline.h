@@ -17,10 +17,10 @@ struct TracedStreamline
   /// In their order; the arcs of those before the seed are negative.
   std::vector<LinePiece> Pieces;
   /// Why it ends, at its begin and at its end.
-  std::array<LineEnd, 2> Ends = { LineEnd::None, LineEnd::None };
+  std::array<StreamlineEnd, 2> Ends = { StreamlineEnd::None, StreamlineEnd::None };
   /// The singularities that it ends in; None if it does not.
   std::array<Index, 2> Zeros = { None, None };
-  /// The lines that it stops at, for LineEnd::Crossing; None else.
+  /// The lines that it stops at, for StreamlineEnd::Crossing; None else.
   std::array<Index, 2> Crossed = { None, None };
   /// Number of the seed: of the point given, or of the singularity.
   Index Seed = None;

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_StripePoints_h
 #define DirectionFields_StripePoints_h
 
+#include "Stripes.h"
 #include "Stripes/StripePieces.h"
 
 #include <array>
@@ -12,14 +13,6 @@
 
 namespace DirectionFields::Internal
 {
-/// A place on a triangle of the surface, or on an edge or a point of it: the mean of three points of the surface, with
-/// weights that are not negative and add up to 1. Points of weight 0 may be named more than once.
-struct StripePoint
-{
-  std::array<Index, 3> Points;
-  std::array<double, 3> Weights;
-};
-
 /// Where the points that StripePieces number are.
 class StripePoints
 {

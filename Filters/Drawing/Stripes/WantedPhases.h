@@ -5,6 +5,7 @@
 #define DirectionFields_WantedPhases_h
 
 #include "Interpolation/GivenField.h"
+#include "Stripes.h"
 #include "Support/LargeArray.h"
 
 #include <functional>
@@ -12,13 +13,6 @@
 
 namespace DirectionFields::Internal
 {
-/// Which way stripes run.
-enum class StripeDirection
-{
-  Along = 0,
-  Across = 1
-};
-
 /// How the phase alpha of a stripe pattern is to change along each edge of a surface (F. Knöppel, K. Crane,
 /// U. Pinkall, P. Schröder: Stripe Patterns on Surfaces, ACM TOG 34(4), 2015): by the component along the edge of a
 /// vector field of the length of the stripes' frequency, which points across the stripes.

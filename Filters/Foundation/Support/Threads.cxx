@@ -12,7 +12,7 @@
 #include <system_error>
 #include <thread>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// The threads that one computation runs its loops on. While a Threads::Scope is alive, ParallelFor
 /// and ParallelSum of the thread that made it are shared out among them; without one, and inside of

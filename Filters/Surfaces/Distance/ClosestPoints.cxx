@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// Finds the closest points of triangles, or of segments, which are triangles whose last two corners are the
 /// same, in about the logarithm of their number: a tree of boxes, four to a node, each of which has the half of a half

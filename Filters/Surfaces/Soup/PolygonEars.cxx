@@ -11,7 +11,7 @@
 #include <numeric>
 #include <queue>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

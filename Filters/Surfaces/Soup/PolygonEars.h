@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// Whether a polygon comes back to a place where it has been, other than from one corner to the next.
 bool ReturnsToPlaces(const std::vector<Vector3>& corners);

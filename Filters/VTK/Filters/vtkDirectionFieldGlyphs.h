@@ -75,10 +75,7 @@
 namespace DirectionFields
 {
 class GlyphSurfaceCache;
-namespace Internal
-{
 struct GlyphOptions;
-}
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldGlyphs : public vtkPolyDataAlgorithm
@@ -222,7 +219,7 @@ private:
   void operator=(const vtkDirectionFieldGlyphs&) = delete;
 
   /// The options of the drawing, from the properties.
-  DirectionFields::Internal::GlyphOptions MakeOptions() const;
+  DirectionFields::GlyphOptions MakeOptions() const;
 
   /// What the pipeline says before and after an input, and before and after each of its blocks.
   void BeginBlocks();

@@ -39,11 +39,11 @@ vtkDirectionFieldStreamlines::vtkDirectionFieldStreamlines()
   this->SeedType = static_cast<int>(defaults.Seeds);
   this->SeparatingDistance = defaults.Spacing;
   this->SeparatingDistanceRatio = defaults.Ratio;
-  this->MaximumStreamlineLength = defaults.MostLength;
-  this->MinimumStreamlineLength = defaults.LeastLength;
+  this->MaximumStreamlineLength = defaults.MaximumLength;
+  this->MinimumStreamlineLength = defaults.MinimumLength;
   this->StopAtCrossings = defaults.StopAtCrossings;
-  this->IntegrationDirection = static_cast<int>(defaults.Way);
-  this->MaximumNumberOfLines = defaults.MostLines;
+  this->IntegrationDirection = static_cast<int>(defaults.Direction);
+  this->MaximumNumberOfLines = defaults.MaximumNumber;
   this->Offset = defaults.Offset;
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -89,11 +89,12 @@ DirectionFields::StreamlineOptions vtkDirectionFieldStreamlines::MakeOptions() c
   options.Seeds = static_cast<DirectionFields::SeedType>(this->SeedType);
   options.Spacing = this->SeparatingDistance;
   options.Ratio = this->SeparatingDistanceRatio;
-  options.MostLength = this->MaximumStreamlineLength;
-  options.LeastLength = this->MinimumStreamlineLength;
+  options.MaximumLength = this->MaximumStreamlineLength;
+  options.MinimumLength = this->MinimumStreamlineLength;
   options.StopAtCrossings = this->StopAtCrossings;
-  options.Way = static_cast<DirectionFields::IntegrationDirection>(this->IntegrationDirection);
-  options.MostLines = this->MaximumNumberOfLines;
+  options.Direction =
+    static_cast<DirectionFields::IntegrationDirection>(this->IntegrationDirection);
+  options.MaximumNumber = this->MaximumNumberOfLines;
   options.Offset = this->Offset;
   return options;
 }

@@ -73,10 +73,7 @@ class vtkPointSet;
 
 namespace DirectionFields
 {
-namespace Internal
-{
 struct StreamlineOptions;
-}
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldStreamlines : public vtkPolyDataAlgorithm
@@ -200,7 +197,7 @@ private:
   void operator=(const vtkDirectionFieldStreamlines&) = delete;
 
   /// The options of the tracing, from the properties.
-  DirectionFields::Internal::StreamlineOptions MakeOptions() const;
+  DirectionFields::StreamlineOptions MakeOptions() const;
 
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
   void TraceLines(vtkPolyData* input, vtkPointSet* seeds, vtkPolyData* lines, vtkPolyData* nodes);

@@ -97,8 +97,8 @@ void vtkStripePattern::MakePattern(
     spacing = [&spacings](DirectionFields::Index point) { return spacings[point]; };
   }
   const DirectionFields::StripePattern pattern = DirectionFields::MakeStripes(
-    field, options, spacing, DirectionFields::Progress(report).Part(ProgressRead, ProgressMade));
-  if (DirectionFields::IsAborted(this))
+    field, options, spacing, DirectionFields::ReportTo(this, ProgressRead, ProgressMade));
+  if (pattern.Aborted || DirectionFields::IsAborted(this))
   {
     throw DirectionFields::Stopped();
   }

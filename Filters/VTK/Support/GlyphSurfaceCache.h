@@ -5,7 +5,7 @@
 #define GlyphSurfaceCache_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Glyphs/GlyphSurface.h"
+#include "Glyphs.h"
 #include "Progress.h"
 
 #include "vtkType.h"

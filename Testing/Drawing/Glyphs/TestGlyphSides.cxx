@@ -3,7 +3,7 @@
 //
 // Which side of the surface glyphs are on, and what is kept of the surface.
 
-#include "Glyphs/Glyphs.h"
+#include "Glyphs.h"
 #include "Glyphs/OutwardSides.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"

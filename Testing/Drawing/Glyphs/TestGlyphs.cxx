@@ -3,7 +3,7 @@
 //
 // Paths along the surface, and the shapes drawn there.
 
-#include "Glyphs/Glyphs.h"
+#include "Glyphs.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 #include "Paths/SurfacePath.h"

@@ -4,9 +4,9 @@
 #include "Interpolation/FieldInterpolant.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "Streamlines.h"
 #include "Streamlines/EvenStreamlines.h"
 #include "Streamlines/LineGrid.h"
-#include "Streamlines/TraceStreamlines.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>
@@ -150,9 +150,9 @@ TEST(EvenStreamlines, FollowTheDirectionsWithinFiveDegrees)
       EvenOptions options;
       options.Spacing = std::sqrt(field.GetGeometry().Lengths.ComponentArea[0]) *
         field.GetGeometry().Lengths.Unit[0] / 40.0;
-      options.MostLength = 500.0 * options.Spacing;
-      options.LeastLength = options.Spacing;
-      options.MostLines = 100000;
+      options.MaximumLength = 500.0 * options.Spacing;
+      options.MinimumLength = options.Spacing;
+      options.MaximumNumber = 100000;
       double most = 0.0;
       int count = 0;
       for (const TracedStreamline& line :
@@ -167,8 +167,8 @@ TEST(EvenStreamlines, FollowTheDirectionsWithinFiveDegrees)
           const double left = line.Pieces.back().Arc + line.Pieces.back().Length() - piece.Arc;
           const double done = piece.Arc + piece.Length() - line.Pieces.front().Arc;
           const bool isInto =
-            (line.Ends[0] == LineEnd::Singularity && done < intoSingularity * size) ||
-            (line.Ends[1] == LineEnd::Singularity && left < intoSingularity * size);
+            (line.Ends[0] == StreamlineEnd::Singularity && done < intoSingularity * size) ||
+            (line.Ends[1] == StreamlineEnd::Singularity && left < intoSingularity * size);
           // A chord that is no longer than rounding has no direction.
           if (!isInto && piece.Length() > 1e-7 * size)
           {
@@ -198,7 +198,7 @@ TEST(EvenStreamlines, HaveTheSameBytesForAnyNumberOfThreads)
       StreamlineOptions options;
       options.Seeds = seeds;
       options.StopAtCrossings = degree == 4;
-      options.MostLength = 8.0;
+      options.MaximumLength = 8.0;
       std::vector<Vector3> points;
       std::vector<std::int64_t> offsets;
       for (const int number : { 1, 2, 5 })
@@ -247,10 +247,10 @@ TEST(EvenStreamlines, TurnGrowAndAreRenumberedWithTheSurface)
       StreamlineOptions options = OnSurface();
       options.Seeds = seeds;
       // Long lines magnify rounding.
-      options.MostLength = 4.0;
+      options.MaximumLength = 4.0;
       const GivenField one(surface, directions);
       const Streamlines lines = TraceStreamlines(one, directions, {}, options);
-      options.MostLength *= scale;
+      options.MaximumLength *= scale;
       const GivenField two(moved, turned);
       const Streamlines others = TraceStreamlines(two, turned, {}, options);
       ASSERT_EQ(lines.Length.size(), others.Length.size()) << degree;

@@ -3,8 +3,8 @@
 
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "Streamlines.h"
 #include "Streamlines/LineGrid.h"
-#include "Streamlines/TraceStreamlines.h"
 
 #include <gtest/gtest.h>
 
@@ -69,8 +69,8 @@ TEST(LinesOnAnySurface, CloseAroundATorus)
   for (std::size_t i = 0; i < lines.Length.size(); ++i)
   {
     const Vector3& begin = lines.Points[lines.Offsets[i]];
-    EXPECT_NE(lines.Ends[i][0], LineEnd::Boundary);
-    EXPECT_NE(lines.Ends[i][1], LineEnd::Boundary);
+    EXPECT_NE(lines.Ends[i][0], StreamlineEnd::Boundary);
+    EXPECT_NE(lines.Ends[i][1], StreamlineEnd::Boundary);
     if (lines.Closed[i] != 0)
     {
       ++closed;
@@ -114,8 +114,8 @@ TEST(LinesOnAnySurface, EndAtEdgesOfMoreThanTwoTriangles)
     const Streamlines lines = TraceStreamlines(
       field, directions, { { t, { 0.3, 0.3, 0.4 } } }, OnSurface(SeedType::Points));
     ASSERT_EQ(lines.Length.size(), 1u);
-    EXPECT_EQ(lines.Ends[0][0], LineEnd::Boundary);
-    EXPECT_EQ(lines.Ends[0][1], LineEnd::Boundary);
+    EXPECT_EQ(lines.Ends[0][0], StreamlineEnd::Boundary);
+    EXPECT_EQ(lines.Ends[0][1], StreamlineEnd::Boundary);
     EXPECT_NEAR(lines.Length[0], 0.5, 1e-6);
   }
 }
@@ -219,15 +219,15 @@ TEST(LinesOnAnySurface, GetOnOverSlivers)
       for (const SeedType seeds : { SeedType::EvenlySpaced, SeedType::Singularities })
       {
         StreamlineOptions options = OnSurface(seeds);
-        options.MostLength = 12.0;
+        options.MaximumLength = 12.0;
         const Streamlines lines = TraceStreamlines(field, directions, {}, options);
         EXPECT_TRUE(seeds == SeedType::Singularities || !lines.Length.empty());
         for (const auto& ends : lines.Ends)
         {
-          for (const LineEnd end : ends)
+          for (const StreamlineEnd end : ends)
           {
-            EXPECT_NE(end, LineEnd::Boundary) << "a line has left a closed surface";
-            EXPECT_NE(end, LineEnd::Stuck);
+            EXPECT_NE(end, StreamlineEnd::Boundary) << "a line has left a closed surface";
+            EXPECT_NE(end, StreamlineEnd::Stuck);
           }
         }
       }

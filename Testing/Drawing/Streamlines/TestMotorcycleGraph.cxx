@@ -4,8 +4,8 @@
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 #include "Soup/JoinedSets.h"
+#include "Streamlines.h"
 #include "Streamlines/MotorcycleGraph.h"
-#include "Streamlines/TraceStreamlines.h"
 #include "Streamlines/TracedStreamline.h"
 
 #include <gtest/gtest.h>
@@ -280,7 +280,8 @@ TEST(MotorcycleGraph, EnclosesAsManyPatchesAsTheFormulasSay)
     const auto lines = static_cast<int>(graph.Lines.size());
     for (const TracedStreamline& line : graph.Lines)
     {
-      EXPECT_TRUE(line.Ends[1] == LineEnd::Crossing || line.Ends[1] == LineEnd::Singularity)
+      EXPECT_TRUE(
+        line.Ends[1] == StreamlineEnd::Crossing || line.Ends[1] == StreamlineEnd::Singularity)
         << static_cast<int>(line.Ends[1]);
     }
     const int patches = FloodFill(graph).Count();
@@ -290,7 +291,7 @@ TEST(MotorcycleGraph, EnclosesAsManyPatchesAsTheFormulasSay)
     // All patches are quads: their corners are two at each crossing, and one between any two rays of a
     // singularity. A line that ends in a singularity is one of its rays.
     const auto crossings = std::count_if(graph.Lines.begin(), graph.Lines.end(),
-      [](const TracedStreamline& line) { return line.Ends[1] == LineEnd::Crossing; });
+      [](const TracedStreamline& line) { return line.Ends[1] == StreamlineEnd::Crossing; });
     if (lines - crossings == Merged(graph))
     {
       EXPECT_EQ(2 * crossings + static_cast<int>(graph.Rays), 4 * patches);
@@ -348,7 +349,7 @@ TEST(MotorcycleGraph, StopsLinesAtTrailsThatWereThereBefore)
     if (line.Crossed[1] != None)
     {
       ++crossings;
-      EXPECT_EQ(line.Ends[1], LineEnd::Crossing);
+      EXPECT_EQ(line.Ends[1], StreamlineEnd::Crossing);
       EXPECT_LE(0.0, line.Length());
     }
   }

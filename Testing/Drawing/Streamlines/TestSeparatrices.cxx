@@ -3,8 +3,8 @@
 
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "Streamlines.h"
 #include "Streamlines/SingularPoints.h"
-#include "Streamlines/TraceStreamlines.h"
 #include "Streamlines/TracedStreamline.h"
 
 #include <gtest/gtest.h>
@@ -84,8 +84,8 @@ TEST(Separatrices, OfLinearFieldsOnThePlaneAreStraight)
             const Vector3 offset = lines.Points[p] - begin;
             EXPECT_LT(offset.cross((end - begin).normalized()).norm(), 2e-5 * offset.norm() + 1e-9);
           }
-          EXPECT_EQ(lines.Ends[i][1], LineEnd::Boundary);
-          EXPECT_EQ(lines.Nodes[lines.EndNodes[i][1]].Type, NodeType::Boundary);
+          EXPECT_EQ(lines.Ends[i][1], StreamlineEnd::Boundary);
+          EXPECT_EQ(lines.Nodes[lines.EndNodes[i][1]].Type, StreamlineNodeType::Boundary);
         }
       }
     }
@@ -103,21 +103,21 @@ TEST(Separatrices, AreAsManyAsTheIndicesSay)
       const GivenField field(surface, directions);
       StreamlineOptions options;
       options.Seeds = SeedType::Singularities;
-      options.MostLength = 0.5 * std::sqrt(surface.Triangles.size());
+      options.MaximumLength = 0.5 * std::sqrt(surface.Triangles.size());
       const Streamlines lines = TraceStreamlines(field, directions, {}, options);
       std::vector<int> count(lines.Nodes.size(), 0);
       for (std::size_t i = 0; i < lines.Length.size(); ++i)
       {
-        EXPECT_EQ(lines.Ends[i][0], LineEnd::Singularity);
-        EXPECT_NE(lines.Ends[i][1], LineEnd::Boundary) << "a line has left a closed surface";
-        EXPECT_NE(lines.Ends[i][1], LineEnd::Stuck);
+        EXPECT_EQ(lines.Ends[i][0], StreamlineEnd::Singularity);
+        EXPECT_NE(lines.Ends[i][1], StreamlineEnd::Boundary) << "a line has left a closed surface";
+        EXPECT_NE(lines.Ends[i][1], StreamlineEnd::Stuck);
         EXPECT_EQ(lines.EndNodes[i][0], lines.Seed[i]);
         ++count[lines.EndNodes[i][0]];
       }
       int sum = 0;
       for (std::size_t k = 0; k < lines.Nodes.size(); ++k)
       {
-        if (lines.Nodes[k].Type == NodeType::Singularity)
+        if (lines.Nodes[k].Type == StreamlineNodeType::Singularity)
         {
           sum += lines.Nodes[k].SingularityIndex;
           EXPECT_EQ(count[k],

@@ -3,7 +3,7 @@
 
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Streamlines/TraceStreamlines.h"
+#include "Streamlines.h"
 #include "Streamlines/TracedStreamline.h"
 
 #include <gtest/gtest.h>
@@ -59,9 +59,9 @@ double Drift(int around, int across)
   {
     StreamlineOptions options;
     options.Seeds = SeedType::Points;
-    options.Way = IntegrationDirection::Forward;
+    options.Direction = IntegrationDirection::Forward;
     options.Offset = 0.0;
-    options.MostLength = 2.5 * Pi * (Radius + TubeRadius);
+    options.MaximumLength = 2.5 * Pi * (Radius + TubeRadius);
     const Streamlines lines =
       TraceStreamlines(field, directions, { { t, { 0.3, 0.4, 0.3 } } }, options);
     double turned = 0.0;
@@ -135,8 +135,8 @@ TEST(StreamlineTrace, IsStraightOnThePlane)
       const double step = 2.0 * Pi / degree;
       EXPECT_NEAR(turn, step * std::round(turn / step), 1e-7);
       // From boundary to boundary.
-      EXPECT_EQ(lines.Ends[i][0], LineEnd::Boundary);
-      EXPECT_EQ(lines.Ends[i][1], LineEnd::Boundary);
+      EXPECT_EQ(lines.Ends[i][0], StreamlineEnd::Boundary);
+      EXPECT_EQ(lines.Ends[i][1], StreamlineEnd::Boundary);
       const int branch = lines.Branch[lines.Offsets[i]];
       EXPECT_LT((directions.Direction(0, branch) - (end - begin).normalized()).norm(), 1e-6);
     }
@@ -157,7 +157,7 @@ TEST(StreamlineTrace, RunsOnlyTheWayThatIsAskedFor)
   {
     StreamlineOptions options;
     options.Seeds = SeedType::Points;
-    options.Way = way;
+    options.Direction = way;
     const Streamlines lines = TraceStreamlines(field, directions, seeds, options);
     return std::pair(lines.Points.front().x(), lines.Points.back().x());
   };
@@ -182,8 +182,8 @@ TEST(StreamlineTrace, StopsAtTheLengthThatIsAskedFor)
   {
     StreamlineOptions options;
     options.Seeds = seeds;
-    options.MostLength = 0.7;
-    options.LeastLength = 0.1;
+    options.MaximumLength = 0.7;
+    options.MinimumLength = 0.1;
     const Streamlines lines =
       TraceStreamlines(field, directions, { { 3, { 0.2, 0.3, 0.5 } } }, options);
     EXPECT_GT(lines.Length.size(), 0u);
@@ -192,7 +192,7 @@ TEST(StreamlineTrace, StopsAtTheLengthThatIsAskedFor)
       EXPECT_LE(length, 0.75);
       EXPECT_GE(length, 0.1);
     }
-    options.MostLines = 1;
+    options.MaximumNumber = 1;
     EXPECT_LE(
       TraceStreamlines(field, directions, { { 3, { 0.2, 0.3, 0.5 } } }, options).Length.size(), 1u);
   }
@@ -234,7 +234,7 @@ TEST(StreamlineTrace, TakesWhateverSurfaceComes)
         StreamlineOptions options;
         options.Seeds = seeds;
         options.StopAtCrossings = degree == 4;
-        options.MostLength = 3.0;
+        options.MaximumLength = 3.0;
         std::vector<StreamlineSeed> places;
         for (Index t = 0; t < static_cast<Index>(surface.Triangles.size()); t += 37)
         {

@@ -6,7 +6,7 @@
 
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
-#include "Stripes/Stripes.h"
+#include "Stripes.h"
 
 /// Stripe patterns for the tests, and what is measured of them.
 namespace Patterns

@@ -138,7 +138,7 @@ bool Triangulator::Cut()
 
 bool Triangulator::CutWithCore(bool force)
 {
-  const std::vector<Index> ears = Internal::CutEars(this->Places, force);
+  const std::vector<Index> ears = CutEars(this->Places, force);
   this->Ears.assign(ears.begin(), ears.end());
   return !this->Ears.empty();
 }

@@ -4,7 +4,7 @@
 #ifndef GlyphsToPolyData_h
 #define GlyphsToPolyData_h
 
-#include "Glyphs/Glyphs.h"
+#include "Glyphs.h"
 
 class vtkPolyData;
 

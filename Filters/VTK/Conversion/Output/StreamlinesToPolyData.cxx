@@ -131,10 +131,10 @@ void AddLines(const Streamlines& lines, int pointDataType, vtkPolyData* output)
 void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& surface,
   int pointDataType, vtkPolyData* output)
 {
-  const std::vector<LineNode>& nodes = lines.Nodes;
+  const std::vector<StreamlineNode>& nodes = lines.Nodes;
   std::vector<Vector3> positions;
   positions.reserve(nodes.size());
-  for (const LineNode& node : nodes)
+  for (const StreamlineNode& node : nodes)
   {
     positions.push_back(node.Position);
   }

@@ -5,7 +5,7 @@
 #define LinesToPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Streamlines/TraceStreamlines.h"
+#include "Streamlines.h"
 
 class vtkPointSet;
 class vtkPolyData;

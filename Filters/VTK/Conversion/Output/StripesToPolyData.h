@@ -5,7 +5,7 @@
 #define StripesToPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Stripes/Stripes.h"
+#include "Stripes.h"
 
 class vtkPolyData;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Glyphs/GlyphSurface.h"
+#include "Glyphs/GlyphSurfaceData.h"
 
 #include "Glyphs/OutwardSides.h"
 
@@ -41,7 +41,7 @@ double TimesPower(double number, int exponent)
   return std::isfinite(number) ? std::clamp(std::ldexp(number, exponent), -most, most) : number;
 }
 
-GlyphSurface::GlyphSurface(std::shared_ptr<const Surface> surface,
+GlyphSurfaceData::GlyphSurfaceData(std::shared_ptr<const Surface> surface,
   std::vector<char> excludedTriangles, std::vector<char> excludedPoints)
   : Triangles(std::move(surface))
   , ExcludedTriangles(std::move(excludedTriangles))
@@ -62,7 +62,8 @@ GlyphSurface::GlyphSurface(std::shared_ptr<const Surface> surface,
   }
 }
 
-const SurfaceSamples& GlyphSurface::GetPlaces(const GlyphOptions& options, const Progress& progress)
+const SurfaceSamples& GlyphSurfaceData::GetPlaces(
+  const GlyphOptions& options, const Progress& progress)
 {
   const Key key = { options.Mode, options.Spacing, options.MaximumNumber };
   if (this->PlacesKey == key)
@@ -86,7 +87,7 @@ const SurfaceSamples& GlyphSurface::GetPlaces(const GlyphOptions& options, const
   return this->Places;
 }
 
-const std::shared_ptr<const FieldSurface>& GlyphSurface::GetFieldSurface()
+const std::shared_ptr<const FieldSurface>& GlyphSurfaceData::GetFieldSurface()
 {
   if (!this->FieldMesh)
   {
@@ -95,7 +96,7 @@ const std::shared_ptr<const FieldSurface>& GlyphSurface::GetFieldSurface()
   return this->FieldMesh;
 }
 
-const std::vector<signed char>& GlyphSurface::GetOutwardSides()
+const std::vector<signed char>& GlyphSurfaceData::GetOutwardSides()
 {
   if (!this->Sides)
   {

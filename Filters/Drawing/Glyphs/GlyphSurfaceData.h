@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef DirectionFields_GlyphSurface_h
-#define DirectionFields_GlyphSurface_h
+#ifndef DirectionFields_GlyphSurfaceData_h
+#define DirectionFields_GlyphSurfaceData_h
 
-#include "Glyphs/GlyphOptions.h"
+#include "Glyphs.h"
 #include "Glyphs/SurfaceSampling.h"
 #include "Interpolation/GivenField.h"
 #include "Paths/SurfaceIncidence.h"
@@ -19,15 +19,15 @@ namespace DirectionFields::Internal
 {
 /// A surface to draw glyphs on. What depends on the surface only is computed once, however many fields
 /// are drawn: which triangles meet where, their normals, the places of the glyphs and the outside.
-class GlyphSurface
+class GlyphSurfaceData
 {
 public:
   /// @param excludedTriangles not 0 for triangles without glyphs; empty for none
   /// @param excludedPoints    not 0 for points without glyphs; empty for none
-  explicit GlyphSurface(std::shared_ptr<const Surface> surface,
+  explicit GlyphSurfaceData(std::shared_ptr<const Surface> surface,
     std::vector<char> excludedTriangles = {}, std::vector<char> excludedPoints = {});
-  GlyphSurface(const GlyphSurface&) = delete;
-  GlyphSurface& operator=(const GlyphSurface&) = delete;
+  GlyphSurfaceData(const GlyphSurfaceData&) = delete;
+  GlyphSurfaceData& operator=(const GlyphSurfaceData&) = delete;
 
   /// The triangles in a unit of length of 2^GetExponent(), in which the squares of areas are numbers.
   const SurfaceIncidence& GetIncidence() const { return *this->Incidence; }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Stripes/Stripes.h"
-
+#include "Stripes.h"
 #include "Stripes/PhaseDiffusion.h"
 #include "Stripes/PhaseSmoothing.h"
 #include "Stripes/StripeBands.h"
 #include "Stripes/StripeLines.h"
+#include "Stripes/StripePoints.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include <string>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
@@ -213,12 +213,11 @@ void AddSingularities(const GivenField& field, const StripePieces& pieces, Strip
     }
   }
 }
-}
 
-StripePattern MakeStripes(const GivenField& field, const StripeOptions& options,
+/// Throws Stopped.
+StripePattern Pattern(const GivenField& field, const StripeOptions& options,
   const std::function<double(Index point)>& spacing, const Progress& progress)
 {
-  CheckOptions(options);
   StripePattern pattern;
   std::function<double(Index)> frequency;
   if (spacing)
@@ -254,5 +253,22 @@ StripePattern MakeStripes(const GivenField& field, const StripeOptions& options,
   }
   progress.Report(1.0);
   return pattern;
+}
+}
+
+StripePattern MakeStripes(const GivenField& field, const StripeOptions& options,
+  const std::function<double(Index point)>& spacing, const ProgressFunction& progress)
+{
+  CheckOptions(options);
+  try
+  {
+    return Pattern(field, options, spacing, Progress(progress));
+  }
+  catch (const Stopped&)
+  {
+    StripePattern nothing;
+    nothing.Aborted = true;
+    return nothing;
+  }
 }
 }

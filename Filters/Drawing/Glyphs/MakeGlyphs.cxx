@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Glyphs/Glyphs.h"
-
+#include "Glyphs.h"
+#include "Glyphs/GlyphShapes.h"
+#include "Glyphs/GlyphSurfaceData.h"
+#include "Interpolation/FieldInterpolation.h"
 #include "Paths/SurfacePath.h"
 #include "Support/Threads.h"
 
@@ -14,7 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
@@ -159,8 +161,8 @@ Index PointAt(const Surface& surface, const SurfacePoint& place)
 class GlyphPlaces
 {
 public:
-  GlyphPlaces(GlyphSurface& surface, const SurfaceSamples& samples, const PointDirections& field,
-    const GlyphOptions& options)
+  GlyphPlaces(GlyphSurfaceData& surface, const SurfaceSamples& samples,
+    const PointDirections& field, const GlyphOptions& options)
     : Surface(surface.GetIncidence())
     , Samples(samples)
     , Options(options)
@@ -374,10 +376,25 @@ void Rescale(int exponent, Glyphs& glyphs)
 }
 }
 
-Glyphs MakeGlyphs(GlyphSurface& surface, const PointDirections& field, const GlyphOptions& options,
+GlyphSurface::GlyphSurface(std::shared_ptr<const Surface> surface,
+  std::vector<char> excludedTriangles, std::vector<char> excludedPoints)
+  : Data(std::make_unique<GlyphSurfaceData>(
+      std::move(surface), std::move(excludedTriangles), std::move(excludedPoints)))
+{
+}
+
+GlyphSurface::~GlyphSurface() = default;
+
+int GlyphSurface::GetNumberOfSamplings() const
+{
+  return this->Data->GetNumberOfSamplings();
+}
+
+Glyphs MakeGlyphs(GlyphSurface& drawnOn, const PointDirections& field, const GlyphOptions& options,
   const ProgressFunction& progress)
 {
   Check(options);
+  GlyphSurfaceData& surface = *drawnOn.Data;
   const Progress steps(progress);
   try
   {
