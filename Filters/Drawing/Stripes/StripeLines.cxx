@@ -72,80 +72,121 @@ private:
   LargeArray<std::int64_t> Slots;
   std::vector<char> Taken;
 };
+
+/// The levels through a surface, triangle by triangle.
+class Levels
+{
+public:
+  Levels(const StripePieces& pieces, const std::vector<char>& isGhost)
+    : Pieces(pieces)
+    , IsGhost(isGhost)
+    , OwnPoints(pieces.GetLevels().GetNumberOfCrossings() +
+        static_cast<std::int64_t>(pieces.GetInnerPoints().size()))
+  {
+    this->AddStraight();
+    this->AddAtCenters();
+  }
+
+  std::vector<Segment> TakeSegments() { return std::move(this->Segments); }
+  std::int64_t GetNumberOfPoints() const
+  {
+    return this->OwnPoints + static_cast<std::int64_t>(this->Ends.size());
+  }
+
+  /// The center that a line ends in at a point, which is replaced by the center's; None at others.
+  Index CenterAt(std::int64_t& point) const
+  {
+    if (point < this->OwnPoints)
+    {
+      return None;
+    }
+    const Index center = this->Ends[point - this->OwnPoints];
+    point = this->Pieces.GetCenters()[center].Point;
+    return center;
+  }
+
+private:
+  bool Counts(Index triangle) const
+  {
+    const TriangleMesh& mesh = this->Pieces.GetLevels().GetWanted().GetMesh();
+    return this->IsGhost.empty() || !this->IsGhost[mesh.InputTriangle(triangle)];
+  }
+
+  void AddStraight()
+  {
+    const Index triangles = this->Pieces.GetLevels().GetWanted().GetMesh().GetNumberOfTriangles();
+    constexpr Index size = HeavyPiece;
+    std::vector<std::vector<Segment>> found(NumberOfPieces(triangles, size));
+    ParallelFor(triangles, size,
+      [&](Index begin, Index end)
+      {
+        std::vector<Segment>& segments = found[begin / size];
+        this->Pieces.ForStraight(begin, end,
+          [&](Index triangle, const StripePiece& piece)
+          {
+            if (this->Counts(triangle))
+            {
+              piece.ForLevels(
+                [&](std::int64_t from, std::int64_t to) {
+                  segments.push_back({ from, to });
+                });
+            }
+          });
+      });
+    for (const std::vector<Segment>& part : found)
+    {
+      this->Segments.insert(this->Segments.end(), part.begin(), part.end());
+    }
+  }
+
+  /// Several lines may end in a center: each gets an end of its own after all other points.
+  void AddAtCenters()
+  {
+    const std::vector<StripePieces::Center>& centers = this->Pieces.GetCenters();
+    for (std::size_t k = 0; k < this->Pieces.GetPiecesAtCenters().size(); ++k)
+    {
+      const Index center = this->Pieces.GetPieceCenters()[k];
+      const std::int64_t middle = centers[center].Point;
+      const auto endOf = [&](std::int64_t point)
+      {
+        if (point != middle)
+        {
+          return point;
+        }
+        this->Ends.push_back(center);
+        return this->GetNumberOfPoints() - 1;
+      };
+      if (this->Counts(centers[center].Triangle))
+      {
+        this->Pieces.GetPiecesAtCenters()[k].ForLevels(
+          [&](std::int64_t from, std::int64_t to)
+          {
+            const std::int64_t begin = endOf(from);
+            this->Segments.push_back({ begin, endOf(to) });
+          });
+      }
+    }
+  }
+
+  const StripePieces& Pieces;
+  const std::vector<char>& IsGhost;
+  /// The points that StripePieces numbers.
+  std::int64_t OwnPoints;
+  std::vector<Segment> Segments;
+  /// The centers of the points after those.
+  std::vector<Index> Ends;
+};
 }
 
 StripeLines::StripeLines(const StripePieces& pieces, const std::vector<char>& isGhost)
 {
-  const TriangleMesh& mesh = pieces.GetLevels().GetWanted().GetMesh();
-  const auto counts = [&](Index triangle)
-  { return isGhost.empty() || !isGhost[mesh.InputTriangle(triangle)]; };
-  constexpr Index size = HeavyPiece;
-  std::vector<std::vector<Segment>> found(NumberOfPieces(mesh.GetNumberOfTriangles(), size));
-  ParallelFor(mesh.GetNumberOfTriangles(), size,
-    [&](Index begin, Index end)
-    {
-      std::vector<Segment>& segments = found[begin / size];
-      pieces.ForStraight(begin, end,
-        [&](Index triangle, const StripePiece& piece)
-        {
-          if (counts(triangle))
-          {
-            piece.ForLevels(
-              [&](std::int64_t from, std::int64_t to) {
-                segments.push_back({ from, to });
-              });
-          }
-        });
-    });
-  std::vector<Segment> segments;
-  for (const std::vector<Segment>& part : found)
-  {
-    segments.insert(segments.end(), part.begin(), part.end());
-  }
-  // Several lines may end in a center: each gets an end of its own after all other points.
-  const std::vector<StripePieces::Center>& centers = pieces.GetCenters();
-  const std::int64_t ownPoints = pieces.GetLevels().GetNumberOfCrossings() +
-    static_cast<std::int64_t>(pieces.GetInnerPoints().size());
-  std::vector<Index> ends;
-  for (std::size_t k = 0; k < pieces.GetPiecesAtCenters().size(); ++k)
-  {
-    const Index center = pieces.GetPieceCenters()[k];
-    const std::int64_t middle = centers[center].Point;
-    const auto endOf = [&](std::int64_t point)
-    {
-      if (point != middle)
-      {
-        return point;
-      }
-      ends.push_back(center);
-      return ownPoints + static_cast<std::int64_t>(ends.size()) - 1;
-    };
-    if (counts(centers[center].Triangle))
-    {
-      pieces.GetPiecesAtCenters()[k].ForLevels(
-        [&](std::int64_t from, std::int64_t to)
-        {
-          const std::int64_t begin = endOf(from);
-          segments.push_back({ begin, endOf(to) });
-        });
-    }
-  }
-  SegmentChains chains(std::move(segments), ownPoints + static_cast<std::int64_t>(ends.size()));
-  const auto centerOf = [&](std::int64_t& point) -> Index
-  {
-    if (point < ownPoints)
-    {
-      return None;
-    }
-    const Index center = ends[point - ownPoints];
-    point = centers[center].Point;
-    return center;
-  };
+  Levels levels(pieces, isGhost);
+  SegmentChains chains(levels.TakeSegments(), levels.GetNumberOfPoints());
   const auto add = [&](std::int64_t segment, std::int64_t point, bool closed)
   {
     chains.Follow(segment, point, this->Points);
-    const Index begin = centerOf(this->Points[this->Offsets.back()]);
-    const Index end = centerOf(this->Points.back());
+    const Index begin = levels.CenterAt(this->Points[this->Offsets.back()]);
+    const Index end = levels.CenterAt(this->Points.back());
     this->Offsets.push_back(static_cast<std::int64_t>(this->Points.size()));
     this->Closed.push_back(closed ? 1 : 0);
     this->EndCenters.push_back({ begin, end });

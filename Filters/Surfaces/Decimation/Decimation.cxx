@@ -276,6 +276,44 @@ double Decimation::Quality(Index v, const Star& star, std::size_t i, double part
   return least < std::min(LeastQuality, star.WorstQuality) ? refused : least;
 }
 
+std::size_t Decimation::MarkNeighbours(Index w, const Star& star, char* isNeighbour) const
+{
+  std::size_t count = 0;
+  const auto meet = [&](Index x)
+  {
+    for (std::size_t k = 0; k < star.Ring.size(); ++k)
+    {
+      if (star.Ring[k] == x)
+      {
+        isNeighbour[k] = 1;
+        ++count;
+      }
+    }
+  };
+  const Index any = this->Outgoing[w];
+  Index h = any;
+  bool isOpen = false;
+  do
+  {
+    meet(this->Corners[Next(h)]);
+    isOpen = this->Twins[h] == None;
+    h = isOpen ? None : Next(this->Twins[h]);
+  } while (h != None && h != any);
+  if (isOpen)
+  {
+    // Clockwise it went as far as it could; the rest lies the other way.
+    h = any;
+    while (h != None)
+    {
+      const Index last = this->Corners[Previous(h)];
+      h = this->Twins[Previous(h)];
+      // The first half-edge was met already; where the fan ends there is one vertex more.
+      meet(last);
+    }
+  }
+  return count;
+}
+
 bool Decimation::KeepsTopology(Index v, const Star& star, std::size_t i) const
 {
   const std::size_t size = star.Ring.size();
@@ -306,39 +344,7 @@ bool Decimation::KeepsTopology(Index v, const Star& star, std::size_t i) const
   // The common neighbours of v and w have to be those of their triangles (T. Dey et al. 1999), and what becomes
   // a neighbour of w has to be one that it may have.
   std::array<char, MostNeighbours + 1> isCommon{};
-  std::size_t common = 0;
-  const auto meet = [&](Index x)
-  {
-    for (std::size_t k = 0; k < size; ++k)
-    {
-      if (star.Ring[k] == x)
-      {
-        isCommon[k] = 1;
-        ++common;
-      }
-    }
-  };
-  const Index any = this->Outgoing[w];
-  Index h = any;
-  bool isOpen = false;
-  do
-  {
-    meet(this->Corners[Next(h)]);
-    isOpen = this->Twins[h] == None;
-    h = isOpen ? None : Next(this->Twins[h]);
-  } while (h != None && h != any);
-  if (isOpen)
-  {
-    // Clockwise it went as far as it could; the rest lies the other way.
-    h = any;
-    while (h != None)
-    {
-      const Index last = this->Corners[Previous(h)];
-      h = this->Twins[Previous(h)];
-      // The first half-edge was met already; where the fan ends there is one vertex more.
-      meet(last);
-    }
-  }
+  const std::size_t common = this->MarkNeighbours(w, star, isCommon.data());
   if (common != (isOuter ? 1U : 2U))
   {
     return false;

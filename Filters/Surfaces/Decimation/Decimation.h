@@ -62,6 +62,8 @@ private:
   /// How far a vertex on a feature is from the edge that is to take the place of its two.
   double FeatureStep(Index v, const Star& star, std::size_t i) const;
   bool KeepsTopology(Index v, const Star& star, std::size_t i) const;
+  /// Marks the vertices of a star's ring that are neighbours of w. Returns how many times it met one.
+  std::size_t MarkNeighbours(Index w, const Star& star, char* isNeighbour) const;
   void Collapse(Index v, const Star& star, std::size_t i);
 
   const std::vector<Vector3>& Positions;

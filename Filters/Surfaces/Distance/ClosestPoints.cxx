@@ -226,7 +226,12 @@ void ClosestPoints::Build(std::vector<Corners>&& triangles)
       }
     });
   this->Number = std::move(number);
-  for (Index below = count; this->Levels.empty() || below > 1;)
+  this->BuildLevels();
+}
+
+void ClosestPoints::BuildLevels()
+{
+  for (auto below = static_cast<Index>(this->Triangles.size()); this->Levels.empty() || below > 1;)
   {
     const Index nodes = NumberOfPieces(below, Width);
     std::vector<Node> level(nodes);

@@ -64,6 +64,7 @@ private:
     }
   };
   void Build(std::vector<Corners>&& triangles);
+  void BuildLevels();
   /// Takes the closest point of a triangle if it is closer than the best one.
   void Consider(Index at, const Vector3& place, const Vector3& normal, Answer& best) const;
 
