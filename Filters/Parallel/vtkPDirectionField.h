@@ -118,8 +118,7 @@ protected:
    * As vtkDirectionField asks for them, for the piece of this process.
    */
   DirectionFields::Result ComputeField(vtkPolyData* input, const DirectionFields::Surface& surface,
-    const DirectionFields::Options& options,
-    DirectionFields::Internal::SurfaceFigures& figures) override;
+    const DirectionFields::Options& options, DirectionFields::SurfaceFigures& figures) override;
   bool IsSpeaker() const override;
   void ReadTogether(const std::function<void()>& read) override;
   int TypeOfArrays(vtkPolyData* input) const override;

@@ -32,11 +32,7 @@ PointDirections PlanarField(const Surface& surface, int degree, const Angle& ang
 /// A field that was computed, which must outlive what is returned.
 inline PointDirections Of(const Result& result)
 {
-  PointDirections field;
-  field.Degree = result.Degree;
-  field.Direction = [&result](Index point, int k) { return result.Direction(point, k); };
-  field.Magnitude = [&result](Index point) { return std::abs(result.Representation[point]); };
-  return field;
+  return DirectionsOf(result);
 }
 
 /// The smoothest field.

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

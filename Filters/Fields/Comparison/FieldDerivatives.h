@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// Divergence and curl of the unit vectors of a field on each triangle of the surface, in 1 / length: what flows out of the
 /// triangle, and around it counter-clockwise as the mesh is wound, over its area. Flows along an edge are linear

@@ -3,6 +3,7 @@
 
 #include "Comparison/FieldDifference.h"
 
+#include "Distance/SurfaceDistance.h"
 #include "Interpolation/FieldInterpolant.h"
 #include "Interpolation/InterpolantZero.h"
 #include "Support/Threads.h"
@@ -13,7 +14,7 @@
 #include <map>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

@@ -4,13 +4,12 @@
 #ifndef DirectionFields_FieldDifference_h
 #define DirectionFields_FieldDifference_h
 
-#include "Distance/SurfaceDistance.h"
 #include "Interpolation/GivenField.h"
 #include "Progress.h"
 
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// How far the directions of two fields of the same degree n on one surface are apart.
 struct FieldDifference
@@ -24,7 +23,8 @@ struct FieldDifference
   double Maximum = 0.0;
 };
 
-/// @param other directions at the points of the surface that the field is on
+/// Takes linear time, on the threads of the scope.
+/// @param other directions of the same degree at the points of the surface that the field is on
 FieldDifference Compare(const GivenField& field, const PointDirections& other);
 
 /// A singularity of one of two fields.

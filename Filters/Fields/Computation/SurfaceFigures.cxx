@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 double SurfaceFigures::Diagonal() const
 {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// How large a surface is and how many singularities it has; ghosts are left out. What is in pieces has the
 /// figures of all pieces together.

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// A direction field that is constant on each triangle, as many programs know them.
 struct FaceField

@@ -5,13 +5,14 @@
 
 #include "Exchange/CompanionFiles.h"
 #include "Exchange/SharpEdges.h"
+#include "Exchange/TextFile.h"
 #include "Support/VectorMath.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
@@ -167,6 +168,26 @@ std::vector<SingularElement> SingularTriangles(const GivenField& field)
   }
   return singular;
 }
+
+/// Throws FileError where a file that is not an earlier run's would be replaced.
+void RequireOwn(const std::string& name, const std::vector<ExportedFile>& files)
+{
+  const std::string mesh = name + ".obj";
+  const std::string mark(ObjMark);
+  if (IsThere(mesh) && ReadText(mesh, mark.size()) == mark)
+  {
+    return;
+  }
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    if (IsThere(name + files[i].Ending))
+    {
+      throw FileError("There is a file " + name + files[i].Ending +
+        " already, which was not written here and would be replaced: a field's file comes with the mesh that "
+        "its rows belong to. Choose another name.");
+    }
+  }
+}
 }
 
 std::vector<ExportedFile> ExportField(
@@ -210,5 +231,16 @@ std::vector<ExportedFile> ExportField(
     files.push_back({ ".sing", singularities() });
   }
   return files;
+}
+
+void WriteFiles(const std::string& fileName, const std::vector<ExportedFile>& files)
+{
+  const std::string name = fileName.substr(0, fileName.rfind('.'));
+  RequireOwn(name, files);
+  WriteText(fileName, files.at(0).Text);
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    WriteText(name + files[i].Ending, files[i].Text);
+  }
 }
 }

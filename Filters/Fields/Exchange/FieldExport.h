@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 struct ExportOptions
 {
@@ -45,7 +45,14 @@ struct ExportedFile
 /// Throws FileError where the format does not have such a field.
 /// @param given the directions of the triangles, if these are to be written and not those of the points; else null
 std::vector<ExportedFile> ExportField(
-  const GivenField& field, const FaceField* given, const ExportOptions& options);
+  const GivenField& field, const FaceField* given = nullptr, const ExportOptions& options = {});
+
+/// Writes the first of the files under its name, and the others beside it, with their own endings. Throws FileError
+/// where a file cannot be written, and where one of the others is there already and was not written here, as the mesh
+/// beside it says.
+/// @param fileName with the ending of the first file
+/// @param files    of ExportField; at least one
+void WriteFiles(const std::string& fileName, const std::vector<ExportedFile>& files);
 }
 
 #endif

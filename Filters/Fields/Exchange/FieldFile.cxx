@@ -3,6 +3,8 @@
 
 #include "Exchange/FieldFile.h"
 
+#include "Exchange/TextFile.h"
+#include "Exchange/TextReader.h"
 #include "Exchange/TextWriter.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
@@ -277,6 +279,12 @@ FieldFile ReadField(std::string_view text, FieldFormat format)
   throw FileError(
     "A .sing file has singularities, but no directions. Choose the .rawfield file that it belongs to; "
     "the singularities follow from the directions.");
+}
+
+FieldFile ReadFieldFile(const std::string& fileName)
+{
+  const FieldFormat format = FormatOf(fileName);
+  return ReadField(ReadText(fileName), format);
 }
 
 std::string WriteField(const FieldFile& field, FieldFormat format)

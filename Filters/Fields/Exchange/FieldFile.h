@@ -4,7 +4,7 @@
 #ifndef DirectionFields_FieldFile_h
 #define DirectionFields_FieldFile_h
 
-#include "Exchange/TextReader.h"
+#include "Exchange/FileError.h"
 #include "Types.h"
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// How other programs keep direction fields.
 enum class FieldFormat
@@ -64,6 +64,9 @@ struct FieldFile
 /// Throws FileError where that is broken, has a number that is not finite, or a format without directions. Takes time
 /// and memory linear in the text, whatever numbers of rows it promises.
 FieldFile ReadField(std::string_view text, FieldFormat format);
+
+/// The same for a file, whose format its name tells. Throws FileError where it cannot be read, too.
+FieldFile ReadFieldFile(const std::string& fileName);
 
 /// The text of a .rosy, .ffield or .rawfield file. Rosy takes the first direction of each row, FrameField the first
 /// two, RawField all. Throws FileError for another format, and for a FrameField of another degree than 4.

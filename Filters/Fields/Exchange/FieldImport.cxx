@@ -18,7 +18,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// What the rows of a file with directions are for.
 enum class FieldOn

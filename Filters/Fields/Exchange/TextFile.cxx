@@ -3,7 +3,7 @@
 
 #include "Exchange/TextFile.h"
 
-#include "Exchange/TextReader.h"
+#include "Exchange/FileError.h"
 
 #include <algorithm>
 #include <array>

@@ -4,21 +4,15 @@
 #ifndef DirectionFields_TextReader_h
 #define DirectionFields_TextReader_h
 
+#include "Exchange/FileError.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace DirectionFields::Internal
 {
-/// A file that is not what its name says. what() names the line, what is wrong with it, and what is expected.
-class FileError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Takes words and numbers out of a text one after the other. Numbers are those of the C locale, whatever the
 /// program's locale is. Blanks, tabs and ends of lines, those of any system, separate words.
 class TextReader

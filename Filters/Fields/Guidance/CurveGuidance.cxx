@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

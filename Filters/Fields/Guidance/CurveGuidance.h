@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 struct CurveGuidanceOptions
 {

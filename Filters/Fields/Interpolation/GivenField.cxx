@@ -11,9 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
@@ -86,6 +87,29 @@ bool IsOneOf(const PointDirections& directions, Index point, const Vector3& dire
   }
   return nearest < SameDirection;
 }
+}
+
+PointDirections DirectionsOf(const Result& field)
+{
+  PointDirections directions;
+  directions.Degree = field.Degree;
+  directions.Direction = [&field](Index point, int k) { return field.Direction(point, k); };
+  directions.Magnitude = [&field](Index point) { return std::abs(field.Representation[point]); };
+  return directions;
+}
+
+PointDirections DirectionsOf(int degree, const std::vector<Vector3>& vectors)
+{
+  if (degree < 1 || vectors.size() % static_cast<std::size_t>(degree) != 0)
+  {
+    throw std::invalid_argument("Each point must have as many vectors as the degree, at least 1.");
+  }
+  PointDirections directions;
+  directions.Degree = degree;
+  directions.Direction = [&vectors, degree](Index point, int k)
+  { return vectors[static_cast<std::size_t>(point) * degree + k]; };
+  directions.Magnitude = [](Index) { return 1.0; };
+  return directions;
 }
 
 TriangleInSpace InSpace(const SurfaceGeometry& geometry, Index meshTriangle)

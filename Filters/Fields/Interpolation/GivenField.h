@@ -5,6 +5,7 @@
 #define DirectionFields_GivenField_h
 
 #include "Geometry/SurfaceGeometry.h"
+#include "Result.h"
 #include "Surface.h"
 
 #include <array>
@@ -12,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// n directions at each point of a surface, as they are given: by arrays that a computation or a file
 /// left.
@@ -25,6 +26,16 @@ struct PointDirections
   /// |u|, the weight of a point's directions against those of its neighbours.
   std::function<double(Index point)> Magnitude;
 };
+
+/// The directions of a field that was computed, which must outlive them. Magnitude is |u|.
+PointDirections DirectionsOf(const Result& field);
+
+/// The directions of an array, which must outlive them. Magnitude is 1; vectors that are zero or not finite are no
+/// directions. Throws std::invalid_argument where the number of vectors is no multiple of the degree.
+/// @param degree  n, at least 1
+/// @param vectors n for each point, one point after the other, in space, of any length; counter-clockwise about the
+///                normal, 2 pi / n apart
+PointDirections DirectionsOf(int degree, const std::vector<Vector3>& vectors);
 
 /// How a triangle lies in space, for what is computed on the triangle laid flat.
 struct TriangleInSpace
@@ -98,7 +109,7 @@ public:
   Index PointAt(Index meshTriangle, int meshCorner) const;
   TriangleInSpace InSpace(Index meshTriangle) const
   {
-    return Internal::InSpace(this->GetGeometry(), meshTriangle);
+    return DirectionFields::InSpace(this->GetGeometry(), meshTriangle);
   }
 
 private:

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 Result ToResult(const SingularityEditor& editor, const EditedField& edited)
 {

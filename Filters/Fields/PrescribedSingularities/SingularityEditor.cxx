@@ -3,30 +3,59 @@
 
 #include "PrescribedSingularities/SingularityEditor.h"
 
+#include "Distance/TriangleRuns.h"
+#include "PrescribedSingularities/SingularityTargets.h"
 #include "Support/VectorMath.h"
 #include "TrivialConnection/RotationAlignment.h"
 #include "TrivialConnection/RotationAtPlace.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {
 constexpr double LeastTangential = 1e-6;
 }
 
-SingularityEditor::SingularityEditor(const Surface& surface, const PointDirections& directions,
-  const std::vector<Vector3>& constraints)
-  : SingularityEditor(
-      surface, std::make_shared<const FieldSurface>(surface), directions, constraints)
+/// The given field, and what the edits of each component share.
+class SingularityEditor::Components
 {
-}
+public:
+  Components(const Surface& surface, const std::shared_ptr<const FieldSurface>& made,
+    const PointDirections& directions, const std::vector<Vector3>& constraints);
 
-SingularityEditor::SingularityEditor(const Surface& surface,
+  EditedField Edit(const std::vector<WantedSingularity>& wanted, const EditOptions& options,
+    const Progress& progress);
+
+  GivenField Base;
+  std::vector<Index> FirstPoint;
+  std::vector<Complex> Guidance;
+
+private:
+  std::vector<std::vector<PrescribedSingularity>> Snapped(
+    const std::vector<WantedSingularity>& wanted);
+  TrivialConnection& GetRotation(std::size_t component);
+  const TriangleRuns& GetNearest();
+  void EditComponent(std::size_t component, const std::vector<PrescribedSingularity>& singularities,
+    const EditOptions& options, const Progress& progress, EditedField& edited);
+  void SetSection(std::size_t component, const RotationTarget& target, const TurnedField& field,
+    EditedField& edited);
+
+  /// The base, and the given direction where there is one, at each vertex.
+  std::vector<Complex> Section;
+  /// Not 0 for vertices with a given direction; empty for none.
+  std::vector<char> IsGiven;
+  /// The surface's triangles that the mesh has.
+  std::optional<TriangleRuns> Nearest;
+  std::vector<std::unique_ptr<TrivialConnection>> Rotations;
+};
+
+SingularityEditor::Components::Components(const Surface& surface,
   const std::shared_ptr<const FieldSurface>& made, const PointDirections& directions,
   const std::vector<Vector3>& constraints)
   : Base(surface, made, directions)
@@ -64,7 +93,7 @@ SingularityEditor::SingularityEditor(const Surface& surface,
   }
 }
 
-TrivialConnection& SingularityEditor::GetRotation(std::size_t component)
+TrivialConnection& SingularityEditor::Components::GetRotation(std::size_t component)
 {
   std::unique_ptr<TrivialConnection>& rotation = this->Rotations[component];
   if (!rotation)
@@ -76,7 +105,7 @@ TrivialConnection& SingularityEditor::GetRotation(std::size_t component)
   return *rotation;
 }
 
-const TriangleRuns& SingularityEditor::GetNearest()
+const TriangleRuns& SingularityEditor::Components::GetNearest()
 {
   if (!this->Nearest)
   {
@@ -95,7 +124,7 @@ const TriangleRuns& SingularityEditor::GetNearest()
   return *this->Nearest;
 }
 
-std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Snapped(
+std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Components::Snapped(
   const std::vector<WantedSingularity>& wanted)
 {
   const TriangleMesh& mesh = this->Base.GetMesh();
@@ -129,7 +158,7 @@ std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Snapped(
   return snapped;
 }
 
-EditedField SingularityEditor::Edit(const std::vector<WantedSingularity>& wanted,
+EditedField SingularityEditor::Components::Edit(const std::vector<WantedSingularity>& wanted,
   const EditOptions& options, const Progress& progress)
 {
   EditedField edited;
@@ -156,7 +185,7 @@ EditedField SingularityEditor::Edit(const std::vector<WantedSingularity>& wanted
   return edited;
 }
 
-void SingularityEditor::EditComponent(std::size_t component,
+void SingularityEditor::Components::EditComponent(std::size_t component,
   const std::vector<PrescribedSingularity>& singularities, const EditOptions& options,
   const Progress& progress, EditedField& edited)
 {
@@ -200,7 +229,7 @@ void SingularityEditor::EditComponent(std::size_t component,
   this->SetSection(component, target, field, edited);
 }
 
-void SingularityEditor::SetSection(std::size_t component, const RotationTarget& target,
+void SingularityEditor::Components::SetSection(std::size_t component, const RotationTarget& target,
   const TurnedField& field, EditedField& edited)
 {
   const TriangleMesh& mesh = this->Base.GetMesh();
@@ -241,5 +270,37 @@ void SingularityEditor::SetSection(std::size_t component, const RotationTarget& 
       edited.Section[mesh.Tail(3 * place.Triangle + c)] *= std::abs(flat.Corner(c) - at) / farthest;
     }
   }
+}
+
+SingularityEditor::SingularityEditor(const Surface& surface, const PointDirections& directions,
+  const std::vector<Vector3>& constraints)
+  : Kept(std::make_unique<Components>(
+      surface, std::make_shared<const FieldSurface>(surface), directions, constraints))
+{
+}
+
+SingularityEditor::~SingularityEditor() = default;
+SingularityEditor::SingularityEditor(SingularityEditor&&) noexcept = default;
+SingularityEditor& SingularityEditor::operator=(SingularityEditor&&) noexcept = default;
+
+const GivenField& SingularityEditor::GetBase() const
+{
+  return this->Kept->Base;
+}
+
+const std::vector<Index>& SingularityEditor::GetFirstPoints() const
+{
+  return this->Kept->FirstPoint;
+}
+
+void SingularityEditor::SetGuidance(std::vector<Complex> guidance)
+{
+  this->Kept->Guidance = std::move(guidance);
+}
+
+EditedField SingularityEditor::Edit(const std::vector<WantedSingularity>& wanted,
+  const EditOptions& options, const Progress& progress)
+{
+  return this->Kept->Edit(wanted, options, progress);
 }
 }

@@ -4,102 +4,95 @@
 #ifndef DirectionFields_SingularityEditor_h
 #define DirectionFields_SingularityEditor_h
 
-#include "Distance/TriangleRuns.h"
 #include "Interpolation/GivenField.h"
-#include "PrescribedSingularities/SingularityTargets.h"
+#include "PrescribedSingularities/EditOptions.h"
 #include "Progress.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
-/// A singularity as it is asked for: at a place in space, in units of 1/n.
-struct WantedSingularity
-{
-  Vector3 Position;
-  int Index = 1;
-};
-
-struct EditOptions : TargetOptions
-{
-  /// tau, free of units, 0 to less than 1, as Options::AlignmentStrength: the field is drawn to the guidance without
-  /// any change of its singularities. 0 for not at all.
-  double AlignmentStrength = 0.0;
-};
-
-/// What became of one component.
+/// How the edit of one connected component went.
 struct EditedComponent
 {
-  /// Its field is another one than the base. Components without singularities that were asked for keep theirs, to the
-  /// last bit, and so do those whose singularities are the base's where the least change is wanted.
+  /// Whether its field differs from the given one. Components without singularities that were asked for keep their
+  /// directions to the last bit, and so do components that are to have the singularities that they have, with
+  /// RotationObjective::LeastChange.
   bool IsChanged = false;
-  /// Half of it is the Dirichlet energy of the directions' phases.
+  /// The sum over the edges of weight times the square of the rotation along the edge, radians: twice the Dirichlet
+  /// energy of the phases. Free of units.
   double Energy = 0.0;
   /// The largest rotation along an edge over pi: below 1 all indices are the prescribed ones.
   double MaximumRotation = 0.0;
+  /// Triangles whose index is not the one asked for.
   Index WrongTriangles = 0;
+  /// How often the directions turn along each generator of the component's loops, in units of 1/n: 2g of them on a
+  /// closed surface of genus g, and one more for each boundary but the first.
   std::vector<int> TurningNumbers;
+  /// Relative residual of the linear system.
   double Residual = 0.0;
-  /// What the strength of the alignment was to be multiplied with for the indices to stay.
+  /// The factor, 0 to 1, by which AlignmentStrength's weight was reduced so that the indices stay.
   double AlignmentShare = 1.0;
 };
 
+/// A field with edited singularities over the mesh of SingularityEditor::GetBase.
 struct EditedField
 {
-  /// Over the vertices of the mesh.
+  /// Representation vector of each vertex of the mesh, in its tangent frame.
   std::vector<Complex> Section;
+  /// One for each connected component of the mesh.
   std::vector<EditedComponent> Components;
   /// Triangles of the mesh, on the front, whose index is not the one asked for.
   std::vector<Index> WrongTriangles;
+  /// Sentences for the user.
   std::vector<std::string> Notes;
 };
 
-/// Moves, adds and takes away singularities of a field. What does not depend on the singularities is kept, and so is
-/// each component's solver: further edits take one linear system each.
+/// Moves, adds and removes singularities of a field of any degree n: the result is the smoothest field with the
+/// singularities that are asked for, or the one that is nearest to the given field (trivial connections),
+///
+/// K. Crane, M. Desbrun, P. Schröder: Trivial Connections on Discrete Surfaces. Computer Graphics Forum 29(5), 2010.
+///
+/// The mesh and the solver of each component are kept: the first edit of a component prepares its solver, further
+/// edits take one linear system each, in time linear in the triangles. Two threads may not use one object at once.
+///
+/// EditedResult.h turns an edited field into a Result over the points of the surface, and makes the guidance.
 class SingularityEditor
 {
 public:
+  /// Takes linear time, on the threads of the scope.
   /// @param surface     must outlive this
-  /// @param directions  the base
-  /// @param constraints tangent vectors at the points that are to keep their directions, zero at others; empty for none
+  /// @param directions  the given field (DirectionsOf makes one of a Result); needed in this call only
+  /// @param constraints one a point: tangent vectors where directions are to stay, zero elsewhere; empty for none
   SingularityEditor(const Surface& surface, const PointDirections& directions,
     const std::vector<Vector3>& constraints = {});
+  ~SingularityEditor();
+  SingularityEditor(SingularityEditor&&) noexcept;
+  SingularityEditor& operator=(SingularityEditor&&) noexcept;
 
-  const GivenField& GetBase() const { return this->Base; }
+  /// The given field and its mesh.
+  const GivenField& GetBase() const;
   /// For each point of the surface the one that stands for it in the mesh; empty where each stands for itself.
-  const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
-  /// What the field may be drawn to: a section of the field's degree over the vertices of the mesh; empty for nothing.
-  void SetGuidance(std::vector<Complex> guidance) { this->Guidance = std::move(guidance); }
+  const std::vector<Index>& GetFirstPoints() const;
+  /// Directions that EditOptions::AlignmentStrength draws the field to, for all further edits.
+  /// @param guidance a section of the field's degree over the vertices of the mesh (GuidanceFor); empty for none
+  void SetGuidance(std::vector<Complex> guidance);
 
-  /// Throws std::invalid_argument for singularities that cannot be (see MakeTarget), and Stopped.
-  EditedField Edit(const std::vector<WantedSingularity>& wanted, const EditOptions& options,
-    const Progress& progress);
+  /// The field with the singularities that are asked for. An edit starts from the given field, not from an earlier
+  /// edit. Several singularities in one triangle add up. Where the mesh is too coarse for an index, the field has
+  /// another one there, and says so in WrongTriangles and Notes: split the surface with SurfaceRefinement.
+  ///
+  /// Throws std::invalid_argument, its text a sentence for the user, for positions that are not finite, for indices
+  /// that do not add up to n times the Euler characteristic of a closed component (without EditOptions::Balances), and
+  /// for indices that no triangles can hold; and Stopped.
+  EditedField Edit(const std::vector<WantedSingularity>& wanted, const EditOptions& options = {},
+    const Progress& progress = {});
 
 private:
-  std::vector<std::vector<PrescribedSingularity>> Snapped(
-    const std::vector<WantedSingularity>& wanted);
-  TrivialConnection& GetRotation(std::size_t component);
-  void EditComponent(std::size_t component, const std::vector<PrescribedSingularity>& singularities,
-    const EditOptions& options, const Progress& progress, EditedField& edited);
-  void SetSection(std::size_t component, const RotationTarget& target, const TurnedField& field,
-    EditedField& edited);
-
-  SingularityEditor(const Surface& surface, const std::shared_ptr<const FieldSurface>& made,
-    const PointDirections& directions, const std::vector<Vector3>& constraints);
-  const TriangleRuns& GetNearest();
-
-  GivenField Base;
-  std::vector<Index> FirstPoint;
-  /// The base where directions are given, and whether they are, of each vertex.
-  std::vector<Complex> Section;
-  std::vector<char> IsGiven;
-  std::vector<Complex> Guidance;
-  /// Of the surface's triangles that the mesh has.
-  std::optional<TriangleRuns> Nearest;
-  std::vector<std::unique_ptr<TrivialConnection>> Rotations;
+  class Components;
+  std::unique_ptr<Components> Kept;
 };
 }
 

@@ -33,7 +33,7 @@ public:
   }
 
   RotationTarget Build(const std::vector<PrescribedSingularity>& singularities,
-    const TargetOptions& options, std::vector<std::string>& notes)
+    const EditOptions& options, std::vector<std::string>& notes)
   {
     this->Target.Objective = options.Objective;
     this->Target.Indices = this->Rotation.GetBaseIndices();
@@ -380,7 +380,7 @@ private:
 RotationTarget MakeTarget(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const TrivialConnection& rotation,
   const std::vector<Vector3>& positions, const std::vector<PrescribedSingularity>& singularities,
-  const TargetOptions& options, std::vector<std::string>& notes)
+  const EditOptions& options, std::vector<std::string>& notes)
 {
   return TargetBuilder(geometry, component, degree, rotation, positions)
     .Build(singularities, options, notes);

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_SingularityTargets_h
 #define DirectionFields_SingularityTargets_h
 
+#include "PrescribedSingularities/EditOptions.h"
 #include "TrivialConnection/TrivialConnection.h"
 
 #include <string>
@@ -20,15 +21,6 @@ struct PrescribedSingularity
   int Index;
 };
 
-struct TargetOptions
-{
-  /// The singularities are added to those of the base; else they replace them, in all regions that have one.
-  bool AddsToBase = false;
-  RotationObjective Objective = RotationObjective::Smoothest;
-  /// Adds what is missing in regions whose indices do not add up to what they need.
-  bool Balances = false;
-};
-
 /// The target of a component with singularities in it. Where a triangle is asked for a larger index than it can have,
 /// the rest goes to the nearest triangles with one ring of others between them. Throws std::invalid_argument, with
 /// a sentence for the user, where the indices do not add up to what a region needs, or the mesh is too coarse.
@@ -37,7 +29,7 @@ struct TargetOptions
 RotationTarget MakeTarget(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const TrivialConnection& rotation,
   const std::vector<Vector3>& positions, const std::vector<PrescribedSingularity>& singularities,
-  const TargetOptions& options, std::vector<std::string>& notes);
+  const EditOptions& options, std::vector<std::string>& notes);
 }
 
 #endif

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

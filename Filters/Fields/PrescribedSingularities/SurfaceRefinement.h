@@ -7,9 +7,10 @@
 #include "PrescribedSingularities/SingularityEditor.h"
 #include "Surface.h"
 
+#include <array>
 #include <vector>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// A surface with some of its triangles split in four at the middles of their edges, and those next to them in two, three or
 /// four, so that no corner lies within an edge.

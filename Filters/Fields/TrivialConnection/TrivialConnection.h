@@ -9,6 +9,7 @@
 #include "TrivialConnection/ConstrainedSets.h"
 #include "TrivialConnection/DiscreteForms.h"
 #include "TrivialConnection/PoissonSolver.h"
+#include "TrivialConnection/RotationObjective.h"
 #include "TrivialConnection/TreeCotree.h"
 
 #include <optional>
@@ -16,15 +17,6 @@
 
 namespace DirectionFields::Internal
 {
-/// What a field with prescribed singularities is to be like besides them.
-enum class RotationObjective
-{
-  /// The field turns as little as possible.
-  Smoothest = 0,
-  /// The field turns as little as possible against the one that there was.
-  LeastChange = 1
-};
-
 /// The singularities that a component is to have.
 struct RotationTarget
 {

@@ -204,7 +204,7 @@ DirectionFields::Guidance vtkDirectionField::ReadGuidance(vtkPolyData* input)
 //------------------------------------------------------------------------------
 DirectionFields::Result vtkDirectionField::ComputeField(vtkPolyData* input,
   const DirectionFields::Surface& surface, const DirectionFields::Options& options,
-  DirectionFields::Internal::SurfaceFigures& figures)
+  DirectionFields::SurfaceFigures& figures)
 {
   if (surface.Triangles.empty())
   {

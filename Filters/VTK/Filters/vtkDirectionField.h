@@ -187,10 +187,7 @@ struct Guidance;
 struct Options;
 struct Result;
 struct Surface;
-namespace Internal
-{
 struct SurfaceFigures;
-}
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionField : public vtkPolyDataAlgorithm
@@ -571,7 +568,7 @@ protected:
    */
   virtual DirectionFields::Result ComputeField(vtkPolyData* input,
     const DirectionFields::Surface& surface, const DirectionFields::Options& options,
-    DirectionFields::Internal::SurfaceFigures& figures);
+    DirectionFields::SurfaceFigures& figures);
   virtual bool IsSpeaker() const { return true; }
   virtual void ReadTogether(const std::function<void()>& read);
   virtual int TypeOfArrays(vtkPolyData* input) const;

@@ -9,7 +9,6 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
 #include "Exchange/FieldImport.h"
-#include "Exchange/TextFile.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/DefaultThreads.h"
 #include "Support/FilterRun.h"
@@ -82,9 +81,7 @@ void vtkDirectionFieldReader::ReadField(
   DirectionFields::Threads threads(DirectionFields::DefaultThreads());
   const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
-  const DirectionFields::FieldFormat format = DirectionFields::FormatOf(this->FileName);
-  const DirectionFields::FieldFile file =
-    DirectionFields::ReadField(DirectionFields::ReadText(this->FileName), format);
+  const DirectionFields::FieldFile file = DirectionFields::ReadFieldFile(this->FileName);
   const DirectionFields::TriangulatedPolyData surface =
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
   const DirectionFields::ImportedField imported = DirectionFields::ImportField(file, surface.Mesh,

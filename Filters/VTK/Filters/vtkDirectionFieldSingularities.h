@@ -61,15 +61,12 @@ class vtkCompositeDataSet;
 
 namespace DirectionFields
 {
-class SingularityEditorCache;
 class Progress;
-namespace Internal
-{
 class SingularityEditor;
+class SingularityEditorCache;
 struct EditedField;
 struct EditOptions;
 struct WantedSingularity;
-}
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldSingularities : public vtkPolyDataAlgorithm
@@ -221,16 +218,15 @@ private:
   /// Everything but the handling of errors. Throws DirectionFields::Stopped.
   void Edit(vtkDataObject* input, vtkDataObject* points, vtkDataObject* output,
     vtkDataObject* singularities);
-  void EditBlock(vtkPolyData* input,
-    const std::vector<DirectionFields::Internal::WantedSingularity>& wanted, double begin,
-    double end, vtkPolyData* output, vtkPolyData* singularities);
-  DirectionFields::Internal::EditedField EditField(vtkPolyData* surface,
-    DirectionFields::Internal::SingularityEditor& editor,
-    const std::vector<DirectionFields::Internal::WantedSingularity>& wanted,
+  void EditBlock(vtkPolyData* input, const std::vector<DirectionFields::WantedSingularity>& wanted,
+    double begin, double end, vtkPolyData* output, vtkPolyData* singularities);
+  DirectionFields::EditedField EditField(vtkPolyData* surface,
+    DirectionFields::SingularityEditor& editor,
+    const std::vector<DirectionFields::WantedSingularity>& wanted,
     const DirectionFields::Progress& progress, std::vector<std::string>& warnings);
   void EditBlocks(vtkCompositeDataSet* input, vtkDataObject* points, vtkCompositeDataSet* output,
     vtkCompositeDataSet* singularities);
-  DirectionFields::Internal::EditOptions MakeOptions() const;
+  DirectionFields::EditOptions MakeOptions() const;
 
   int SingularityMode;
   int Objective;

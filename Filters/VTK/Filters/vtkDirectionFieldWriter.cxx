@@ -6,9 +6,7 @@
 #include "Conversion/Input/GivenPolyData.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Exchange/CompanionFiles.h"
 #include "Exchange/FieldExport.h"
-#include "Exchange/TextFile.h"
 #include "Options.h"
 #include "Support/DefaultThreads.h"
 #include "Support/Threads.h"
@@ -25,35 +23,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkDirectionFieldWriter);
-
-namespace
-{
-/// The name of a file without its ending.
-std::string WithoutEnding(const std::string& fileName)
-{
-  return fileName.substr(0, fileName.rfind('.'));
-}
-
-/// Throws FileError where a file that is not an earlier run's would be replaced.
-void RequireOwn(const std::string& name, const std::vector<DirectionFields::ExportedFile>& files)
-{
-  const std::string mesh = name + ".obj";
-  const std::string mark(DirectionFields::ObjMark);
-  if (DirectionFields::IsThere(mesh) && DirectionFields::ReadText(mesh, mark.size()) == mark)
-  {
-    return;
-  }
-  for (std::size_t i = 1; i < files.size(); ++i)
-  {
-    if (DirectionFields::IsThere(name + files[i].Ending))
-    {
-      throw DirectionFields::FileError("There is a file " + name + files[i].Ending +
-        " already, which was not written here and would be replaced: a field's file comes with the mesh that "
-        "its rows belong to. Choose another name.");
-    }
-  }
-}
-}
 
 //------------------------------------------------------------------------------
 vtkDirectionFieldWriter::vtkDirectionFieldWriter()
@@ -124,15 +93,8 @@ void vtkDirectionFieldWriter::WriteFiles()
   DirectionFields::CheckPolyData(input);
   const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(input);
   DirectionFields::RequireTriangles(input);
-  const std::vector<DirectionFields::ExportedFile> files =
-    DirectionFields::FilesOfPolyData(input, surface.Mesh, options);
-  const std::string name = WithoutEnding(this->FileName);
-  RequireOwn(name, files);
-  DirectionFields::WriteText(this->FileName, files[0].Text);
-  for (std::size_t i = 1; i < files.size(); ++i)
-  {
-    DirectionFields::WriteText(name + files[i].Ending, files[i].Text);
-  }
+  DirectionFields::WriteFiles(
+    this->FileName, DirectionFields::FilesOfPolyData(input, surface.Mesh, options));
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include "Exchange/CompanionFiles.h"
 #include "Exchange/FieldFile.h"
+#include "Exchange/TextReader.h"
 #include "Exchange/TextWriter.h"
 #include "Meshes/Surfaces.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Distance/ClosestPoints.h"
 #include "Fields/PrescribedSingularities/Placements.h"
 #include "Fields/PrescribedSingularities/Representable.h"
 #include "Meshes/Fields.h"

@@ -4,6 +4,7 @@
 #include "Fields/PrescribedSingularities/Placements.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
+#include "PrescribedSingularities/SingularityTargets.h"
 #include "Sections/Singularities.h"
 #include "Support/Threads.h"
 

@@ -15,7 +15,7 @@ namespace DirectionFields
 /// there is none. Magnitude is 1 where there is no array RepresentationMagnitude. Throws
 /// std::invalid_argument where one of these has another number of components, 3 and 1.
 ///
-/// Together with PolyDataToSurface it is what Internal::GivenField makes a field of.
+/// GivenField makes a field of it and of the surface of PolyDataToSurface.
 /// @param polyData has passed CheckPolyData
 PointDirections FindDirections(vtkPolyData* polyData);
 
