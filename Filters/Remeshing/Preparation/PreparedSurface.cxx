@@ -57,6 +57,14 @@ std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3
   return isChosen;
 }
 
+/// The points at the ends of a half-edge, the lower one first.
+std::array<Index, 2> EndsOf(const TriangleMesh& mesh, Index h)
+{
+  const Index p = mesh.Point(mesh.Tail(h));
+  const Index q = mesh.Point(mesh.Head(h));
+  return { std::min(p, q), std::max(p, q) };
+}
+
 /// Sums of a few coordinates, as middles of faces take, must not overflow.
 void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
 {
@@ -80,63 +88,18 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
 {
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
-  const TriangleMesh& mesh = merged.Mesh;
-  RequireRange(mesh, input.Points);
-  this->Repaired = mesh.GetRepairs();
-  const auto firstOf = [&](Index point)
-  { return merged.FirstPoint.empty() ? point : merged.FirstPoint[point]; };
+  RequireRange(merged.Mesh, input.Points);
+  this->Repaired = merged.Mesh.GetRepairs();
   for (std::size_t p = 0; p < merged.FirstPoint.size(); ++p)
   {
     this->Repaired.MergedPoints += merged.FirstPoint[p] != static_cast<Index>(p) ? 1 : 0;
   }
-  auto surface = std::make_shared<Surface>();
-  surface->Points = input.Points;
-  // What has one side only is cut open where the triangles are taken from different sides of its cover: its points
-  // are there twice on that line.
-  std::vector<Index> otherSide;
-  const auto pointOf = [&](Index v)
-  {
-    const Index p = mesh.Point(v);
-    if (mesh.IsFrontVertex(v))
-    {
-      return p;
-    }
-    otherSide.resize(input.Points.size(), None);
-    if (otherSide[p] == None)
-    {
-      otherSide[p] = static_cast<Index>(surface->Points.size());
-      surface->Points.push_back(input.Points[p]);
-      this->Middles.push_back({ p, p });
-    }
-    return otherSide[p];
-  };
-  const std::vector<char> isChosen = ChosenSide(mesh, input.Points);
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    if (isChosen[t] == 0)
-    {
-      continue;
-    }
-    UsedTriangle used{ {}, mesh.InputTriangle(t), {} };
-    for (int c = 0; c < 3; ++c)
-    {
-      used.Points[c] = mesh.Point(mesh.Tail(3 * t + c));
-      for (int k = 0; k < 3; ++k)
-      {
-        if (firstOf(input.Triangles[used.Input][k]) == used.Points[c])
-        {
-          used.InputCorner[c] = k;
-        }
-      }
-    }
-    surface->Triangles.push_back(
-      { pointOf(mesh.Tail(3 * t)), pointOf(mesh.Tail(3 * t + 1)), pointOf(mesh.Tail(3 * t + 2)) });
-    this->Used.push_back(used);
-  }
+  const auto surface = std::make_shared<Surface>(this->CutOpen(input, merged));
   this->Prepared = surface;
   if (this->IsDecimated)
   {
-    if (!otherSide.empty())
+    const bool isCut = surface->Points.size() > input.Points.size();
+    if (isCut)
     {
       merged = MergedMesh{ {}, TriangleMesh(*surface) };
     }
@@ -151,6 +114,63 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
     isSplit = k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings);
   }
+}
+
+Surface PreparedSurface::CutOpen(const Surface& input, const MergedMesh& merged)
+{
+  const TriangleMesh& mesh = merged.Mesh;
+  Surface surface;
+  surface.Points = input.Points;
+  // The points of a one-sided surface are there twice where triangles from different sides of its
+  // double cover meet.
+  std::vector<Index> otherSide;
+  const auto pointOf = [&](Index v)
+  {
+    const Index p = mesh.Point(v);
+    if (mesh.IsFrontVertex(v))
+    {
+      return p;
+    }
+    otherSide.resize(input.Points.size(), None);
+    if (otherSide[p] == None)
+    {
+      otherSide[p] = static_cast<Index>(surface.Points.size());
+      surface.Points.push_back(input.Points[p]);
+      this->Middles.push_back({ p, p });
+    }
+    return otherSide[p];
+  };
+  const std::vector<char> isChosen = ChosenSide(mesh, input.Points);
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (isChosen[t] != 0)
+    {
+      this->Used.push_back(UsedTriangle::Of(t, input, merged));
+      surface.Triangles.push_back({ pointOf(mesh.Tail(3 * t)), pointOf(mesh.Tail(3 * t + 1)),
+        pointOf(mesh.Tail(3 * t + 2)) });
+    }
+  }
+  return surface;
+}
+
+PreparedSurface::UsedTriangle PreparedSurface::UsedTriangle::Of(
+  Index t, const Surface& input, const MergedMesh& merged)
+{
+  const TriangleMesh& mesh = merged.Mesh;
+  UsedTriangle used{ {}, mesh.InputTriangle(t), {} };
+  for (int c = 0; c < 3; ++c)
+  {
+    used.Points[c] = mesh.Point(mesh.Tail(3 * t + c));
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index point = input.Triangles[used.Input][k];
+      if ((merged.FirstPoint.empty() ? point : merged.FirstPoint[point]) == used.Points[c])
+      {
+        used.InputCorner[c] = k;
+      }
+    }
+  }
+  return used;
 }
 
 std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMesh&& merged,
@@ -263,97 +283,109 @@ std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
   return triangles;
 }
 
-bool PreparedSurface::SplitBetweenFrameless(
-  Surface& surface, int degree, const FeatureSettings& settings)
+namespace
 {
-  const TriangleMesh& mesh = this->Geometry->Mesh;
-  const std::vector<char> isFrameless =
-    FramelessVertices(*this->Geometry, degree, this->FindFeatures(settings));
-  std::map<std::array<Index, 2>, Index> middle;
-  const auto middleOf = [&](Index h)
+/// The corners of a triangle and the middles of its edges, in their order around it.
+struct SplitTriangle
+{
+  std::vector<Index> Points;
+  std::vector<char> IsMiddle;
+
+  SplitTriangle(
+    const TriangleMesh& mesh, Index t, const std::map<std::array<Index, 2>, Index>& middles)
   {
-    const Index p = mesh.Point(mesh.Tail(h));
-    const Index q = mesh.Point(mesh.Head(h));
-    const std::array<Index, 2> ends = { std::min(p, q), std::max(p, q) };
-    const auto [place, isNew] = middle.emplace(ends, static_cast<Index>(surface.Points.size()));
-    if (isNew)
-    {
-      const Index onPath = this->Paths.MiddleOf(p, q);
-      surface.Points.push_back(onPath != None
-          ? surface.Points[onPath]
-          : Vector3(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]));
-      this->Middles.push_back(ends);
-    }
-    return place->second;
-  };
-  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
-  {
-    const Index h = mesh.HalfEdge(e);
-    if (isFrameless[mesh.Tail(h)] != 0 && isFrameless[mesh.Head(h)] != 0)
-    {
-      middleOf(h);
-    }
-  }
-  if (middle.empty())
-  {
-    return false;
-  }
-  std::vector<Triangle> triangles;
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    if (!mesh.IsFront(t))
-    {
-      continue;
-    }
-    // The corners and the middles in their order around the triangle; a fan from a middle, if there is any,
-    // has no triangle without area.
-    std::vector<Index> polygon;
-    std::vector<char> isMiddle;
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
-      const Index p = mesh.Point(mesh.Tail(h));
-      const Index q = mesh.Point(mesh.Head(h));
-      polygon.push_back(p);
-      isMiddle.push_back(0);
-      const auto found = middle.find({ std::min(p, q), std::max(p, q) });
-      if (found != middle.end())
+      this->Points.push_back(mesh.Point(mesh.Tail(h)));
+      this->IsMiddle.push_back(0);
+      const auto found = middles.find(EndsOf(mesh, h));
+      if (found != middles.end())
       {
-        polygon.push_back(found->second);
-        isMiddle.push_back(1);
+        this->Points.push_back(found->second);
+        this->IsMiddle.push_back(1);
       }
     }
-    // Corners between two middles are cut off, which leaves a triangle, or a quadrangle that starts at a middle.
-    const std::size_t count = polygon.size();
+  }
+
+  /// Cuts it into triangles, none of them without area: the corners between two middles are cut off,
+  /// which leaves a triangle, or a quadrangle that starts at a middle.
+  void Cut(std::vector<Triangle>& triangles) const
+  {
+    const std::size_t count = this->Points.size();
     std::vector<Index> rest;
+    std::size_t start = 0;
+    bool hasStart = false;
     for (std::size_t i = 0; i < count; ++i)
     {
       const std::size_t before = (i + count - 1) % count;
       const std::size_t after = (i + 1) % count;
-      if (isMiddle[i] == 0 && isMiddle[before] != 0 && isMiddle[after] != 0)
+      if (this->IsMiddle[i] == 0 && this->IsMiddle[before] != 0 && this->IsMiddle[after] != 0)
       {
-        triangles.push_back({ polygon[before], polygon[i], polygon[after] });
+        triangles.push_back({ this->Points[before], this->Points[i], this->Points[after] });
+        continue;
       }
-      else
+      if (this->IsMiddle[i] != 0 && !hasStart)
       {
-        rest.push_back(polygon[i]);
+        start = rest.size();
+        hasStart = true;
       }
+      rest.push_back(this->Points[i]);
     }
-    std::size_t start = 0;
-    while (start < rest.size() &&
-      rest[start] < static_cast<Index>(surface.Points.size()) - static_cast<Index>(middle.size()))
-    {
-      ++start;
-    }
-    start = start == rest.size() ? 0 : start;
     for (std::size_t i = 1; i + 1 < rest.size(); ++i)
     {
       triangles.push_back(
         { rest[start], rest[(start + i) % rest.size()], rest[(start + i + 1) % rest.size()] });
     }
   }
+};
+}
+
+PreparedSurface::MiddlePoints PreparedSurface::AddMiddles(
+  Surface& surface, const std::vector<char>& isFrameless)
+{
+  const TriangleMesh& mesh = this->Geometry->Mesh;
+  MiddlePoints middles;
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (isFrameless[mesh.Tail(h)] == 0 || isFrameless[mesh.Head(h)] == 0)
+    {
+      continue;
+    }
+    const std::array<Index, 2> ends = EndsOf(mesh, h);
+    if (middles.emplace(ends, static_cast<Index>(surface.Points.size())).second)
+    {
+      const Index onPath = this->Paths.MiddleOf(ends[0], ends[1]);
+      surface.Points.push_back(onPath != None
+          ? surface.Points[onPath]
+          : Vector3(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]));
+      this->Middles.push_back(ends);
+    }
+  }
+  return middles;
+}
+
+bool PreparedSurface::SplitBetweenFrameless(
+  Surface& surface, int degree, const FeatureSettings& settings)
+{
+  const TriangleMesh& mesh = this->Geometry->Mesh;
+  const MiddlePoints middles = this->AddMiddles(
+    surface, FramelessVertices(*this->Geometry, degree, this->FindFeatures(settings)));
+  if (middles.empty())
+  {
+    return false;
+  }
+  std::vector<Triangle> triangles;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (mesh.IsFront(t))
+    {
+      SplitTriangle(mesh, t, middles).Cut(triangles);
+    }
+  }
   surface.Triangles = std::move(triangles);
   std::vector<FeaturePaths::Split> splits;
-  for (const auto& [ends, point] : middle)
+  for (const auto& [ends, point] : middles)
   {
     splits.push_back({ ends, point });
   }

@@ -13,6 +13,7 @@
 #include "Progress.h"
 #include "Surface.h"
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -78,11 +79,21 @@ private:
     Triangle Points;
     Index Input;
     std::array<int, 3> InputCorner;
+
+    /// Triangle t of the mesh of the input.
+    static UsedTriangle Of(Index t, const Surface& input, const MergedMesh& merged);
   };
-  /// Returns the triangles that are left.
+  /// The point in the middle of each edge that is split, by the points at its ends.
+  using MiddlePoints = std::map<std::array<Index, 2>, Index>;
+
+  /// The surface of consistently wound triangles, one-sided components cut open.
+  Surface CutOpen(const Surface& input, const MergedMesh& merged);
+  /// Returns the triangles that remain.
   std::vector<Triangle> Decimated(const Surface& input, MergedMesh&& merged,
     const FeatureSettings& settings, const std::vector<double>& edgeLength,
     const Progress& progress);
+  /// Adds the middles of all edges between vertices without a frame.
+  MiddlePoints AddMiddles(Surface& surface, const std::vector<char>& isFrameless);
   /// Returns whether any edge was split.
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
