@@ -3,25 +3,19 @@
 
 #include "Remesh.h"
 
-#include "Charts/FeatureLines.h"
-#include "Computation/ComponentFields.h"
-#include "Computation/Guide.h"
-#include "Computation/Stages.h"
 #include "Extraction/MeshExtraction.h"
 #include "Finishing/FaceSources.h"
 #include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
-#include "Guidance/Guidance.h"
+#include "Parametrization/ComponentMap.h"
 #include "Preparation/FeatureTurns.h"
-#include "Preparation/PreparedSurface.h"
-#include "Preparation/Seams.h"
+#include "Preparation/PreparedField.h"
 #include "Preparation/SizeAdvice.h"
 #include "Preparation/WantedSizes.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -29,15 +23,14 @@ namespace DirectionFields
 {
 namespace
 {
-constexpr double LeastSize = 0.125;
 // How far the progress is after each step.
-constexpr double AfterPreparing = 0.12;
 constexpr double AfterField = 0.4;
+constexpr double AfterPreparing = PreparedField::PreparingShare * AfterField;
 constexpr double AfterCells = 0.85;
 constexpr double AfterJoining = 0.97;
-/// Lengths of edges that differ by more than this factor are worth a sentence.
+/// The user is told of lengths of edges that differ by more than this factor.
 constexpr double Noticeably = 1.05;
-/// Quads below this scaled Jacobian are made in another way if that makes better ones.
+/// With quads below this scaled Jacobian another policy is tried, which may give better ones.
 constexpr double Bad = 0.2;
 
 int DegreeOf(Element element)
@@ -54,17 +47,15 @@ FeatureSettings FeaturesOf(const RemeshOptions& options, double edgeLength)
     ShortestFeature * edgeLength };
 }
 
-/// The wanted size at each point, clamped.
-std::vector<double> SizesAt(const RemeshOptions& options, std::size_t points)
+/// The length of edges that is asked for, or that gives the wanted number of faces.
+double EdgeLengthFor(double area, const RemeshOptions& options)
 {
-  std::vector<double> sizes(points, 1.0);
-  for (std::size_t p = 0; p < options.Sizing.size(); ++p)
+  if (options.UseEdgeLength)
   {
-    const double size = options.Sizing[p];
-    sizes[p] =
-      size > 0.0 && std::isfinite(size) ? std::clamp(size, LeastSize, 1.0 / LeastSize) : 1.0;
+    return options.EdgeLength;
   }
-  return sizes;
+  const double face = area / options.NumberOfFaces;
+  return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
 }
 }
 
@@ -93,93 +84,6 @@ void Check(const RemeshOptions& options, std::size_t points)
     "NumberOfThreads has to be between 0 and 1024.");
 }
 
-/// What does not depend on the wanted size.
-struct Remesh::Kept
-{
-  Kept(const Surface& surface, const RemeshOptions& options, double edgeLength,
-    std::vector<double> longest, const std::vector<Vector3>& given, const Progress& progress)
-    : Element(options.Element)
-    , Longest(std::move(longest))
-    , Given(given)
-    , Prepared(surface, DegreeOf(options.Element), FeaturesOf(options, edgeLength), this->Longest,
-        progress.Part(0.0, AfterPreparing / AfterField))
-    , Original(this->Prepared.GetTriangles())
-  {
-    progress.Report(0.4);
-    const int degree = DegreeOf(options.Element);
-    this->IsFeature = this->Prepared.FindFeatures(FeaturesOf(options, edgeLength));
-    const SurfaceGeometry& geometry = this->GetGeometry();
-    if (given.empty())
-    {
-      Options field;
-      field.Degree = degree;
-      field.ConstrainBoundary = true;
-      field.MergePoints = MergePoints::Off;
-      field.UnitLength = true;
-      std::vector<std::string> notes;
-      const Guidance guidance = this->AlongFeatures();
-      field.ConstrainGuidance = options.KeepFeatures;
-      Stages stages(this->Prepared.GetSurface());
-      const Guide guide(stages, field, guidance, notes);
-      EnergyStage& energy = stages.GetEnergy(field, progress.Part(0.4, 0.7));
-      this->Section =
-        SolveComponents(stages, energy, guide, {}, field, false, progress.Part(0.7, 0.95)).Section;
-    }
-    else
-    {
-      Guidance guidance;
-      guidance.Vectors = this->Prepared.Continued(given);
-      this->Section = GuidanceSection(geometry, guidance, degree);
-      Continue(geometry, degree, this->Section);
-    }
-    this->Charts.emplace(geometry, degree, this->Section);
-    this->IsFrameless = FramelessVertices(geometry, degree, this->IsFeature);
-    this->Joints.emplace(geometry.Mesh, this->Prepared.GetOriginals());
-    this->Maps.resize(geometry.Mesh.GetComponents().size());
-    progress.Report(1.0);
-  }
-
-  bool IsFor(const RemeshOptions& options, double edgeLength, const std::vector<double>& longest,
-    const std::vector<Vector3>& given) const
-  {
-    return this->Element == options.Element && this->Given == given && this->Longest == longest &&
-      this->IsFeature == this->Prepared.FindFeatures(FeaturesOf(options, edgeLength));
-  }
-
-  const SurfaceGeometry& GetGeometry() const { return this->Prepared.GetGeometry(); }
-
-  /// Vectors along the features, at the points of the prepared surface.
-  Guidance AlongFeatures() const
-  {
-    const SurfaceGeometry& geometry = this->GetGeometry();
-    const std::vector<Vector3> directions = FeatureDirections(geometry, this->IsFeature);
-    Guidance guidance;
-    guidance.Vectors.assign(this->Prepared.GetSurface()->Points.size(), Vector3::Zero());
-    for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
-    {
-      if (!directions[v].isZero(0.0))
-      {
-        guidance.Vectors[geometry.Mesh.Point(v)] = directions[v];
-      }
-    }
-    return guidance;
-  }
-
-  DirectionFields::Element Element;
-  /// How long the edges may become that the map is made on, at each point of the input; empty for its own ones.
-  std::vector<double> Longest;
-  std::vector<Vector3> Given;
-  PreparedSurface Prepared;
-  std::vector<Complex> Section;
-  std::optional<FieldMatching> Charts;
-  std::vector<char> IsFeature;
-  std::vector<char> IsFrameless;
-  std::optional<Seams> Joints;
-  ClosestPoints Original;
-  /// Of each component.
-  std::vector<ParametrizationCache> Maps;
-};
-
 Remesh::Remesh(std::shared_ptr<const Surface> surface)
   : Input(std::move(surface))
 {
@@ -190,57 +94,8 @@ Remesh& Remesh::operator=(Remesh&&) noexcept = default;
 
 namespace
 {
-/// The wanted length of edges that gives the wanted number of faces.
-double EdgeLengthFor(double area, const RemeshOptions& options)
-{
-  if (options.UseEdgeLength)
-  {
-    return options.EdgeLength;
-  }
-  const double face = area / options.NumberOfFaces;
-  return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
-}
-
-/// The cells of all components, with the same vertices on all sides of seams.
-std::vector<ExtractedMesh> ExtractAll(
-  const ExtractionInput& input, const Seams& seams, const Progress& progress, RemeshResult& result)
-{
-  const std::vector<TriangleMesh::Component>& components = input.Geometry.Mesh.GetComponents();
-  std::vector<ExtractedMesh> all;
-  const auto count = static_cast<double>(components.size());
-  for (const TriangleMesh::Component& component : components)
-  {
-    const auto done = static_cast<double>(all.size());
-    all.push_back(ExtractMesh(input, component, progress.Part(done / count, (done + 1.0) / count)));
-    if (all.back().Failure != nullptr)
-    {
-      result.Notes.push_back("Component " + std::to_string(all.size() - 1) +
-        " could not be remeshed, since " + all.back().Failure + ". It is as it was.");
-    }
-    result.KeptVertices += all.back().KeptVertices;
-    result.FlippedTriangles += all.back().FlippedTriangles;
-  }
-  seams.Equalize(all);
-  return all;
-}
-
-/// The cells of all components in one mesh.
-FaceMesh JoinedCells(const std::vector<ExtractedMesh>& cells, const Seams& seams,
-  const std::vector<char>& isTurn, RemeshResult& result)
-{
-  Index open = 0;
-  FaceMesh mesh = JoinFaces(cells, seams, isTurn, open);
-  if (open > 0)
-  {
-    result.Notes.push_back(std::to_string(open) +
-      " seams between sheets of the surface are open in the mesh, since the faces there are too few. More faces, or "
-      "shorter edges, would join them.");
-  }
-  return mesh;
-}
-
-/// Puts a mesh into the result.
-void Take(const FaceMesh& mesh, RemeshResult& result)
+/// Copies the faces and the kinds of their vertices.
+void CopyFaces(const FaceMesh& mesh, RemeshResult& result)
 {
   result.Points = mesh.Points;
   result.Faces = mesh.Cells.Corners;
@@ -266,8 +121,8 @@ double LeastQuality(const RemeshResult& mesh)
   return least;
 }
 
-/// Counts what a mesh is made of.
-void Count(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult& result)
+/// Counts faces and irregular vertices.
+void CountFaces(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult& result)
 {
   std::vector<int> valence(result.Points.size(), 0);
   for (const std::array<Index, 4>& face : result.Faces)
@@ -286,6 +141,132 @@ void Count(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult& res
     const bool isRegular = valence[v] == DegreeOf(options.Element) || mesh.Vertices[v].IsBoundary;
     result.IrregularVertices += isRegular ? 0 : 1;
   }
+}
+
+/// One mesh to be made.
+struct Request
+{
+  const RemeshOptions& Options;
+  QuadPolicy Policy;
+  const Surface& Input;
+  PreparedField& Field;
+  const WantedSizes& Sizes;
+};
+
+/// Everything that the maps of the components are computed from.
+ParametrizationInput InputFor(const Request& request)
+{
+  PreparedField& field = request.Field;
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  const std::vector<double> window(geometry.Mesh.GetComponents().size(), request.Sizes.MapLength);
+  FeatureLines features(
+    geometry, field.GetMatching(), field.GetFeatures(), field.GetFrameless(), window);
+  features.IsEnd.assign(geometry.Mesh.GetNumberOfVertices(), 0);
+  for (const Index v : field.GetSeams().GetEnds())
+  {
+    features.IsEnd[v] = 1;
+  }
+  return { geometry, field.GetMatching(), field.GetSection(), std::move(features),
+    field.GetFrameless(), request.Sizes.PerLength(), field.GetCaches() };
+}
+
+/// The part of the progress for one component.
+Progress PartFor(const TriangleMesh::Component& component, const ParametrizationInput& input,
+  const Progress& progress)
+{
+  const std::vector<TriangleMesh::Component>& components = input.Geometry.Mesh.GetComponents();
+  const auto count = static_cast<double>(components.size());
+  const auto done = static_cast<double>(&component - components.data());
+  return progress.Part(done / count, (done + 1.0) / count);
+}
+
+/// The faces of all components in one mesh.
+struct FinishedMesh
+{
+  FaceMesh Faces;
+  /// Seams whose sides could not be joined.
+  Index OpenSeams = 0;
+};
+
+/// Joins the components along the seams, and improves the faces as the policy says. Returns nothing
+/// where triangles remain although only quads are wanted.
+std::optional<FinishedMesh> Finish(const Request& request, const FeatureLines& features,
+  std::vector<ExtractedMesh>& extracted, const Progress& progress)
+{
+  const PreparedField& field = request.Field;
+  const WantedSizes& sizes = request.Sizes;
+  FinishedMesh finished;
+  field.GetSeams().Equalize(extracted);
+  finished.Faces = JoinFaces(extracted, field.GetSeams(),
+    FindTurns(field.GetGeometry(), features, sizes.HalfLengths()), finished.OpenSeams);
+  const std::vector<ClosestPoints> lines =
+    field.GetSurface().LinesOf(field.GetGeometry(), features);
+  const RemeshOptions& options = request.Options;
+  const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
+    options.Sizing.empty() ? options.Sizing : sizes.AtPoints };
+  const bool isFinished =
+    FinishFaces(finished.Faces, request.Policy, options.Element == Element::Quads,
+      options.SmoothingIterations, sizes.EdgeLength, context, progress);
+  return isFinished ? std::optional(std::move(finished)) : std::nullopt;
+}
+
+/// The sentences about the components and the sizes, and the counts that belong to them.
+void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& extracted,
+  const FinishedMesh& finished, RemeshResult& result)
+{
+  for (std::size_t k = 0; k < extracted.size(); ++k)
+  {
+    if (extracted[k].Failure)
+    {
+      result.Notes.push_back("Component " + std::to_string(k) + " could not be remeshed, since " +
+        Sentence(*extracted[k].Failure) + ". It is as it was.");
+    }
+    result.KeptVertices += extracted[k].KeptVertices;
+    result.FlippedTriangles += extracted[k].FlippedTriangles;
+  }
+  if (finished.OpenSeams > 0)
+  {
+    result.Notes.push_back(std::to_string(finished.OpenSeams) +
+      " seams between sheets of the surface are open in the mesh, since the faces there are too "
+      "few. More faces, or shorter edges, would join them.");
+  }
+  const WantedSizes& sizes = request.Sizes;
+  SizeAdvice advice(sizes.EdgeLength, DegreeOf(request.Options.Element));
+  if (sizes.EdgeLength > Noticeably * sizes.LengthForArea)
+  {
+    advice.Lengthen(sizes.LengthForArea);
+  }
+  const SurfaceGeometry& geometry = request.Field.GetGeometry();
+  const std::vector<double> perLength = sizes.PerLength();
+  for (const TriangleMesh::Component& component : geometry.Mesh.GetComponents())
+  {
+    advice.AddComponent(geometry, component, perLength);
+  }
+  advice.AddMesh(finished.Faces.Points, finished.Faces.Cells, result.KeptVertices);
+  const std::vector<std::string> sentences = advice.GetSentences();
+  result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
+}
+
+/// Fills the result.
+void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
+  const FinishedMesh& finished, RemeshResult& result)
+{
+  const PreparedField& field = request.Field;
+  CopyFaces(finished.Faces, result);
+  CountFaces(request.Options, finished.Faces, result);
+  PointSources points = SourcesOf(field.GetSurface(), field.GetInputTriangles(), result.Points);
+  result.SourceTriangle = std::move(points.Triangle);
+  result.SourceWeights = std::move(points.Weights);
+  FaceSources faces =
+    SourcesOf(field.GetSurface(), field.GetInputTriangles(), result.Points, result.Faces);
+  result.FaceSource = std::move(faces.Triangle);
+  result.MaximumDistance = faces.LargestDistance;
+  result.EdgeLength = request.Sizes.EdgeLength;
+  result.EulerCharacteristicBefore = field.GetSeams().GetEulerCharacteristic();
+  result.EulerCharacteristicAfter =
+    EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
+  result.Repaired = field.GetSurface().GetRepairs();
+  ReportExtraction(request, extracted, finished, result);
 }
 }
 
@@ -339,91 +320,55 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
 }
 
 bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
-  QuadPolicy way, const Progress& progress, RemeshResult& result)
+  QuadPolicy policy, const Progress& progress, RemeshResult& result)
 {
-  const std::vector<double> sizes = SizesAt(options, this->Input->Points.size());
-  const double area = RelativeArea(*this->Input, sizes);
-  result.EdgeLength = EdgeLengthFor(area, options);
-  double coarse = result.EdgeLength * (way == QuadPolicy::Split ? 2.0 : 1.0);
-  const std::vector<double> longest = LongestEdges(sizes, area, coarse);
-  if (!this->State || !this->State->IsFor(options, coarse, longest, directions))
+  const WantedSizes sizes =
+    this->Prepare(options, directions, policy, progress.Part(0.0, AfterField));
+  const Request request{ options, policy, *this->Input, *this->Cache, sizes };
+  ParametrizationInput input = InputFor(request);
+  std::vector<ExtractedMesh> extracted;
+  for (const TriangleMesh::Component& component : input.Geometry.Mesh.GetComponents())
   {
-    this->State.reset();
-    this->State = std::make_unique<Kept>(
-      *this->Input, options, coarse, longest, directions, progress.Part(0.0, AfterField));
+    const Progress part = PartFor(component, input, progress.Part(AfterField, AfterCells));
+    const ComponentMap map = MapComponent(input, component, part.Part(0.15, 0.7));
+    extracted.push_back(ExtractMesh(input.Geometry, map, part.Part(0.7, 1.0)));
   }
-  Kept& kept = *this->State;
-  const SurfaceGeometry& geometry = kept.GetGeometry();
-  const TriangleMesh& mesh = geometry.Mesh;
-  std::vector<double> size(mesh.GetNumberOfVertices());
-  const std::vector<double> continued = kept.Prepared.Continued(sizes);
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  const std::optional<FinishedMesh> finished =
+    Finish(request, input.Features, extracted, progress.Part(AfterCells, AfterJoining));
+  if (finished)
   {
-    size[v] = continued[mesh.Point(v)];
+    Report(request, extracted, *finished, result);
   }
-  const double ofArea = result.EdgeLength;
+  return finished.has_value();
+}
+
+WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  QuadPolicy policy, const Progress& progress)
+{
+  WantedSizes sizes;
+  sizes.AtPoints = ClampedSizes(options.Sizing, this->Input->Points.size());
+  const double area = RelativeArea(*this->Input, sizes.AtPoints);
+  sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
+  sizes.MapLength = sizes.EdgeLength * (policy == QuadPolicy::Split ? 2.0 : 1.0);
+  const int degree = DegreeOf(options.Element);
+  const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
+  const std::vector<double> longest = LongestEdges(sizes.AtPoints, area, sizes.MapLength);
+  if (!this->Cache || !this->Cache->IsFor(degree, features, longest, directions))
+  {
+    this->Cache.reset();
+    this->Cache = std::make_unique<PreparedField>(
+      *this->Input, degree, features, longest, directions, progress);
+  }
+  const SurfaceGeometry& geometry = this->Cache->GetGeometry();
+  const std::vector<double> continued = this->Cache->GetSurface().Continued(sizes.AtPoints);
+  for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+  {
+    sizes.AtVertices.push_back(continued[geometry.Mesh.Point(v)]);
+  }
   if (!options.UseEdgeLength)
   {
-    const double factor =
-      std::max(1.0, LeastEdgeLength(geometry, size, options.NumberOfFaces) / ofArea);
-    result.EdgeLength *= factor;
-    coarse *= factor;
+    sizes.LengthenFor(geometry, options.NumberOfFaces);
   }
-  std::vector<double> perLength(size.size());
-  for (std::size_t v = 0; v < size.size(); ++v)
-  {
-    perLength[v] = 1.0 / (coarse * size[v]);
-  }
-  std::vector<char> isFrameless = kept.IsFrameless;
-  FeatureLines features(geometry, *kept.Charts, kept.IsFeature, isFrameless,
-    std::vector<double>(mesh.GetComponents().size(), coarse));
-  const ExtractionInput input{ geometry, *kept.Charts, features, isFrameless, kept.Section,
-    perLength, kept.Maps };
-  features.IsEnd.assign(mesh.GetNumberOfVertices(), 0);
-  for (const Index v : kept.Joints->GetEnds())
-  {
-    features.IsEnd[v] = 1;
-  }
-  SizeAdvice advice(result.EdgeLength, DegreeOf(options.Element));
-  if (result.EdgeLength > Noticeably * ofArea)
-  {
-    advice.Lengthen(ofArea);
-  }
-  for (const TriangleMesh::Component& component : mesh.GetComponents())
-  {
-    advice.AddComponent(geometry, component, perLength);
-  }
-  const std::vector<ExtractedMesh> cells =
-    ExtractAll(input, *kept.Joints, progress.Part(AfterField, AfterCells), result);
-  std::vector<double> reach(size.size());
-  for (std::size_t v = 0; v < size.size(); ++v)
-  {
-    reach[v] = 0.5 * result.EdgeLength * size[v];
-  }
-  FaceMesh faces = JoinedCells(cells, *kept.Joints, FindTurns(geometry, features, reach), result);
-  result.EulerCharacteristicBefore = kept.Joints->GetEulerCharacteristic();
-  const std::vector<ClosestPoints> lines = kept.Prepared.LinesOf(geometry, features);
-  const SurfaceContext ground{ *this->Input, kept.Prepared, kept.Original, lines,
-    options.Sizing.empty() ? options.Sizing : sizes };
-  if (!FinishFaces(faces, way, options.Element == Element::Quads, options.SmoothingIterations,
-        result.EdgeLength, ground, progress.Part(AfterCells, AfterJoining)))
-  {
-    return false;
-  }
-  Take(faces, result);
-  PointSources sources = SourcesOf(kept.Prepared, kept.Original, result.Points);
-  result.SourceTriangle = std::move(sources.Triangle);
-  result.SourceWeights = std::move(sources.Weights);
-  FaceSources faceSources = SourcesOf(kept.Prepared, kept.Original, result.Points, result.Faces);
-  result.FaceSource = std::move(faceSources.Triangle);
-  result.MaximumDistance = faceSources.LargestDistance;
-  advice.AddMesh(result.Points, faces.Cells, result.KeptVertices);
-  const std::vector<std::string> sentences = advice.GetSentences();
-  result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
-  Count(options, faces, result);
-  result.EulerCharacteristicAfter =
-    EulerCharacteristic(static_cast<Index>(result.Points.size()), faces.Cells);
-  result.Repaired = kept.Prepared.GetRepairs();
-  return true;
+  return sizes;
 }
 }

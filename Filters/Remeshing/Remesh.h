@@ -18,6 +18,8 @@ namespace DirectionFields
 namespace Internal
 {
 enum class QuadPolicy : int;
+class PreparedField;
+struct WantedSizes;
 }
 
 /// The faces of a mesh to be made.
@@ -129,13 +131,16 @@ public:
   static const char* StepAt(double done);
 
 private:
-  struct Kept;
-  /// Makes a mesh in one way; returns false where that cannot be. Throws Stopped.
+  /// Makes a mesh with one policy. Returns false where that leaves triangles although only quads are
+  /// wanted. Throws Stopped.
   bool Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
-    Internal::QuadPolicy way, const Progress& progress, RemeshResult& result);
+    Internal::QuadPolicy policy, const Progress& progress, RemeshResult& result);
+  /// Makes sure that the cache has the surface and the field for these options.
+  Internal::WantedSizes Prepare(const RemeshOptions& options,
+    const std::vector<Vector3>& directions, Internal::QuadPolicy policy, const Progress& progress);
 
   std::shared_ptr<const Surface> Input;
-  std::unique_ptr<Kept> State;
+  std::unique_ptr<Internal::PreparedField> Cache;
 };
 }
 

@@ -9,8 +9,6 @@
 #include "Extraction/GridPoints.h"
 #include "Extraction/Pairing.h"
 #include "Extraction/VertexRemoval.h"
-#include "Parametrization/IntegerGridMap.h"
-#include "Parametrization/NarrowCorners.h"
 
 #include <algorithm>
 
@@ -18,20 +16,17 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Maps that are made of a component, each with fewer features than the one before.
-constexpr int MostAttempts = 3;
-
 /// The triangles of a component as they are.
 ExtractedMesh Unchanged(
-  const ExtractionInput& input, const TriangleMesh::Component& component, const char* failure)
+  const SurfaceGeometry& geometry, const TriangleMesh::Component& component, MapFailure failure)
 {
-  const TriangleMesh& mesh = input.Geometry.Mesh;
+  const TriangleMesh& mesh = geometry.Mesh;
   ExtractedMesh out;
   out.Failure = failure;
   for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
   {
     ExtractedMesh::Vertex vertex;
-    vertex.Position = input.Geometry.Positions[v];
+    vertex.Position = geometry.Positions[v];
     vertex.Origin = v;
     vertex.IsBoundary = mesh.IsBoundary(v);
     // Nothing is to move.
@@ -53,7 +48,8 @@ ExtractedMesh Unchanged(
   return out;
 }
 
-/// Removes what can be removed, and mends folds, until neither does anything.
+/// Removes vertices and repairs folds in turn, until neither changes anything. Returns the number of
+/// vertices that are no grid points and could not be removed.
 Index Reduce(ExtractionMesh& cells, const Progress& progress)
 {
   VertexRemoval removal(cells);
@@ -88,8 +84,8 @@ Index Reduce(ExtractionMesh& cells, const Progress& progress)
   return left;
 }
 
-/// The vertices that are left, numbered anew.
-void Collect(const ExtractionMesh& cells, const CutMesh& charted,
+/// Copies the remaining vertices, numbered without gaps, and the faces between them.
+void Collect(const ExtractionMesh& cells, const CutMesh& cutMesh,
   const TriangleMesh::Component& component, ExtractedMesh& out)
 {
   std::vector<Index> number(cells.GetNumberOfVertices(), None);
@@ -108,7 +104,7 @@ void Collect(const ExtractionMesh& cells, const CutMesh& charted,
     vertex.IsCorner = cells.GetRole(v).IsCorner;
     vertex.IsCone = cells.GetRole(v).IsCone;
     vertex.SingularityIndex =
-      vertex.IsCone && v < static_cast<Index>(charted.ConeIndex.size()) ? charted.ConeIndex[v] : 0;
+      vertex.IsCone && v < static_cast<Index>(cutMesh.ConeIndex.size()) ? cutMesh.ConeIndex[v] : 0;
     for (const Index h : star)
     {
       vertex.Line = std::max(vertex.Line, cells.Feature(h));
@@ -133,94 +129,29 @@ void Collect(const ExtractionMesh& cells, const CutMesh& charted,
   }
 }
 
-IntegerGridMap::Settings SettingsFor(
-  const ExtractionInput& input, const TriangleMesh::Component& component, const CutMesh& charted)
-{
-  IntegerGridMap::Settings settings;
-  settings.PerLength.assign(charted.Positions.size(), 0.0);
-  std::copy(input.PerLength.begin() + component.FirstVertex,
-    input.PerLength.begin() + component.EndVertex, settings.PerLength.begin());
-  for (const CutMesh::MapTriangle& t : charted.Triangles)
-  {
-    // The cones are the first corners of their triangles.
-    if (t.Vertex[0] >= component.Vertices())
-    {
-      settings.PerLength[t.Vertex[0]] = settings.PerLength[t.Vertex[1]];
-    }
-  }
-  return settings;
-}
-
-/// Takes back features that came to nothing in a map: without them there is a better one. The boundary stays.
-/// Returns whether there were any.
-bool DropFeatures(const ExtractionInput& input, const TriangleMesh::Component& component,
-  const std::vector<Index>& edges)
-{
-  const TriangleMesh& mesh = input.Geometry.Mesh;
-  bool hasDropped = false;
-  for (const Index e : edges)
-  {
-    if (mesh.Twin(mesh.HalfEdge(e)) != None)
-    {
-      input.Features.IsFeature[e] = 0;
-      input.Features.Line[e] = 0;
-      hasDropped = true;
-    }
-  }
-  if (hasDropped)
-  {
-    UpdateFrameless(
-      input.Geometry, input.Charts.Degree, component, input.Features.IsFeature, input.IsFrameless);
-  }
-  return hasDropped;
-}
-
 /// The cells of a map.
-void Extract(const TriangleMesh::Component& component, const CutMesh& charted,
-  const IntegerGridMap& map, const Progress& progress, ExtractedMesh& out)
+ExtractedMesh CellsOf(const ComponentMap& mapped, const Progress& progress)
 {
-  ExtractionMesh cells(charted, map);
+  ExtractionMesh cells(mapped.Mesh, mapped.Map);
   SplitDoubleEdges(cells);
   InsertGridPoints(cells);
   progress.Report(0.3);
+  ExtractedMesh out;
   out.KeptVertices = Reduce(cells, progress);
-  out.FlippedTriangles = map.CountFlipped();
-  out.Integers = map.GetNumberOfIntegers();
-  out.Cones = static_cast<Index>(std::count_if(charted.Cones.begin(), charted.Cones.end(),
+  out.FlippedTriangles = mapped.Map.CountFlipped();
+  out.Integers = mapped.Map.GetNumberOfIntegers();
+  out.Cones = static_cast<Index>(std::count_if(mapped.Mesh.Cones.begin(), mapped.Mesh.Cones.end(),
     [](const CutMesh::Cone& cone) { return cone.Holonomy.Turn != 0; }));
-  Collect(cells, charted, component, out);
+  Collect(cells, mapped.Mesh, mapped.Component, out);
   progress.Report(1.0);
+  return out;
 }
 }
 
 ExtractedMesh ExtractMesh(
-  const ExtractionInput& input, const TriangleMesh::Component& component, const Progress& progress)
+  const SurfaceGeometry& geometry, const ComponentMap& map, const Progress& progress)
 {
-  DropFeatures(input, component,
-    EdgesInNarrowCorners(
-      input.Geometry, component, input.Charts, input.Features, input.IsFrameless, input.PerLength));
-  ParametrizationCache& kept = input.Maps[&component - input.Geometry.Mesh.GetComponents().data()];
-  ExtractedMesh out;
-  for (int attempt = 0; attempt < MostAttempts; ++attempt)
-  {
-    const CutMesh& charted = kept.MeshFor(
-      input.Geometry, component, input.Charts, input.Features, input.IsFrameless, input.Section);
-    const IntegerGridMap::Settings settings = SettingsFor(input, component, charted);
-    const IntegerGridMap map(
-      kept.EquationsFor(settings.PerLength), settings, progress.Part(0.15, 0.7));
-    kept.Shrink(static_cast<double>(component.Triangles()) /
-      static_cast<double>(input.Geometry.Mesh.GetNumberOfTriangles()));
-    if (map.GetFailure() != nullptr)
-    {
-      return Unchanged(input, component, map.GetFailure());
-    }
-    if (attempt + 1 < MostAttempts && DropFeatures(input, component, map.GetCollapsedFeatures()))
-    {
-      continue;
-    }
-    Extract(component, charted, map, progress.Part(0.7, 1.0), out);
-    break;
-  }
-  return out;
+  const std::optional<MapFailure>& failure = map.Map.GetFailure();
+  return failure ? Unchanged(geometry, map.Component, *failure) : CellsOf(map, progress);
 }
 }

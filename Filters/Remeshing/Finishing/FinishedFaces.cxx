@@ -17,19 +17,19 @@ namespace
 {
 /// The wanted length of edges at each point of a mesh.
 std::vector<double> WantedLengths(
-  const SurfaceContext& ground, const std::vector<Vector3>& points, double edgeLength)
+  const SurfaceContext& context, const std::vector<Vector3>& points, double edgeLength)
 {
   std::vector<double> wanted(points.size(), edgeLength);
-  if (!ground.Sizes.empty())
+  if (!context.Sizes.empty())
   {
-    const PointSources sources = SourcesOf(ground.Prepared, ground.Triangles, points);
+    const PointSources sources = SourcesOf(context.Prepared, context.Triangles, points);
     for (std::size_t v = 0; v < wanted.size(); ++v)
     {
       double size = 0.0;
       for (int c = 0; c < 3; ++c)
       {
         size +=
-          sources.Weights[v][c] * ground.Sizes[ground.Input.Triangles[sources.Triangle[v]][c]];
+          sources.Weights[v][c] * context.Sizes[context.Input.Triangles[sources.Triangle[v]][c]];
       }
       wanted[v] *= size;
     }
@@ -38,15 +38,15 @@ std::vector<double> WantedLengths(
 }
 }
 
-bool FinishFaces(FaceMesh& mesh, QuadPolicy way, bool areQuads, int steps, double edgeLength,
-  const SurfaceContext& ground, const Progress& progress)
+bool FinishFaces(FaceMesh& mesh, QuadPolicy policy, bool areQuads, int steps, double edgeLength,
+  const SurfaceContext& context, const Progress& progress)
 {
   const auto shape = [&](double length, ShapingSettings settings, const Progress& part)
   {
-    ShapeFaces(mesh, settings, ground.Triangles, ground.Lines,
-      WantedLengths(ground, mesh.Points, length), part);
+    ShapeFaces(mesh, settings, context.Triangles, context.Lines,
+      WantedLengths(context, mesh.Points, length), part);
   };
-  const bool isSplit = way == QuadPolicy::Split;
+  const bool isSplit = policy == QuadPolicy::Split;
   ShapingSettings settings{ steps, areQuads };
   settings.Mends = isSplit;
   settings.MayMakeTriangles = true;
@@ -61,20 +61,20 @@ bool FinishFaces(FaceMesh& mesh, QuadPolicy way, bool areQuads, int steps, doubl
     CutFoldedQuads(mesh.Cells, mesh.Points);
     SplitIntoQuads(mesh);
   }
-  if (way == QuadPolicy::Joined && !EvenOutTriangles(mesh))
+  if (policy == QuadPolicy::Joined && !EvenOutTriangles(mesh))
   {
     return false;
   }
-  settings.MayMakeTriangles = way == QuadPolicy::Mixed;
+  settings.MayMakeTriangles = policy == QuadPolicy::Mixed;
   settings.JoinsTriangles = !isSplit;
   settings.IsDraft = false;
   settings.Mends = true;
   shape(edgeLength, settings, progress.Part(0.4, 1.0));
-  if (way == QuadPolicy::Mixed)
+  if (policy == QuadPolicy::Mixed)
   {
     CutFoldedQuads(mesh.Cells, mesh.Points);
   }
-  return way == QuadPolicy::Mixed ||
+  return policy == QuadPolicy::Mixed ||
     std::all_of(mesh.Cells.Corners.begin(), mesh.Cells.Corners.end(),
       [](const Faces::Face& face) { return Faces::Size(face) == 4; });
 }

@@ -39,8 +39,8 @@ struct SurfaceContext
 /// @param areQuads   the field is of degree 4
 /// @param steps      in which the vertices move
 /// @param edgeLength wanted, where the size is 1
-bool FinishFaces(FaceMesh& mesh, QuadPolicy way, bool areQuads, int steps, double edgeLength,
-  const SurfaceContext& ground, const Progress& progress);
+bool FinishFaces(FaceMesh& mesh, QuadPolicy policy, bool areQuads, int steps, double edgeLength,
+  const SurfaceContext& context, const Progress& progress);
 }
 
 #endif

@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -19,21 +20,23 @@ namespace
 /// Features of up to this many edges are given up where the map is folded along this part of them.
 constexpr double LongestFolded = 8.0;
 constexpr double FoldedPart = 0.2;
-/// Rounding few integers may change the area a lot. Where triangles are so thin that no map of them is any good, the
-/// targets may ask for, and the map may cover, many times the area of the surface. Beyond this difference, as a
-/// logarithm, the map is made anew for edges of another length: the faces should be as many as were asked for, and the
-/// work to come grows with the area covered.
+/// Rounding few integers may change the area a lot. Where triangles are so thin that no map of them
+/// is good, the targets may ask for, and the map may cover, many times the area of the surface.
+/// Beyond this difference, as a logarithm, the map is computed again for another length of edges: the
+/// number of faces should be the one asked for, and later work grows with the area covered.
 constexpr double MostOff = 0.1;
 constexpr int MostScalings = 4;
-/// Parts of so few cells are off by chance; only beyond this many times their area, and a cell for each triangle,
-/// that matters.
+/// The area of components with fewer cells than this is off by chance. It matters only beyond this
+/// many times their area plus a cell for each triangle.
 constexpr double FewCells = 16.0;
 constexpr double MostArea = 4.0;
-/// Features that are closer than an edge need more cells at any length of edges. Maps are used up to so many times
-/// more.
+/// Features that are closer than an edge need more cells at any length of edges. Maps are used up to
+/// this many times more.
 constexpr double MostBeyond = 16.0;
 /// More could not be numbered.
 constexpr double MostCells = 1e8;
+/// Below this part of the wanted area a map is folded everywhere, and its area says nothing.
+constexpr double LeastCovered = 0.25;
 
 double MeanPerLength(const IntegerGridMap::Settings& settings, const CutMesh::MapTriangle& triangle)
 {
@@ -42,7 +45,7 @@ double MeanPerLength(const IntegerGridMap::Settings& settings, const CutMesh::Ma
     3.0;
 }
 
-/// The area that the targets ask for, in parallelograms of the lattice.
+/// The area that the targets ask for, in parallelograms of the grid.
 double WantedArea(
   const CutMesh& mesh, const IntegerGridMap::Settings& settings, const IntegerGrid& plane)
 {
@@ -56,7 +59,7 @@ double WantedArea(
   return wanted / plane.Combined(0.0, 1.0).imag();
 }
 
-/// The area that the triangles have in space, in parallelograms of the lattice.
+/// The area of the triangles in space, in parallelograms of the grid.
 double AreaInSpace(
   const CutMesh& mesh, const IntegerGridMap::Settings& settings, const IntegerGrid& plane)
 {
@@ -70,137 +73,196 @@ double AreaInSpace(
   }
   return area / plane.Combined(0.0, 1.0).imag();
 }
+
+/// The minimum of the energy with integers, for targets that are scaled. With few enough integers
+/// these are rounded with regard to each other, from the minimum over the reals; else in rounds.
+class RoundedMinimum
+{
+public:
+  RoundedMinimum(ParametrizationEnergy& energy, const std::vector<double>& perLength)
+    : Energy(energy)
+    , Side(energy.RightHandSide(perLength))
+    , System(energy.AreFactored() ? &energy.GetSystem() : nullptr)
+  {
+    if (this->System != nullptr && this->System->IsDefinite())
+    {
+      this->Relaxed = this->System->Solve(this->Side);
+    }
+  }
+
+  /// The factor for the targets with which the minimum over the reals covers this area; 1 if unknown.
+  double ScaleForArea(double wanted)
+  {
+    const bool isKnown = this->Relaxed.size() > 0 && wanted > 0.0;
+    const double reached = isKnown ? this->Energy.AreaAt(this->Relaxed) : 0.0;
+    return isKnown && reached > LeastCovered * wanted ? std::sqrt(wanted / reached) : 1.0;
+  }
+
+  /// The values of the free variables for the targets times a factor, or nothing.
+  std::optional<Eigen::VectorXd> At(double factor) const
+  {
+    Eigen::VectorXd x;
+    if (this->System == nullptr)
+    {
+      x = this->Energy.SolveInRounds(factor * this->Side);
+    }
+    else if (this->System->IsDefinite())
+    {
+      Eigen::VectorXd integers = factor * this->Relaxed.tail(this->Energy.GetNumberOfIntegers());
+      RoundGreedily(this->System->TrailingFactor(), integers, this->Energy.Least());
+      x = this->System->SolveWith(factor * this->Relaxed, integers);
+    }
+    return x.size() == this->Side.size() ? std::optional(std::move(x)) : std::nullopt;
+  }
+
+private:
+  ParametrizationEnergy& Energy;
+  Eigen::VectorXd Side;
+  const SchurSystem* System;
+  Eigen::VectorXd Relaxed;
+};
+
+/// Of maps for targets of different scales, finds the one whose area is nearest to the surface's.
+class AreaSearch
+{
+public:
+  AreaSearch(const IntegerGridMap::Settings& settings, double actual, std::size_t triangles)
+    : KeepsArea(settings.KeepsArea)
+    , Actual(actual)
+    , Most(MostArea * actual + static_cast<double>(triangles))
+  {
+  }
+
+  /// Takes the next map into account.
+  /// @param covered its area without the flipped triangles
+  /// @param signedArea its area with them
+  void Add(Eigen::VectorXd&& x, double covered, double signedArea)
+  {
+    const double area = covered > this->Most ? covered : signedArea;
+    const double off = std::abs(std::log(area / this->Actual));
+    const bool isFolded = !(area > LeastCovered * this->Actual);
+    this->Found = !this->KeepsArea || isFolded || off <= MostOff ||
+      (this->Actual < FewCells && covered <= this->Most);
+    this->LastIsBest = off < this->Least || this->Found;
+    if (this->LastIsBest)
+    {
+      this->Least = off;
+      this->BestArea = area;
+      this->Best = std::move(x);
+    }
+    this->Correction = std::sqrt(std::max(this->Actual, 1.0) / area);
+  }
+
+  /// The last map will do.
+  bool IsFound() const { return this->Found; }
+  /// The factor that would bring the area of the last map to the one of the surface.
+  double GetCorrection() const { return this->Correction; }
+  bool IsLastBest() const { return this->LastIsBest; }
+  const Eigen::VectorXd& GetBest() const { return this->Best; }
+  bool IsExcessive() const { return this->KeepsArea && this->BestArea > MostBeyond * this->Most; }
+
+private:
+  bool KeepsArea;
+  double Actual;
+  double Most;
+  double Least = std::numeric_limits<double>::infinity();
+  double BestArea = 0.0;
+  double Correction = 1.0;
+  bool LastIsBest = false;
+  bool Found = false;
+  Eigen::VectorXd Best;
+};
+}
+
+const char* Sentence(MapFailure failure)
+{
+  switch (failure)
+  {
+    case MapFailure::TooManyCells:
+      return "its grid would have more than 100 million cells";
+    case MapFailure::NoSolution:
+      return "the equations of its grid could not be solved";
+    case MapFailure::OutOfRange:
+      return "its grid has too many lines, or its equations are not well posed";
+    case MapFailure::ExcessiveArea:
+      return "its grid would have far more cells than it is to have faces";
+  }
+  return "";
 }
 
 IntegerGridMap::IntegerGridMap(
   const CutMesh& mesh, const Settings& settings, const Progress& progress)
   : Plane(mesh.Degree)
 {
-  ParametrizationEnergy equations(mesh, settings.PerLength);
-  this->Solve(equations, settings, progress);
+  ParametrizationEnergy energy(mesh, settings.PerLength);
+  this->Solve(energy, settings, progress);
 }
 
 IntegerGridMap::IntegerGridMap(
-  ParametrizationEnergy& equations, const Settings& settings, const Progress& progress)
-  : Plane(equations.GetMesh().Degree)
+  ParametrizationEnergy& energy, const Settings& settings, const Progress& progress)
+  : Plane(energy.GetMesh().Degree)
 {
-  this->Solve(equations, settings, progress);
+  this->Solve(energy, settings, progress);
 }
 
 void IntegerGridMap::Solve(
-  ParametrizationEnergy& equations, const Settings& settings, const Progress& progress)
+  ParametrizationEnergy& energy, const Settings& settings, const Progress& progress)
 {
-  const CutMesh& mesh = equations.GetMesh();
-  this->NumberOfIntegers = equations.GetNumberOfIntegers();
+  const CutMesh& mesh = energy.GetMesh();
+  this->NumberOfIntegers = energy.GetNumberOfIntegers();
   progress.Report(0.2);
-  const double wanted = settings.KeepsArea ? WantedArea(mesh, settings, this->Plane) : 0.0;
-  const auto scaleOf = [&](const Eigen::VectorXd& relaxed)
-  {
-    const double reached = wanted > 0.0 ? equations.AreaAt(relaxed) : 0.0;
-    return reached > 0.25 * wanted && wanted > 0.0 ? std::sqrt(wanted / reached) : 1.0;
-  };
-  const Eigen::VectorXd side = equations.RightHandSide(settings.PerLength);
   const double actual = AreaInSpace(mesh, settings, this->Plane);
-  const double most = MostArea * actual + static_cast<double>(mesh.Triangles.size());
   if (actual > MostCells)
   {
-    this->Failure = "its grid would have more than 100 million cells";
+    this->Failure = MapFailure::TooManyCells;
     return;
   }
-  // A map of the targets times a factor, or nothing.
-  std::function<Eigen::VectorXd(double)> solve;
-  double scale = 1.0;
-  Eigen::VectorXd relaxed;
-  if (!equations.AreFactored())
+  RoundedMinimum minimum(energy, settings.PerLength);
+  progress.Report(0.7);
+  double scale =
+    minimum.ScaleForArea(settings.KeepsArea ? WantedArea(mesh, settings, this->Plane) : 0.0);
+  AreaSearch search(settings, actual, mesh.Triangles.size());
+  for (int k = 0; k <= MostScalings && !search.IsFound(); ++k)
   {
-    solve = [&](double factor) { return equations.SolveInRounds(factor * side); };
-  }
-  else
-  {
-    const SchurSystem& system = equations.GetSystem();
-    progress.Report(0.7);
-    if (system.IsDefinite())
+    std::optional<Eigen::VectorXd> free = minimum.At(scale);
+    if (!free)
     {
-      relaxed = system.Solve(side);
-      scale = scaleOf(relaxed);
-    }
-    solve = [&](double factor) -> Eigen::VectorXd
-    {
-      if (!system.IsDefinite())
-      {
-        return {};
-      }
-      Eigen::VectorXd integers = factor * relaxed.tail(this->NumberOfIntegers);
-      RoundGreedily(system.TrailingFactor(), integers, equations.Least());
-      return system.SolveWith(factor * relaxed, integers);
-    };
-  }
-  // The one whose area is nearest, and how far it is off, as a logarithm.
-  Eigen::VectorXd best;
-  double bestArea = 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  bool isBest = false;
-  for (int k = 0; k <= MostScalings; ++k)
-  {
-    Eigen::VectorXd x = solve(scale);
-    if (x.size() == 0 && side.size() > 0)
-    {
-      this->Failure = "the equations of its grid could not be solved";
+      this->Failure = MapFailure::NoSolution;
       return;
     }
     progress.Report(0.9);
-    this->Evaluate(equations.GetUnknowns(), x);
-    if (this->Failure != nullptr)
+    this->Evaluate(energy.GetUnknowns(), *free);
+    if (this->Failure)
     {
       return;
     }
-    const double covered = this->AreaCovered(true);
-    const double area = covered > most ? covered : this->AreaCovered(false);
-    const double off = std::abs(std::log(area / actual));
-    // Where the map is folded through and through, its area says nothing.
-    const bool isFolded = !(area > 0.25 * actual);
-    const bool isRight =
-      !settings.KeepsArea || isFolded || off <= MostOff || (actual < FewCells && covered <= most);
-    isBest = off < least || isRight;
-    if (isBest)
-    {
-      least = off;
-      bestArea = area;
-      best = std::move(x);
-    }
-    if (isRight)
-    {
-      break;
-    }
-    scale *= std::sqrt(std::max(actual, 1.0) / area);
+    search.Add(std::move(*free), this->AreaCovered(true), this->AreaCovered(false));
+    scale *= search.GetCorrection();
   }
-  if (!isBest)
+  if (!search.IsLastBest())
   {
-    this->Evaluate(equations.GetUnknowns(), best);
+    this->Evaluate(energy.GetUnknowns(), search.GetBest());
   }
-  if (settings.KeepsArea && bestArea > MostBeyond * most)
+  if (search.IsExcessive())
   {
-    this->Failure = "its grid would have far more cells than it is to have faces";
+    this->Failure = MapFailure::ExcessiveArea;
   }
 }
 
-void IntegerGridMap::Evaluate(ParametrizationVariables& unknowns, const Eigen::VectorXd& free)
+namespace
 {
-  const CutMesh& mesh = unknowns.Mesh;
-  if (!(free.array().abs() < IntegerGrid::Range).all())
-  {
-    this->Failure = "its grid has too many lines, or its equations are not well posed";
-    return;
-  }
-  this->CollapsedFeatures.clear();
-  const Index count = unknowns.Solved.GetNumberOfVariables();
+/// The values of all variables in fixed-point numbers: the free ones rounded to these, the others
+/// exact sums of the free ones.
+std::vector<std::int64_t> ValuesOf(IntegerElimination& elimination, const Eigen::VectorXd& free)
+{
+  const Index count = elimination.GetNumberOfVariables();
   std::vector<std::int64_t> value(count, 0);
   Index next = 0;
   for (const bool areIntegers : { false, true })
   {
     for (Index v = 0; v < count; ++v)
     {
-      if (unknowns.Solved.IsFree(v) && unknowns.Solved.IsInteger(v) == areIntegers)
+      if (elimination.IsFree(v) && elimination.IsInteger(v) == areIntegers)
       {
         value[v] = areIntegers ? std::llround(free[next]) * IntegerGrid::Unit
                                : std::llround(free[next] * static_cast<double>(IntegerGrid::Unit));
@@ -210,55 +272,74 @@ void IntegerGridMap::Evaluate(ParametrizationVariables& unknowns, const Eigen::V
   }
   for (Index v = 0; v < count; ++v)
   {
-    if (!unknowns.Solved.IsFree(v))
+    if (!elimination.IsFree(v))
     {
-      std::int64_t sum = 0;
-      for (const auto& [w, p] : unknowns.Solved.Resolve(v))
+      for (const auto& [w, p] : elimination.Resolve(v))
       {
-        sum += p * value[w];
+        value[v] += p * value[w];
       }
-      value[v] = sum;
     }
   }
-  const auto transition = [&](const SymbolicTransition& symbolic)
+  return value;
+}
+
+/// From the chart of each corner's vertex to the chart of its triangle.
+std::vector<Transition> OwnTransitions(const ParametrizationVariables& variables,
+  const IntegerGrid& plane, const std::vector<std::int64_t>& value)
+{
+  const CutMesh& mesh = variables.Mesh;
+  std::vector<Transition> own(3 * mesh.Triangles.size());
+  for (std::size_t h = 0; h < own.size(); ++h)
   {
-    Transition t{ symbolic.Turn, {} };
+    const SymbolicTransition& symbolic = mesh.Triangles[h / 3].Corner[h % 3];
+    own[h].Turn = symbolic.Turn;
     for (const Jump& jump : symbolic.Jumps)
     {
-      const Index v = 2 * (unknowns.Vertices + jump.Variable);
-      t.Shift = t.Shift + this->Plane.Turned({ value[v], value[v + 1] }, jump.Turn);
+      const Index v = 2 * (variables.Vertices + jump.Variable);
+      own[h].Shift = own[h].Shift + plane.Turned({ value[v], value[v + 1] }, jump.Turn);
     }
-    return t;
-  };
-  std::vector<Transition> own(3 * mesh.Triangles.size());
-  this->Corners.resize(own.size());
-  this->Across.resize(own.size());
-  std::vector<char> isCone(unknowns.Vertices, 0);
-  for (const CutMesh::Cone& cone : mesh.Cones)
-  {
-    isCone[cone.Vertex] = 1;
   }
-  std::vector<GridPoint> places(unknowns.Vertices);
-  for (Index v = 0; v < unknowns.Vertices; ++v)
+  return own;
+}
+}
+
+void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free)
+{
+  if (!(free.array().abs() < IntegerGrid::Range).all())
+  {
+    this->Failure = MapFailure::OutOfRange;
+    return;
+  }
+  const CutMesh& mesh = variables.Mesh;
+  const std::vector<std::int64_t> value = ValuesOf(variables.Solved, free);
+  const std::vector<Transition> own = OwnTransitions(variables, this->Plane, value);
+  std::vector<GridPoint> places(variables.Vertices);
+  for (Index v = 0; v < variables.Vertices; ++v)
   {
     places[v] = { value[2 * v], value[2 * v + 1] };
   }
-  for (std::size_t h = 0; h < own.size(); ++h)
+  this->CollapsedFeatures.clear();
+  for (const FeatureIsoline& isoline : UnfoldIsolines(mesh, own, variables.Stretches, places))
   {
-    own[h] = transition(mesh.Triangles[h / 3].Corner[h % 3]);
+    this->Collapse(mesh, isoline);
   }
-  for (const FeatureIsoline& stretch : UnfoldIsolines(mesh, own, unknowns.Stretches, places))
-  {
-    for (const FeatureIsoline::Step& step : stretch.Steps)
-    {
-      this->CollapsedFeatures.push_back(mesh.Isolines[step.Isoline].Edge);
-    }
-  }
+  this->Corners.resize(own.size());
   for (std::size_t h = 0; h < own.size(); ++h)
   {
     this->Corners[h] = this->Plane.Apply(own[h], places[mesh.Triangles[h / 3].Vertex[h % 3]]);
   }
-  this->FindFoldedFeatures(mesh, unknowns.Stretches);
+  this->FindFoldedFeatures(mesh, variables.Stretches);
+  this->FindTransitions(mesh, own);
+}
+
+void IntegerGridMap::FindTransitions(const CutMesh& mesh, const std::vector<Transition>& own)
+{
+  std::vector<char> isCone(mesh.Positions.size(), 0);
+  for (const CutMesh::Cone& cone : mesh.Cones)
+  {
+    isCone[cone.Vertex] = 1;
+  }
+  this->Across.resize(own.size());
   for (std::size_t h = 0; h < own.size(); ++h)
   {
     const Index twin = mesh.Triangles[h / 3].Twin[h % 3];
@@ -273,6 +354,14 @@ void IntegerGridMap::Evaluate(ParametrizationVariables& unknowns, const Eigen::V
     const Transition& here = tailHas ? own[h] : own[nextOf(h)];
     const Transition& there = tailHas ? own[nextOf(other)] : own[other];
     this->Across[h] = this->Plane.Composed(here, this->Plane.Inverse(there));
+  }
+}
+
+void IntegerGridMap::Collapse(const CutMesh& mesh, const FeatureIsoline& isoline)
+{
+  for (const FeatureIsoline::Step& step : isoline.Steps)
+  {
+    this->CollapsedFeatures.push_back(mesh.Isolines[step.Isoline].Edge);
   }
 }
 
@@ -307,13 +396,13 @@ double IntegerGridMap::AreaCovered(bool withFolds) const
 }
 
 void IntegerGridMap::FindFoldedFeatures(
-  const CutMesh& mesh, const std::vector<FeatureIsoline>& stretches)
+  const CutMesh& mesh, const std::vector<FeatureIsoline>& isolines)
 {
-  for (const FeatureIsoline& stretch : stretches)
+  for (const FeatureIsoline& isoline : isolines)
   {
     double length = 0.0;
     std::size_t flipped = 0;
-    for (const FeatureIsoline::Step& step : stretch.Steps)
+    for (const FeatureIsoline::Step& step : isoline.Steps)
     {
       const CutMesh::IsolineEdge& edge = mesh.Isolines[step.Isoline];
       const Index h = 3 * edge.Triangle + edge.Corner;
@@ -324,12 +413,9 @@ void IntegerGridMap::FindFoldedFeatures(
         this->Plane.Place(this->Corners[edge.Corner == 2 ? h - 2 : h + 1] - this->Corners[h]));
     }
     if (length < LongestFolded &&
-      2 * FoldedPart * static_cast<double>(stretch.Steps.size()) < static_cast<double>(flipped))
+      2 * FoldedPart * static_cast<double>(isoline.Steps.size()) < static_cast<double>(flipped))
     {
-      for (const FeatureIsoline::Step& step : stretch.Steps)
-      {
-        this->CollapsedFeatures.push_back(mesh.Isolines[step.Isoline].Edge);
-      }
+      this->Collapse(mesh, isoline);
     }
   }
 }

@@ -49,7 +49,7 @@ const CutMesh& ParametrizationCache::MeshFor(const SurfaceGeometry& geometry,
   Features wanted(component, features, isFrameless);
   if (this->Mesh == nullptr || !(this->Made == wanted))
   {
-    this->Equations.reset();
+    this->Energy.reset();
     this->Mesh.reset();
     this->Made = std::move(wanted);
     const CutGraph jumps(geometry, component, charts, features, isFrameless);
@@ -59,25 +59,25 @@ const CutMesh& ParametrizationCache::MeshFor(const SurfaceGeometry& geometry,
   return *this->Mesh;
 }
 
-ParametrizationEnergy& ParametrizationCache::EquationsFor(const std::vector<double>& perLength)
+ParametrizationEnergy& ParametrizationCache::EnergyFor(const std::vector<double>& perLength)
 {
-  if (this->Equations == nullptr || !this->Equations->AreFor(perLength))
+  if (this->Energy == nullptr || !this->Energy->AreFor(perLength))
   {
-    this->Equations.reset();
-    this->Equations = std::make_unique<ParametrizationEnergy>(*this->Mesh, perLength);
+    this->Energy.reset();
+    this->Energy = std::make_unique<ParametrizationEnergy>(*this->Mesh, perLength);
   }
-  return *this->Equations;
+  return *this->Energy;
 }
 
 void ParametrizationCache::Shrink(double share)
 {
-  if (this->Equations != nullptr && !this->Equations->AreFactored())
+  if (this->Energy != nullptr && !this->Energy->AreFactored())
   {
-    this->Equations.reset();
+    this->Energy.reset();
   }
-  else if (this->Equations != nullptr)
+  else if (this->Energy != nullptr)
   {
-    this->Equations->Shrink(share < LeastShare ? 0 : MostValues);
+    this->Energy->Shrink(share < LeastShare ? 0 : MostValues);
   }
 }
 }

@@ -25,7 +25,7 @@ public:
     const std::vector<Complex>& section);
   /// Of that mesh.
   /// @param perLength 1 / h of each of its vertices, h the wanted length of an edge of the lattice
-  ParametrizationEnergy& EquationsFor(const std::vector<double>& perLength);
+  ParametrizationEnergy& EnergyFor(const std::vector<double>& perLength);
   /// Releases what is too much to be kept. The mesh stays.
   /// @param share of the component in the triangles of all
   void Shrink(double share);
@@ -51,7 +51,7 @@ private:
 
   Features Made;
   std::unique_ptr<const CutMesh> Mesh;
-  std::unique_ptr<ParametrizationEnergy> Equations;
+  std::unique_ptr<ParametrizationEnergy> Energy;
 };
 }
 

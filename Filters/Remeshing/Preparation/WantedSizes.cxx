@@ -8,6 +8,46 @@
 
 namespace DirectionFields::Internal
 {
+std::vector<double> WantedSizes::PerLength() const
+{
+  std::vector<double> perLength(this->AtVertices.size());
+  for (std::size_t v = 0; v < perLength.size(); ++v)
+  {
+    perLength[v] = 1.0 / (this->MapLength * this->AtVertices[v]);
+  }
+  return perLength;
+}
+
+std::vector<double> WantedSizes::HalfLengths() const
+{
+  std::vector<double> lengths(this->AtVertices.size());
+  for (std::size_t v = 0; v < lengths.size(); ++v)
+  {
+    lengths[v] = 0.5 * this->EdgeLength * this->AtVertices[v];
+  }
+  return lengths;
+}
+
+void WantedSizes::LengthenFor(const SurfaceGeometry& geometry, Index faces)
+{
+  const double least = LeastEdgeLength(geometry, this->AtVertices, faces);
+  const double factor = std::max(1.0, least / this->EdgeLength);
+  this->EdgeLength *= factor;
+  this->MapLength *= factor;
+}
+
+std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t points)
+{
+  constexpr double least = 0.125;
+  std::vector<double> sizes(points, 1.0);
+  for (std::size_t p = 0; p < wanted.size(); ++p)
+  {
+    const bool isSize = wanted[p] > 0.0 && std::isfinite(wanted[p]);
+    sizes[p] = isSize ? std::clamp(wanted[p], least, 1.0 / least) : 1.0;
+  }
+  return sizes;
+}
+
 double RelativeArea(const Surface& surface, const std::vector<double>& sizes)
 {
   double area = 0.0;

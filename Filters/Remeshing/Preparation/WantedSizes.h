@@ -11,17 +11,46 @@
 
 namespace DirectionFields::Internal
 {
-/// The area in units of the square of the size there. Coordinates that are not finite are refused later.
+/// The wanted lengths of edges over a surface: a length times a size, which may differ from point to
+/// point.
+struct WantedSizes
+{
+  /// The size at each point of the input, and at each vertex of the prepared mesh.
+  std::vector<double> AtPoints;
+  std::vector<double> AtVertices;
+  /// The wanted length where the size is 1, and the one of the mesh that is extracted from the map:
+  /// twice as long where its faces will be split.
+  double EdgeLength = 0.0;
+  double MapLength = 0.0;
+  /// The length that was asked for, or that the wanted number of faces gives for the area. EdgeLength
+  /// is longer on thin surfaces.
+  double LengthForArea = 0.0;
+
+  /// 1 / h of each vertex, h the length of the map's edges there.
+  std::vector<double> PerLength() const;
+  /// Half of the length of the mesh's edges at each vertex.
+  std::vector<double> HalfLengths() const;
+  /// Makes the edges longer on surfaces narrower than a face, see LeastEdgeLength.
+  void LengthenFor(const SurfaceGeometry& geometry, Index faces);
+};
+
+/// The sizes that are asked for at each point, between 1/8 and 8. Where no positive number is given,
+/// and without any, the size is 1.
+std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t points);
+
+/// The area in units of the square of the size there. Coordinates that are not finite are refused
+/// later.
 /// @param sizes one at each point, above 0
 double RelativeArea(const Surface& surface, const std::vector<double>& sizes);
 
-/// How long edges may become at each point where a mesh with fewer triangles will do for the map; empty where the
-/// triangles are few already. Sizes within a factor of two share such a mesh, and what is computed on it.
+/// Longest allowed edge, at each point, of the decimated surface on which field and map are computed;
+/// empty where the triangles are few already. Wanted lengths within a factor of two share such a
+/// surface and everything computed on it.
 /// @param area as RelativeArea
 std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, double edgeLength);
 
-/// The least length of edges that gives about so many faces where the surface is thinner than a face: these are at the
-/// boundary then, and its length counts, not the area.
+/// Shortest edge length that yields about `faces` faces on surfaces narrower than a face, whose faces
+/// all touch the boundary: its length counts there, not the area.
 /// @param sizes one at each vertex, above 0
 double LeastEdgeLength(
   const SurfaceGeometry& geometry, const std::vector<double>& sizes, Index faces);

@@ -1,83 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Charts/CutMesh.h"
-#include "Extraction/DoubleEdges.h"
 #include "Extraction/ExtractionMesh.h"
+
+#include "Extraction/DoubleEdges.h"
 #include "Extraction/GridPoints.h"
-#include "Extraction/Pairing.h"
 #include "Extraction/VertexRemoval.h"
 #include "Meshes/Surfaces.h"
-#include "Parametrization/IntegerGridMap.h"
+#include "Remeshing/CutExample.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <random>
-#include <set>
 
 using namespace DirectionFields;
 
 namespace
 {
-/// The cells of a field with many singularities, whose map folds in many places.
+/// The mesh of a map of a field with many singularities, which folds in many places.
 std::unique_ptr<ExtractionMesh> MakeMesh(const Surface& surface, int degree, double perLength)
 {
-  const SurfaceGeometry geometry(surface);
-  std::mt19937 engine(3);
-  std::vector<Complex> section(geometry.Mesh.GetNumberOfVertices());
-  for (Complex& z : section)
-  {
-    z = std::polar(1.0, engine() / 4294967296.0 * 2.0 * Pi);
-  }
-  const FieldMatching charts(geometry, degree, section);
-  const std::vector<char> isFrameless(geometry.Mesh.GetNumberOfVertices(), 0);
-  const FeatureLines features(geometry, charts, {}, isFrameless, { 0.1 });
-  const TriangleMesh::Component& part = geometry.Mesh.GetComponents().front();
-  const CutGraph jumps(geometry, part, charts, features, isFrameless);
-  const CutMesh charted(geometry, part, charts, features, isFrameless, jumps, section);
-  IntegerGridMap::Settings settings;
-  settings.PerLength.assign(charted.Positions.size(), perLength);
-  const IntegerGridMap map(charted, settings);
-  return map.GetFailure() == nullptr ? std::make_unique<ExtractionMesh>(charted, map) : nullptr;
-}
-
-/// Says what is wrong with the links of a mesh; empty if nothing is.
-std::string FlawOf(const ExtractionMesh& mesh)
-{
-  std::set<std::array<Index, 2>> edges;
-  for (Index h = 0; h < 3 * mesh.GetNumberOfTriangles(); ++h)
-  {
-    if (!mesh.IsTriangle(h / 3))
-    {
-      continue;
-    }
-    if (!mesh.IsVertex(mesh.Tail(h)))
-    {
-      return "a corner that is no vertex";
-    }
-    if (!edges.insert({ mesh.Tail(h), mesh.Head(h) }).second)
-    {
-      return "an edge twice";
-    }
-    const Index g = mesh.Twin(h);
-    if (g == None)
-    {
-      continue;
-    }
-    if (mesh.Twin(g) != h || mesh.Tail(g) != mesh.Head(h) || mesh.Head(g) != mesh.Tail(h) ||
-      mesh.Feature(g) != mesh.Feature(h))
-    {
-      return "neighbours that are not mutual";
-    }
-    if (mesh.GetPlane().Apply(mesh.Across(h), mesh.Place(g)) !=
-        mesh.Place(ExtractionMesh::Next(h)) ||
-      mesh.GetPlane().Apply(mesh.Across(h), mesh.Place(ExtractionMesh::Next(g))) != mesh.Place(h))
-    {
-      return "charts that do not agree";
-    }
-  }
-  return "";
+  const Meshes::CutExample example = Meshes::CutExample::Random(surface, degree, 3);
+  const IntegerGridMap map(example.Mesh, example.Settings(perLength));
+  return map.GetFailure() ? nullptr : std::make_unique<ExtractionMesh>(example.Mesh, map);
 }
 }
 
@@ -91,9 +36,9 @@ TEST(ExtractionMesh, NoOperationChangesTheTopologyOrBreaksTheCharts)
       const std::unique_ptr<ExtractionMesh> mesh = MakeMesh(surface, degree, 5.0);
       ASSERT_NE(mesh, nullptr);
       const Index chi = mesh->EulerCharacteristic();
-      ASSERT_EQ(FlawOf(*mesh), "");
+      ASSERT_EQ(Meshes::FlawOf(*mesh), "");
       InsertGridPoints(*mesh);
-      ASSERT_EQ(FlawOf(*mesh), "");
+      ASSERT_EQ(Meshes::FlawOf(*mesh), "");
       EXPECT_EQ(mesh->EulerCharacteristic(), chi);
       VertexRemoval removal(*mesh);
       for (const VertexRemoval::Mode mode :
@@ -103,7 +48,7 @@ TEST(ExtractionMesh, NoOperationChangesTheTopologyOrBreaksTheCharts)
         {
           if (mesh->IsVertex(v) && !mesh->GetRole(v).IsKept && removal.Remove(v, mode))
           {
-            ASSERT_EQ(FlawOf(*mesh), "");
+            ASSERT_EQ(Meshes::FlawOf(*mesh), "");
             ASSERT_EQ(mesh->EulerCharacteristic(), chi);
           }
         }
@@ -130,7 +75,7 @@ TEST(ExtractionMesh, CollapsesKeepTheTopology)
     {
       mesh->Collapse(h);
       ++collapsed;
-      ASSERT_EQ(FlawOf(*mesh), "");
+      ASSERT_EQ(Meshes::FlawOf(*mesh), "");
       ASSERT_EQ(mesh->EulerCharacteristic(), chi);
     }
   }
@@ -153,9 +98,44 @@ TEST(ExtractionMesh, DoubleEdgesAreSplit)
     mesh->GetStar(inside, star);
     ASSERT_EQ(star.size(), 3U);
     mesh->Flip(star.front());
-    EXPECT_EQ(FlawOf(*mesh), "an edge twice");
+    EXPECT_EQ(Meshes::FlawOf(*mesh), "an edge twice");
     SplitDoubleEdges(*mesh);
-    EXPECT_EQ(FlawOf(*mesh), "");
+    EXPECT_EQ(Meshes::FlawOf(*mesh), "");
     EXPECT_EQ(mesh->EulerCharacteristic(), euler);
+  }
+}
+
+TEST(ExtractionMesh, SplitsAndFlipsKeepTheAreaCoveredExactly)
+{
+  for (const int degree : { 4, 6 })
+  {
+    const std::unique_ptr<ExtractionMesh> mesh = MakeMesh(Meshes::Torus(12, 9), degree, 5.0);
+    ASSERT_NE(mesh, nullptr);
+    const auto area = Meshes::TwiceAreaOf(*mesh);
+    const Index triangles = mesh->GetNumberOfTriangles();
+    for (Index t = 0; t < triangles; ++t)
+    {
+      // A point inside, though not the centroid: coordinates are integers.
+      const GridPoint sum = mesh->Place(3 * t) + mesh->Place(3 * t + 1) + mesh->Place(3 * t + 2);
+      const GridPoint inside{ sum.A / 3, sum.B / 3 };
+      mesh->SplitTriangle(t, inside, mesh->Position(mesh->Tail(3 * t)));
+    }
+    EXPECT_TRUE(Meshes::TwiceAreaOf(*mesh) == area);
+    EXPECT_EQ(Meshes::FlawOf(*mesh), "");
+    Index flipped = 0;
+    for (Index h = 0; h < 3 * triangles; ++h)
+    {
+      const Index g = mesh->Twin(h);
+      if (g > h &&
+        !mesh->AreJoined(
+          mesh->Tail(ExtractionMesh::Previous(h)), mesh->Tail(ExtractionMesh::Previous(g))))
+      {
+        mesh->Flip(h);
+        ++flipped;
+      }
+    }
+    EXPECT_GT(flipped, 0);
+    EXPECT_TRUE(Meshes::TwiceAreaOf(*mesh) == area);
+    EXPECT_EQ(Meshes::FlawOf(*mesh), "");
   }
 }

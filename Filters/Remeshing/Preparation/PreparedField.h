@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_PreparedField_h
+#define DirectionFields_PreparedField_h
+
+#include "Charts/FieldMatching.h"
+#include "Distance/ClosestPoints.h"
+#include "Features/KeptFeatures.h"
+#include "Options.h"
+#include "Parametrization/ParametrizationCache.h"
+#include "Preparation/PreparedSurface.h"
+#include "Preparation/Seams.h"
+#include "Progress.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// A prepared surface with a field on it: everything about a mesh that does not depend on the wanted
+/// length of its edges.
+class PreparedField
+{
+public:
+  /// The part of the constructor's progress after which the surface is prepared.
+  static constexpr double PreparingShare = 0.3;
+
+  /// Throws MeshError and Stopped.
+  /// @param degree   4 or 6
+  /// @param longest  longest edges of the prepared surface, as for PreparedSurface
+  /// @param given    any of the directions of a field at each point of the input; empty to compute
+  ///                 the smoothest field that follows the boundary and the features
+  PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
+    std::vector<double> longest, const std::vector<Vector3>& given, const Progress& progress);
+
+  /// Whether the same field would be prepared from these.
+  bool IsFor(int degree, const FeatureSettings& settings, const std::vector<double>& longest,
+    const std::vector<Vector3>& given) const;
+
+  const PreparedSurface& GetSurface() const { return this->Prepared; }
+  const SurfaceGeometry& GetGeometry() const { return this->Prepared.GetGeometry(); }
+  /// The field, over the vertices of the prepared surface.
+  const std::vector<Complex>& GetSection() const { return this->Section; }
+  const FieldMatching& GetMatching() const { return this->Matching; }
+  const std::vector<char>& GetFeatures() const { return this->IsFeature; }
+  const std::vector<char>& GetFrameless() const { return this->IsFrameless; }
+  const Seams& GetSeams() const { return this->Joints; }
+  /// The triangles of the input.
+  const ClosestPoints& GetInputTriangles() const { return this->InputTriangles; }
+  /// One for each component.
+  std::vector<ParametrizationCache>& GetCaches() { return this->Caches; }
+
+private:
+  /// Vectors along the features, at the points of the prepared surface.
+  Guidance AlongFeatures() const;
+  std::vector<Complex> SmoothestField(
+    const FeatureSettings& settings, const Progress& progress) const;
+  std::vector<Complex> GivenField() const;
+
+  int Degree;
+  std::vector<double> Longest;
+  std::vector<Vector3> Given;
+  PreparedSurface Prepared;
+  ClosestPoints InputTriangles;
+  std::vector<char> IsFeature;
+  std::vector<char> IsFrameless;
+  std::vector<Complex> Section;
+  FieldMatching Matching;
+  Seams Joints;
+  std::vector<ParametrizationCache> Caches;
+};
+}
+
+#endif
