@@ -8,6 +8,7 @@
 import cmath
 import math
 
+import check_remeshing
 from meshes import bumpy, icosphere, tetrahedron
 from method import (
     PI,
@@ -160,6 +161,7 @@ def main():
         check_singularities(mesh)
     check_large_indices()
     check_alignment(coarse)
+    check_remeshing.check()
     print("The formulas hold.")
 
 

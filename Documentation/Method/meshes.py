@@ -117,3 +117,21 @@ def patch(columns, rows):
     order = sorted(range(len(points)), key=lambda v: morton(points[v], -0.2, high))
     number = {v: k for k, v in enumerate(order)}
     return Mesh([points[v] for v in order], [tuple(number[v] for v in t) for t in triangles])
+
+
+def torus(columns, rows, radius=2.0):
+    """Its tube has the radius 1 and is a little uneven."""
+    points = []
+    for k in range(columns):
+        for r in range(rows):
+            a, b = 2 * math.pi * k / columns, 2 * math.pi * r / rows
+            size = 1 + 0.15 * math.sin(2 * a + b)
+            away = radius + size * math.cos(b)
+            points.append((away * math.cos(a), away * math.sin(a), size * math.sin(b)))
+    triangles = []
+    for k in range(columns):
+        for r in range(rows):
+            v, up = k * rows + r, k * rows + (r + 1) % rows
+            right, corner = (k + 1) % columns * rows + r, (k + 1) % columns * rows + (r + 1) % rows
+            triangles += [(v, right, corner), (v, corner, up)]
+    return Mesh(points, triangles)

@@ -14,6 +14,7 @@ import pathlib
 import sys
 
 import method
+import remeshing_pictures
 import tricks
 from meshes import bumpy, disk, icosphere, patch
 from method import Connection, cross
@@ -455,7 +456,14 @@ def aggregation():
     return image
 
 
-for drawing in (tricks.mask_window, tricks.row_sum, tricks.blocks):
+for drawing in (
+    tricks.mask_window,
+    tricks.row_sum,
+    tricks.blocks,
+    remeshing_pictures.charts,
+    remeshing_pictures.integer_grid_map,
+    remeshing_pictures.extraction_steps,
+):
     picture(drawing)
 
 
