@@ -9,6 +9,7 @@ import cmath
 import math
 
 import check_remeshing
+import check_streamlines
 from meshes import bumpy, icosphere, tetrahedron
 from method import (
     PI,
@@ -162,6 +163,7 @@ def main():
     check_large_indices()
     check_alignment(coarse)
     check_remeshing.check()
+    check_streamlines.check()
     print("The formulas hold.")
 
 

@@ -15,6 +15,7 @@ import sys
 
 import method
 import remeshing_pictures
+import streamline_pictures
 import tricks
 from meshes import bumpy, disk, icosphere, patch
 from method import Connection, cross
@@ -463,6 +464,8 @@ for drawing in (
     remeshing_pictures.charts,
     remeshing_pictures.integer_grid_map,
     remeshing_pictures.extraction_steps,
+    streamline_pictures.separatrices,
+    streamline_pictures.exit_of_triangle,
 ):
     picture(drawing)
 
