@@ -8,6 +8,7 @@
 import cmath
 import math
 
+import check_prescribed
 import check_remeshing
 import check_streamlines
 from meshes import bumpy, icosphere, tetrahedron
@@ -162,6 +163,7 @@ def main():
         check_singularities(mesh)
     check_large_indices()
     check_alignment(coarse)
+    check_prescribed.check()
     check_remeshing.check()
     check_streamlines.check()
     print("The formulas hold.")

@@ -14,6 +14,7 @@ import pathlib
 import sys
 
 import method
+import prescribed_pictures
 import remeshing_pictures
 import streamline_pictures
 import tricks
@@ -464,6 +465,7 @@ for drawing in (
     remeshing_pictures.charts,
     remeshing_pictures.integer_grid_map,
     remeshing_pictures.extraction_steps,
+    prescribed_pictures.moved_singularities,
     streamline_pictures.separatrices,
     streamline_pictures.exit_of_triangle,
 ):
