@@ -143,9 +143,16 @@ quietly() {
 }
 
 update_lists() {
+  local said deadline=$((SECONDS + 300))
   say "Fetching the package lists (apt-get update)"
-  quietly "${privileged[@]}" apt-get --quiet -o DPkg::Lock::Timeout=300 update ||
-    fail "apt-get update failed; are the network and the package sources in order?"
+  # DPkg::Lock::Timeout does not hold for the lock of the lists.
+  until said=$(LC_ALL=C "${privileged[@]}" apt-get --quiet update 2>&1); do
+    if [[ $said != *"Could not get lock"* || $SECONDS -ge $deadline ]]; then
+      tail -n 30 <<<"$said" >&2
+      fail "apt-get update failed; are the network and the package sources in order?"
+    fi
+    sleep 2
+  done
 }
 
 # Sets plan to what apt-get would do.

@@ -4,10 +4,12 @@
 #
 # Install.sh DIRECTORY: installs the packages in it, on a machine that has none of them.
 set -e
+# shellcheck source-path=SCRIPTDIR source=Dpkg.sh
+. "$(dirname "$0")/Dpkg.sh"
 if dpkg-query --show direction-fields >/dev/null 2>&1
 then
   echo "direction-fields is installed already; remove it first." >&2
   exit 1
 fi
-dpkg --install "$1"/direction-fields_*.deb "$1"/direction-fields-dev_*.deb
+run_dpkg --install "$1"/direction-fields_*.deb "$1"/direction-fields-dev_*.deb
 touch "$1/installed"

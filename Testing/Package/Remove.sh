@@ -4,8 +4,10 @@
 #
 # Remove.sh DIRECTORY: removes what Install.sh has installed, and looks for remains.
 set -e
+# shellcheck source-path=SCRIPTDIR source=Dpkg.sh
+. "$(dirname "$0")/Dpkg.sh"
 rm "$1/installed"
-dpkg --purge direction-fields-dev direction-fields
+run_dpkg --purge direction-fields-dev direction-fields
 for remains in /usr/lib/*/paraview-*/plugins/*irection*ields* \
   /usr/share/paraview/plugins/*irection*ields* /usr/lib/*/libvtkDirectionFields* \
   /usr/lib/*/libDirectionFields* /usr/lib/*/cmake/DirectionFields /usr/include/DirectionFields* \
