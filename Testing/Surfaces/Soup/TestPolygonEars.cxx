@@ -134,7 +134,7 @@ TriangleMesh MeshOf(const Keyhole& keyhole, const std::vector<Index>& triangles)
 /// A disk with so many holes.
 void ExpectHoles(const Keyhole& keyhole, int holes)
 {
-  const std::vector<Index> triangles = Internal::CutEars(keyhole.Places(), false);
+  const std::vector<Index> triangles = CutEars(keyhole.Places(), false);
   ExpectCovered(keyhole.Places(), triangles);
   const TriangleMesh mesh = MeshOf(keyhole, triangles);
   ASSERT_EQ(mesh.GetComponents().size(), 1u);
@@ -157,17 +157,17 @@ TEST(PolygonEars, CoverThePolygonOnce)
            Ring(number, [](Index i) { return i % 2 == 0 ? 1.0 : 0.9; }),
            Ring(number, [](Index i) { return 1.0 + 1e-13 * (i % 3); }) })
     {
-      const std::vector<Index> triangles = Internal::CutEars(corners, false);
+      const std::vector<Index> triangles = CutEars(corners, false);
       ExpectCovered(corners, triangles);
       // However the polygon is turned around and wherever it is.
       Corners turned = Moved(corners, { 3.0, -5.0, 0.0 });
       std::rotate(turned.begin(), turned.begin() + number / 2, turned.end());
-      ExpectCovered(turned, Internal::CutEars(turned, false));
+      ExpectCovered(turned, CutEars(turned, false));
       for (Vector3& corner : turned)
       {
         corner *= 1e150;
       }
-      EXPECT_EQ(Internal::CutEars(turned, false).size(), triangles.size());
+      EXPECT_EQ(CutEars(turned, false).size(), triangles.size());
     }
   }
   // Many corners on one line.
@@ -180,7 +180,7 @@ TEST(PolygonEars, CoverThePolygonOnce)
   {
     comb.emplace_back(i, i % 2 == 0 ? 10.0 : 1.0, 0.0);
   }
-  ExpectCovered(comb, Internal::CutEars(comb, false));
+  ExpectCovered(comb, CutEars(comb, false));
 }
 
 TEST(PolygonEars, KeepHolesOpen)
@@ -233,7 +233,7 @@ TEST(PolygonEars, KeepHolesOpen)
   {
     place = turn * place / 3.0;
   }
-  const std::vector<Index> triangles = Internal::CutEars(places, false);
+  const std::vector<Index> triangles = CutEars(places, false);
   ASSERT_EQ(triangles.size(), 3 * (places.size() - 2));
   for (std::size_t k = 0; k < triangles.size(); k += 3)
   {
@@ -247,33 +247,33 @@ TEST(PolygonEars, LoopsAtAPlaceAreCutEach)
   // Two triangles at a place, then a square with one that goes out of its corner.
   const Corners two = { { 0, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, 0, 0 }, { -1, 1, 0 },
     { -1, -1, 0 } };
-  std::vector<Index> triangles = Internal::CutEars(two, false);
+  std::vector<Index> triangles = CutEars(two, false);
   EXPECT_EQ(triangles.size(), 6u);
   EXPECT_NEAR(AreaOf(two, triangles), 2.0, 1e-12);
   const Corners corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 },
     { 1, 1, 0 }, { 0, 1, 0 } };
-  triangles = Internal::CutEars(corner, false);
+  triangles = CutEars(corner, false);
   EXPECT_EQ(triangles.size(), 9u);
   EXPECT_NEAR(AreaOf(corner, triangles), 1.5, 1e-12);
   // A way that leads out and back has no area, a corner that is repeated only a triangle without any.
   const Corners antenna = { { 0, 0, 0 }, { 1, 0, 0 }, { 5, -1, 0 }, { 7, 0, 0 }, { 5, -1, 0 },
     { 1, 0, 0 }, { 1, 1, 0 } };
-  triangles = Internal::CutEars(antenna, false);
+  triangles = CutEars(antenna, false);
   EXPECT_EQ(triangles.size(), 3u);
   EXPECT_NEAR(AreaOf(antenna, triangles), 0.5, 1e-12);
   const Corners repeated = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
-  triangles = Internal::CutEars(repeated, false);
+  triangles = CutEars(repeated, false);
   EXPECT_EQ(triangles.size(), 9u);
   EXPECT_NEAR(AreaOf(repeated, triangles), 1.0, 1e-12);
-  EXPECT_FALSE(Internal::ReturnsToPlaces(repeated));
-  EXPECT_TRUE(Internal::ReturnsToPlaces(two));
+  EXPECT_FALSE(ReturnsToPlaces(repeated));
+  EXPECT_TRUE(ReturnsToPlaces(two));
 }
 
 TEST(PolygonEars, CrossingsAreForcedOnly)
 {
   const Corners bow = { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  EXPECT_TRUE(Internal::CutEars(bow, false).empty());
-  EXPECT_EQ(Internal::CutEars(bow, true).size(), 6u);
+  EXPECT_TRUE(CutEars(bow, false).empty());
+  EXPECT_EQ(CutEars(bow, true).size(), 6u);
   // Of a polygon that is nothing but crossings no corner gets more than a few triangles.
   std::mt19937 engine(3);
   Corners tangle;
@@ -281,7 +281,7 @@ TEST(PolygonEars, CrossingsAreForcedOnly)
   {
     tangle.emplace_back(engine() / 4294967296.0, engine() / 4294967296.0, 0.0);
   }
-  const std::vector<Index> triangles = Internal::CutEars(tangle, true);
+  const std::vector<Index> triangles = CutEars(tangle, true);
   ASSERT_EQ(triangles.size(), 3u * 1998u);
   std::vector<int> valence(tangle.size(), 0);
   for (const Index corner : triangles)
@@ -290,7 +290,7 @@ TEST(PolygonEars, CrossingsAreForcedOnly)
   }
   EXPECT_LT(*std::max_element(valence.begin(), valence.end()), 100);
   const Corners line(300, Vector3(1.0, 2.0, 3.0));
-  EXPECT_LE(Internal::CutEars(line, true).size(), 3u * 298u);
+  EXPECT_LE(CutEars(line, true).size(), 3u * 298u);
 }
 
 TEST(PolygonEars, ManyCornersTakeNearlyLinearTime)
@@ -311,7 +311,7 @@ TEST(PolygonEars, ManyCornersTakeNearlyLinearTime)
       corners.emplace_back(inner * std::cos(t), inner * std::sin(t), 0.0);
     }
     const std::clock_t begin = std::clock();
-    EXPECT_EQ(Internal::CutEars(corners, false).size(), 3u * (corners.size() - 2));
+    EXPECT_EQ(CutEars(corners, false).size(), 3u * (corners.size() - 2));
     return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   };
   const double few = std::min(timeOf(10000), timeOf(10000));
