@@ -23,3 +23,18 @@ function (directionfields_public_headers library)
     "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
 endfunction ()
+
+# directionfields_moved_header(OLD NEW): includes of a public header by its place in the version before go on to work, with
+# a note of the compiler.
+function (directionfields_moved_header old new)
+  set(output "${PROJECT_BINARY_DIR}/include/DirectionFields/${old}")
+  get_filename_component(folder "${old}" DIRECTORY)
+  file(GENERATE OUTPUT "${output}" CONTENT
+"// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma message(\"<DirectionFields/${old}> is <DirectionFields/${new}> now\")
+#include <DirectionFields/${new}>
+")
+  install(FILES "${output}" COMPONENT development
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DirectionFields/${folder}")
+endfunction ()

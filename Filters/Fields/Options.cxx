@@ -3,52 +3,73 @@
 
 #include "Options.h"
 
-#include <cmath>
+#include "OptionTable.h"
+
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace DirectionFields
 {
 namespace
 {
-void Require(bool valid, const char* what)
+void Require(bool valid, const char* sentence)
 {
   if (!valid)
   {
-    throw std::invalid_argument(what);
+    throw std::invalid_argument(sentence);
   }
 }
 
+/// "1 to 16", "at least 0", as sentences have it.
+std::string Words(double least, double most)
+{
+  std::ostringstream words;
+  if (most >= AnyFinite)
+  {
+    words << "at least " << least;
+  }
+  else
+  {
+    words << least << " to " << most;
+  }
+  return words.str();
 }
 
-/// The comparisons are written so that they refuse NaN, too.
+void RequireRange(double value, const char* name, double least, double most, const char* unit)
+{
+  // Written so that NaN is refused, too.
+  if (!(value >= least && value <= most))
+  {
+    throw std::invalid_argument(std::string(name) + " must be " + Words(least, most) + unit + ".");
+  }
+}
+}
+
 void Check(const Options& options)
 {
-  Require(options.Degree >= 1 && options.Degree <= 16, "Degree must be 1 to 16.");
-  Require(options.EnergyBias >= -1.0 && options.EnergyBias <= 1.0, "EnergyBias must be -1 to 1.");
-  Require(
-    options.Tolerance >= 1e-12 && options.Tolerance <= 0.1, "Tolerance must be 1e-12 to 0.1.");
-  Require(options.MaximumIterations >= 1 && options.MaximumIterations <= 10000,
-    "MaximumIterations must be 1 to 10000.");
-  Require(options.SingularityCost >= 0.0 && options.SingularityCost <= 4.0,
-    "SingularityCost must be 0 to 4.");
-  Require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
-    "NumberOfThreads must be 0 to 1024.");
-  Require(options.CurvatureScale >= 0.0 && options.CurvatureScale <= 32.0,
-    "CurvatureScale must be 0 to 32.");
-  Require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,
-    "AlignmentStrength must be 0 to 1.");
-  Require(options.Shift >= 0.0 && std::isfinite(options.Shift), "Shift must be at least 0.");
-  Require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
-    "FeatureAngle must be 0 to 180 degrees.");
-  Require(options.MinimumFeatureLength >= 0.0, "MinimumFeatureLength must be at least 0.");
-  Require(options.CurvatureTolerance >= 0.0, "CurvatureTolerance must be at least 0.");
-  Require(options.ConsistencyAngle >= 0.0 && options.ConsistencyAngle <= 180.0,
-    "ConsistencyAngle must be 0 to 180 degrees.");
+#define SKIP(...)
+#define CHECK(name, stage, least, most, unit) RequireRange(options.name, #name, least, most, unit);
+  DIRECTIONFIELDS_OPTIONS(SKIP, SKIP, CHECK)
+#undef SKIP
+#undef CHECK
   const bool usesCurvature =
     options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature;
   Require(!usesCurvature || options.Degree == 2 || options.Degree == 4,
     "Set Directions per point (Degree) to 2 or 4: principal curvature gives a line or a cross "
     "field. For others turn Alignment and Constrain Curvature off, or align to Point Vectors.");
+}
+
+bool AreSameUpTo(OptionStage stage, const Options& a, const Options& b)
+{
+#define COMPARE(name, first, ...)                                                                  \
+  if (OptionStage::first <= stage && a.name != b.name)                                             \
+  {                                                                                                \
+    return false;                                                                                  \
+  }
+  DIRECTIONFIELDS_OPTIONS(COMPARE, COMPARE, COMPARE)
+#undef COMPARE
+  return true;
 }
 
 void Check(const Guidance& guidance, const Options& options, std::size_t points)

@@ -24,6 +24,7 @@
 #include "Geometry/SurfaceGeometry.h"
 #include "MemoryBandwidth.h"
 #include "Meshes/PolyData.h"
+#include "OptionTable.h"
 #include "Sections/Assembly.h"
 #include "Support/Threads.h"
 #include "ThesisAlgorithm.h"
@@ -57,18 +58,12 @@ namespace
 /// By the names of the filter's properties.
 using Setter = void (*)(vtkDirectionField*, double);
 const std::map<std::string, Setter> Properties = {
-  { "Degree", [](vtkDirectionField* f, double v) { f->SetDegree(static_cast<int>(v)); } },
-  { "EnergyBias", [](vtkDirectionField* f, double v) { f->SetEnergyBias(v); } },
-  { "Tolerance", [](vtkDirectionField* f, double v) { f->SetTolerance(v); } },
-  { "Solver", [](vtkDirectionField* f, double v) { f->SetSolver(static_cast<int>(v)); } },
-  { "NumberOfThreads",
-    [](vtkDirectionField* f, double v) { f->SetNumberOfThreads(static_cast<int>(v)); } },
-  { "MergePoints", [](vtkDirectionField* f, double v) { f->SetMergePoints(static_cast<int>(v)); } },
-  { "UnitLength", [](vtkDirectionField* f, double v) { f->SetUnitLength(v != 0.0); } },
-  { "SingularityCost", [](vtkDirectionField* f, double v) { f->SetSingularityCost(v); } },
-  { "CurvatureScale", [](vtkDirectionField* f, double v) { f->SetCurvatureScale(v); } },
-  { "IntrinsicDelaunay",
-    [](vtkDirectionField* f, double v) { f->SetIntrinsicDelaunay(v != 0.0); } },
+#define SETTER(name, ...)                                                                          \
+  { #name, [](vtkDirectionField* filter, double value) {                                           \
+     filter->Set##name(static_cast<decltype(filter->Get##name())>(value));                         \
+   } },
+  DIRECTIONFIELDS_OPTIONS(SETTER, SETTER, SETTER)
+#undef SETTER
 };
 /// Those asked for.
 std::vector<std::pair<Setter, double>> Chosen;

@@ -18,6 +18,8 @@
 
 #include "vtkNew.h"
 
+#include <DirectionFields/OptionTable.h>
+
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -86,38 +88,17 @@ void PrintDirectionField()
 {
   Properties properties("DirectionField");
   vtkNew<vtkPDirectionField> filter;
-  RANGE(Degree);
-  RANGE(EnergyBias);
-  RANGE(Tolerance);
-  RANGE(MaximumIterations);
-  RANGE(Solver);
-  RANGE(NumberOfThreads);
+#define PRINT_FLAG(name, ...) VALUE(name);
+#define PRINT_RANGE(name, ...) RANGE(name);
+  DIRECTIONFIELDS_OPTIONS(PRINT_FLAG, PRINT_RANGE, PRINT_RANGE)
+#undef PRINT_FLAG
+#undef PRINT_RANGE
   VALUE(KeepStages);
   RANGE(Distribution);
   RANGE(GatherLimit);
-  RANGE(MergePoints);
-  VALUE(IntrinsicDelaunay);
   VALUE(CellDirections);
-  VALUE(UnitLength);
-  RANGE(SingularityCost);
-  RANGE(Alignment);
-  RANGE(CurvatureDirection);
-  RANGE(CurvatureScale);
-  RANGE(AlignmentStrength);
-  VALUE(UseShift);
-  RANGE(Shift);
   VALUE(GuidanceVectors);
   VALUE(GuidanceWeights);
-  VALUE(ConstrainBoundary);
-  VALUE(ConstrainSharpEdges);
-  RANGE(FeatureAngle);
-  RANGE(MinimumFeatureLength);
-  VALUE(ConstrainCurvature);
-  RANGE(CurvatureTolerance);
-  RANGE(ConsistencyAngle);
-  VALUE(DropConstraintsAtSingularities);
-  VALUE(ConstrainGuidance);
-  RANGE(ConstraintSolver);
 }
 
 void PrintGlyphs()

@@ -11,6 +11,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <DirectionFields/OptionTable.h>
+
 #include <functional>
 #include <map>
 
@@ -28,36 +30,14 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   copy->DeepCopy(input);
   vtkNew<vtkDirectionField> fresh;
   fresh->SetInputData(copy);
-  fresh->SetDegree(filter->GetDegree());
-  fresh->SetEnergyBias(filter->GetEnergyBias());
-  fresh->SetTolerance(filter->GetTolerance());
-  fresh->SetMaximumIterations(filter->GetMaximumIterations());
-  fresh->SetSolver(filter->GetSolver());
+#define COPY(name, ...) fresh->Set##name(filter->Get##name());
+  DIRECTIONFIELDS_OPTIONS(COPY, COPY, COPY)
+#undef COPY
   // Not the number of threads: bytes do not depend on it.
   fresh->SetNumberOfThreads(1);
-  fresh->SetMergePoints(filter->GetMergePoints());
-  fresh->SetIntrinsicDelaunay(filter->GetIntrinsicDelaunay());
   fresh->SetCellDirections(filter->GetCellDirections());
-  fresh->SetUnitLength(filter->GetUnitLength());
-  fresh->SetSingularityCost(filter->GetSingularityCost());
-  fresh->SetAlignment(filter->GetAlignment());
-  fresh->SetCurvatureDirection(filter->GetCurvatureDirection());
-  fresh->SetCurvatureScale(filter->GetCurvatureScale());
-  fresh->SetAlignmentStrength(filter->GetAlignmentStrength());
-  fresh->SetUseShift(filter->GetUseShift());
-  fresh->SetShift(filter->GetShift());
   fresh->SetGuidanceVectors(filter->GetGuidanceVectors());
   fresh->SetGuidanceWeights(filter->GetGuidanceWeights());
-  fresh->SetConstrainBoundary(filter->GetConstrainBoundary());
-  fresh->SetConstrainSharpEdges(filter->GetConstrainSharpEdges());
-  fresh->SetFeatureAngle(filter->GetFeatureAngle());
-  fresh->SetMinimumFeatureLength(filter->GetMinimumFeatureLength());
-  fresh->SetConstrainCurvature(filter->GetConstrainCurvature());
-  fresh->SetCurvatureTolerance(filter->GetCurvatureTolerance());
-  fresh->SetConsistencyAngle(filter->GetConsistencyAngle());
-  fresh->SetDropConstraintsAtSingularities(filter->GetDropConstraintsAtSingularities());
-  fresh->SetConstrainGuidance(filter->GetConstrainGuidance());
-  fresh->SetConstraintSolver(filter->GetConstraintSolver());
   fresh->Update();
   REQUIRE(filter->GetOutput()->GetNumberOfPoints() > 0);
   CHECK(IsSame(filter->GetOutput()->GetPointData(), fresh->GetOutput()->GetPointData()));

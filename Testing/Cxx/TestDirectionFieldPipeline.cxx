@@ -12,8 +12,14 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 
+#include <DirectionFields/OptionTable.h>
+#include <DirectionFields/Options.h>
+
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 using namespace Checks;
 
@@ -22,87 +28,66 @@ namespace
 void TestDefaults()
 {
   vtkNew<vtkDirectionField> filter;
-  CHECK(filter->GetDegree() == 4);
-  CHECK(filter->GetEnergyBias() == 0.0);
-  CHECK(filter->GetTolerance() == 1e-6);
-  CHECK(filter->GetMaximumIterations() == 200);
-  CHECK(filter->GetSolver() == vtkDirectionField::SOLVER_AUTOMATIC);
-  CHECK(filter->GetNumberOfThreads() == 0);
+  const DirectionFields::Options defaults;
+#define EXPECT_DEFAULT(name, ...)                                                                  \
+  CHECK(filter->Get##name() == static_cast<decltype(filter->Get##name())>(defaults.name));
+  DIRECTIONFIELDS_OPTIONS(EXPECT_DEFAULT, EXPECT_DEFAULT, EXPECT_DEFAULT)
+#undef EXPECT_DEFAULT
   CHECK(filter->GetKeepStages());
-  CHECK(filter->GetMergePoints() == vtkDirectionField::MERGE_POINTS_AUTOMATIC);
-  CHECK(!filter->GetIntrinsicDelaunay());
   CHECK(!filter->GetCellDirections());
-  CHECK(!filter->GetUnitLength());
-  CHECK(filter->GetSingularityCost() == 0.0);
-  CHECK(filter->GetAlignment() == vtkDirectionField::ALIGN_NONE);
-  CHECK(filter->GetCurvatureDirection() == vtkDirectionField::MAXIMUM_CURVATURE);
-  CHECK(filter->GetCurvatureScale() == 0.0);
-  CHECK(filter->GetAlignmentStrength() == 0.5);
-  CHECK(!filter->GetUseShift());
-  CHECK(filter->GetShift() == 0.0);
   CHECK(filter->GetGuidanceVectors() == nullptr);
   CHECK(filter->GetGuidanceWeights() == nullptr);
-  CHECK(!filter->GetConstrainBoundary());
-  CHECK(!filter->GetConstrainSharpEdges());
-  CHECK(filter->GetFeatureAngle() == 30.0);
-  CHECK(filter->GetMinimumFeatureLength() == 0.1);
-  CHECK(!filter->GetConstrainCurvature());
-  CHECK(filter->GetCurvatureTolerance() == 2.0);
-  CHECK(filter->GetConsistencyAngle() == 30.0);
-  CHECK(!filter->GetDropConstraintsAtSingularities());
-  CHECK(!filter->GetConstrainGuidance());
-  CHECK(filter->GetConstraintSolver() == vtkDirectionField::ENERGY);
   CHECK(filter->GetNumberOfInputPorts() == 1);
   CHECK(filter->GetNumberOfOutputPorts() == 2);
+}
+
+/// A value in the range other than the default, with few digits.
+template <class Value>
+Value Other(Value value, double least, double most)
+{
+  const double next = std::is_integral<Value>::value ? value + 1.0 : value + 0.125;
+  const double other = next <= most ? next : 0.5 * (least + value);
+  return static_cast<Value>(other);
 }
 
 void TestPrinting()
 {
   vtkNew<vtkDirectionField> filter;
-  filter->SetDegree(3);
-  filter->SetEnergyBias(0.25);
-  filter->SetTolerance(1e-4);
-  filter->SetMaximumIterations(321);
-  filter->SetSolver(vtkDirectionField::SOLVER_DIRECT);
-  filter->SetNumberOfThreads(5);
+  std::vector<std::string> lines;
+  const auto expect = [&lines](const char* name, const auto& value)
+  {
+    std::ostringstream line;
+    line << " " << name << ": " << value << "\n";
+    lines.push_back(line.str());
+  };
+#define CHANGE_FLAG(name, ...)                                                                     \
+  filter->Set##name(!filter->Get##name());                                                         \
+  expect(#name, filter->Get##name());
+#define CHANGE_RANGE(name, ...)                                                                    \
+  {                                                                                                \
+    const auto before = filter->Get##name();                                                       \
+    filter->Set##name(                                                                             \
+      Other(before, filter->Get##name##MinValue(), filter->Get##name##MaxValue()));                \
+    CHECK(filter->Get##name() != before);                                                          \
+    expect(#name, filter->Get##name());                                                            \
+  }
+  DIRECTIONFIELDS_OPTIONS(CHANGE_FLAG, CHANGE_RANGE, CHANGE_RANGE)
+#undef CHANGE_FLAG
+#undef CHANGE_RANGE
   filter->KeepStagesOff();
-  filter->MergePointsOn();
-  filter->IntrinsicDelaunayOn();
   filter->CellDirectionsOn();
-  filter->UnitLengthOn();
-  filter->SetSingularityCost(1.5);
-  filter->SetAlignment(vtkDirectionField::ALIGN_POINT_VECTORS);
-  filter->SetCurvatureDirection(vtkDirectionField::MINIMUM_CURVATURE);
-  filter->SetCurvatureScale(4.5);
-  filter->SetAlignmentStrength(0.75);
-  filter->UseShiftOn();
-  filter->SetShift(12.5);
   filter->SetGuidanceVectors("wind");
-  filter->ConstrainBoundaryOn();
-  filter->ConstrainSharpEdgesOn();
-  filter->SetFeatureAngle(40.0);
-  filter->SetMinimumFeatureLength(0.25);
-  filter->ConstrainCurvatureOn();
-  filter->SetCurvatureTolerance(3.5);
-  filter->SetConsistencyAngle(25.0);
-  filter->DropConstraintsAtSingularitiesOn();
-  filter->ConstrainGuidanceOn();
-  filter->SetConstraintSolver(vtkDirectionField::LEAST_SQUARES);
+  expect("KeepStages", 0);
+  expect("CellDirections", 1);
+  expect("GuidanceVectors", "wind");
+  expect("GuidanceWeights", "(none)");
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line :
-    { " Degree: 3\n", " EnergyBias: 0.25\n", " Tolerance: 0.0001\n", " MaximumIterations: 321\n",
-      " Solver: 2\n", " NumberOfThreads: 5\n", " KeepStages: 0\n", " MergePoints: 1\n",
-      " IntrinsicDelaunay: 1\n", " CellDirections: 1\n", " UnitLength: 1\n",
-      " SingularityCost: 1.5\n", " Alignment: 2\n", " CurvatureDirection: 1\n",
-      " CurvatureScale: 4.5\n", " AlignmentStrength: 0.75\n", " UseShift: 1\n", " Shift: 12.5\n",
-      " GuidanceVectors: wind\n", " GuidanceWeights: (none)\n", " ConstrainBoundary: 1\n",
-      " ConstrainSharpEdges: 1\n", " FeatureAngle: 40\n", " MinimumFeatureLength: 0.25\n",
-      " ConstrainCurvature: 1\n", " CurvatureTolerance: 3.5\n", " ConsistencyAngle: 25\n",
-      " DropConstraintsAtSingularities: 1\n", " ConstrainGuidance: 1\n", " ConstraintSolver: 0\n" })
+  for (const std::string& line : lines)
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
+  CHECK(lines.size() > 25);
 }
 
 void TestRanges()

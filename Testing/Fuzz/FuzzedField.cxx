@@ -7,6 +7,7 @@
 #include "FuzzedSurface.h"
 #include "Interpolation/GivenField.h"
 #include "Meshes/Soundness.h"
+#include "OptionTable.h"
 #include "Streamlines.h"
 
 #include <cmath>
@@ -17,47 +18,41 @@ using namespace DirectionFields;
 
 namespace
 {
-template <typename Choice>
-Choice OneOf(unsigned byte, int number)
+void ReadOption(unsigned byte, double least, double most, double& value)
 {
-  return static_cast<Choice>(byte % number);
+  constexpr double LargestInteresting = 10.0;
+  value = Real(byte, value, least, std::isfinite(most) ? most : LargestInteresting);
+}
+
+void ReadOption(unsigned byte, int least, int most, int& value)
+{
+  value = Whole(byte, value, least, most);
 }
 
 constexpr std::size_t OptionsSize = 32;
 
-/// New options take the next free places; the last one is for ghosts.
+/// One byte for each option in the order of the table, which new ones are appended to; the last byte is for ghosts.
 Options ReadOptions(const Bytes& bytes, std::size_t begin)
 {
-  const auto at = [&bytes, begin](std::size_t i) { return bytes.At(begin + i); };
+  std::size_t place = begin;
+  const auto next = [&bytes, &place] { return bytes.At(place++); };
   Options options;
-  options.Degree = Whole(at(0), options.Degree, 1, 16);
-  options.EnergyBias = Real(at(1), options.EnergyBias, -1.0, 1.0);
+#define READ_FLAG(name, ...) options.name = next() % 2 != 0;
+#define READ_CHOICE(name, stage, last)                                                             \
+  options.name = static_cast<decltype(options.name)>(next() % (last + 1));
+#define READ_NUMBER(name, stage, least, most, unit) ReadOption(next(), least, most, options.name);
+  DIRECTIONFIELDS_OPTIONS(READ_FLAG, READ_CHOICE, READ_NUMBER)
+#undef READ_FLAG
+#undef READ_CHOICE
+#undef READ_NUMBER
+  // Some numbers are interesting on other scales.
+  const auto at = [&bytes, begin](std::size_t i) { return bytes.At(begin + i); };
   const double exponent = Real(at(2), -6.0, -12.0, -1.0);
   options.Tolerance = std::isfinite(exponent) ? std::pow(10.0, exponent) : exponent;
-  options.MaximumIterations = Whole(at(3), options.MaximumIterations, 1, 10000);
   // A thousand threads for each input would take long.
   options.NumberOfThreads = at(4) < FirstInvalid ? static_cast<int>(at(4) % 4) : -1;
-  options.Alignment = OneOf<Alignment>(at(5), 3);
-  options.CurvatureDirection = OneOf<CurvatureDirection>(at(6), 4);
-  options.AlignmentStrength = Real(at(7), options.AlignmentStrength, 0.0, 1.0);
-  options.UseShift = at(8) % 2 != 0;
   options.Shift = at(9) < 128 ? std::pow(10.0, at(9) / 4.0 - 12.0) : Special(at(9));
-  options.ConstrainBoundary = at(10) % 2 != 0;
-  options.ConstrainSharpEdges = at(11) % 2 != 0;
-  options.FeatureAngle = Real(at(12), options.FeatureAngle, 0.0, 180.0);
-  options.ConstrainCurvature = at(13) % 2 != 0;
-  options.CurvatureTolerance = Real(at(14), options.CurvatureTolerance, 0.0, 10.0);
-  options.ConsistencyAngle = Real(at(15), options.ConsistencyAngle, 0.0, 180.0);
-  options.DropConstraintsAtSingularities = at(16) % 2 != 0;
-  options.ConstrainGuidance = at(17) % 2 != 0;
-  options.ConstraintSolver = OneOf<ConstraintSolver>(at(18), 2);
-  options.Solver = OneOf<Solver>(at(19), 3);
-  options.MergePoints = OneOf<MergePoints>(at(20), 3);
-  options.IntrinsicDelaunay = at(21) % 2 != 0;
-  options.MinimumFeatureLength = Real(at(22), options.MinimumFeatureLength, 0.0, 1.0);
-  options.UnitLength = at(23) % 2 != 0;
-  options.SingularityCost = Real(at(24), options.SingularityCost, 0.0, 4.0);
-  options.CurvatureScale = Real(at(25), options.CurvatureScale, 0.0, 32.0);
+  options.MinimumFeatureLength = Real(at(22), Options().MinimumFeatureLength, 0.0, 1.0);
   return options;
 }
 

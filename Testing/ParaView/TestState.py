@@ -12,19 +12,30 @@ state = sys.argv[2]
 if os.path.exists(state):
     os.remove(state)
 
-# None of these values is the default.
-values = {
+# Values that suit the surface and each other. None is the default, and those of the other properties are
+# made from their domains.
+chosen = {
     "Degree": 2, "EnergyBias": -0.25, "Tolerance": 1e-8, "MaximumIterations": 123,
-    "Solver": "Direct", "NumberOfThreads": 3, "KeepStages": 0, "GatherLimit": 54321,
-    "Distribution": "Gather",
-    "MergePoints": "On", "IntrinsicDelaunay": 1, "CellDirections": 1, "UnitLength": 1, "SingularityCost": 1.5,
+    "Solver": "Direct", "NumberOfThreads": 3, "GatherLimit": 54321, "Distribution": "Gather",
+    "MergePoints": "On", "SingularityCost": 1.5,
     "Alignment": "Principal Curvature", "CurvatureDirection": "Least Bent",
-    "CurvatureScale": 3.5, "AlignmentStrength": 0.75,
-    "UseShift": 1, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
-    "ConstrainBoundary": 1, "ConstrainSharpEdges": 1, "FeatureAngle": 20.0,
-    "MinimumFeatureLength": 0.25, "ConstrainCurvature": 1,
-    "CurvatureTolerance": 0.5, "ConsistencyAngle": 25.0, "DropConstraintsAtSingularities": 1,
-    "ConstrainGuidance": 1, "ConstraintSolver": "Least Squares"}
+    "CurvatureScale": 3.5, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
+    "FeatureAngle": 20.0, "CurvatureTolerance": 0.5}
+
+
+def other_value(property):
+    """A value of a property's domain that is not its default."""
+    value = property.GetElement(0)
+    if property.GetDomain("bool"):
+        return 1 - value
+    entries = property.GetDomain("enum")
+    if entries:
+        texts = [entries.GetEntryText(i) for i in range(entries.GetNumberOfEntries())]
+        return next(texts[i] for i in range(len(texts)) if entries.GetEntryValue(i) != value)
+    limits = property.GetDomain("range")
+    if limits.GetMaximumExists(0) and value + 1 > limits.GetMaximum(0):
+        return 0.5 * (value + limits.GetMinimum(0))
+    return value + (0.25 if isinstance(value, float) else 1)
 
 
 def figures(field):
@@ -45,8 +56,12 @@ vectors = Calculator(Input=stretched, ResultArrayName="Vectors",
                      Function="coordsY*iHat-coordsX*jHat")
 others = Calculator(Input=vectors, ResultArrayName="Others", Function="coordsZ*iHat")
 weights = Calculator(Input=others, ResultArrayName="Weights", Function="coordsZ-0.5")
-field = DirectionField(registrationName="field", Input=weights, **values)
-assert set(values) == set(field.ListProperties()) - {"Input"}
+field = DirectionField(registrationName="field", Input=weights)
+values = {name: chosen[name] if name in chosen else other_value(field.SMProxy.GetProperty(name))
+          for name in field.ListProperties() if name != "Input"}
+assert set(chosen) <= set(values)
+for name, value in values.items():
+    setattr(field, name, value)
 before = figures(field)
 # Each property arrives where it belongs.
 described = [line.strip() for line in str(field.GetClientSideObject()).splitlines()]

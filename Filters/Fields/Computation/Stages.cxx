@@ -134,13 +134,12 @@ const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport(double 
 
 EnergyStage& Stages::GetEnergy(const Options& options, const Progress& progress)
 {
-  const EnergyKey key = EnergyKeyOf(options);
-  if (this->Energy && this->Energy->Key == key)
+  if (this->Energy && AreSameUpTo(OptionStage::Energy, this->Energy->MadeFor, options))
   {
     return *this->Energy;
   }
   this->Energy.reset();
-  EnergyStage stage{ key, {}, {}, {} };
+  EnergyStage stage{ options, {}, {}, {} };
   // Flipping takes less time than assembly does, so that only the matrices are kept.
   std::optional<IntrinsicTriangulation> delaunay;
   if (options.IntrinsicDelaunay)

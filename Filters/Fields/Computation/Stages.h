@@ -15,24 +15,14 @@
 
 #include <memory>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
-/// The options that matrices and smallest eigenpairs depend on.
-using EnergyKey = std::tuple<int, double, double, int, Solver, bool>;
-
-inline EnergyKey EnergyKeyOf(const Options& options)
-{
-  return { options.Degree, options.EnergyBias, options.Tolerance, options.MaximumIterations,
-    options.Solver, options.IntrinsicDelaunay };
-}
-
 /// Matrices and smallest eigenpairs of all components.
 struct EnergyStage
 {
-  EnergyKey Key;
+  Options MadeFor;
   std::vector<ComponentStage> Components;
   /// What fields of unit length need, made when the first one is asked for.
   std::optional<IntrinsicTriangulation> Delaunay;

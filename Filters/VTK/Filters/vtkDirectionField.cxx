@@ -8,6 +8,7 @@
 #include "Conversion/Output/CellDirections.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
+#include "OptionTable.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/DefaultThreads.h"
 #include "Support/DirectionFieldCache.h"
@@ -70,36 +71,13 @@ vtkDirectionField::vtkDirectionField()
   : Last(std::make_unique<DirectionFields::DirectionFieldCache>())
 {
   const DirectionFields::Options defaults;
-  this->Degree = defaults.Degree;
-  this->EnergyBias = defaults.EnergyBias;
-  this->Tolerance = defaults.Tolerance;
-  this->MaximumIterations = defaults.MaximumIterations;
-  this->Solver = static_cast<int>(defaults.Solver);
-  this->NumberOfThreads = defaults.NumberOfThreads;
+#define TAKE_DEFAULT(name, ...) this->name = static_cast<decltype(this->name)>(defaults.name);
+  DIRECTIONFIELDS_OPTIONS(TAKE_DEFAULT, TAKE_DEFAULT, TAKE_DEFAULT)
+#undef TAKE_DEFAULT
   this->KeepStages = true;
-  this->MergePoints = static_cast<int>(defaults.MergePoints);
-  this->IntrinsicDelaunay = defaults.IntrinsicDelaunay;
   this->CellDirections = false;
-  this->UnitLength = defaults.UnitLength;
-  this->SingularityCost = defaults.SingularityCost;
-  this->Alignment = static_cast<int>(defaults.Alignment);
-  this->CurvatureDirection = static_cast<int>(defaults.CurvatureDirection);
-  this->CurvatureScale = defaults.CurvatureScale;
-  this->AlignmentStrength = defaults.AlignmentStrength;
-  this->UseShift = defaults.UseShift;
-  this->Shift = defaults.Shift;
   this->GuidanceVectors = nullptr;
   this->GuidanceWeights = nullptr;
-  this->ConstrainBoundary = defaults.ConstrainBoundary;
-  this->ConstrainSharpEdges = defaults.ConstrainSharpEdges;
-  this->FeatureAngle = defaults.FeatureAngle;
-  this->MinimumFeatureLength = defaults.MinimumFeatureLength;
-  this->ConstrainCurvature = defaults.ConstrainCurvature;
-  this->CurvatureTolerance = defaults.CurvatureTolerance;
-  this->ConsistencyAngle = defaults.ConsistencyAngle;
-  this->DropConstraintsAtSingularities = defaults.DropConstraintsAtSingularities;
-  this->ConstrainGuidance = defaults.ConstrainGuidance;
-  this->ConstraintSolver = static_cast<int>(defaults.ConstraintSolver);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -120,73 +98,28 @@ void vtkDirectionField::ReleaseStages()
 void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Degree: " << this->Degree << "\n";
-  os << indent << "EnergyBias: " << this->EnergyBias << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "Solver: " << this->Solver << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+#define PRINT(name, ...) os << indent << #name ": " << this->name << "\n";
+  DIRECTIONFIELDS_OPTIONS(PRINT, PRINT, PRINT)
+#undef PRINT
   os << indent << "KeepStages: " << this->KeepStages << "\n";
-  os << indent << "MergePoints: " << this->MergePoints << "\n";
-  os << indent << "IntrinsicDelaunay: " << this->IntrinsicDelaunay << "\n";
   os << indent << "CellDirections: " << this->CellDirections << "\n";
-  os << indent << "UnitLength: " << this->UnitLength << "\n";
-  os << indent << "SingularityCost: " << this->SingularityCost << "\n";
-  os << indent << "Alignment: " << this->Alignment << "\n";
-  os << indent << "CurvatureDirection: " << this->CurvatureDirection << "\n";
-  os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
-  os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
-  os << indent << "UseShift: " << this->UseShift << "\n";
-  os << indent << "Shift: " << this->Shift << "\n";
   os << indent << "GuidanceVectors: " << (this->GuidanceVectors ? this->GuidanceVectors : "(none)")
      << "\n";
   os << indent << "GuidanceWeights: " << (this->GuidanceWeights ? this->GuidanceWeights : "(none)")
      << "\n";
-  os << indent << "ConstrainBoundary: " << this->ConstrainBoundary << "\n";
-  os << indent << "ConstrainSharpEdges: " << this->ConstrainSharpEdges << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "MinimumFeatureLength: " << this->MinimumFeatureLength << "\n";
-  os << indent << "ConstrainCurvature: " << this->ConstrainCurvature << "\n";
-  os << indent << "CurvatureTolerance: " << this->CurvatureTolerance << "\n";
-  os << indent << "ConsistencyAngle: " << this->ConsistencyAngle << "\n";
-  os << indent << "DropConstraintsAtSingularities: " << this->DropConstraintsAtSingularities
-     << "\n";
-  os << indent << "ConstrainGuidance: " << this->ConstrainGuidance << "\n";
-  os << indent << "ConstraintSolver: " << this->ConstraintSolver << "\n";
 }
 
 //------------------------------------------------------------------------------
 DirectionFields::Options vtkDirectionField::MakeOptions() const
 {
   DirectionFields::Options options;
-  options.Degree = this->Degree;
-  options.EnergyBias = this->EnergyBias;
-  options.Tolerance = this->Tolerance;
-  options.MaximumIterations = this->MaximumIterations;
-  options.Solver = static_cast<DirectionFields::Solver>(this->Solver);
-  options.NumberOfThreads =
-    this->NumberOfThreads > 0 ? this->NumberOfThreads : DirectionFields::DefaultThreads();
-  options.MergePoints = static_cast<DirectionFields::MergePoints>(this->MergePoints);
-  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
-  options.UnitLength = this->UnitLength;
-  options.SingularityCost = this->SingularityCost;
-  options.Alignment = static_cast<DirectionFields::Alignment>(this->Alignment);
-  options.CurvatureDirection =
-    static_cast<DirectionFields::CurvatureDirection>(this->CurvatureDirection);
-  options.CurvatureScale = this->CurvatureScale;
-  options.AlignmentStrength = this->AlignmentStrength;
-  options.UseShift = this->UseShift;
-  options.Shift = this->Shift;
-  options.ConstrainBoundary = this->ConstrainBoundary;
-  options.ConstrainSharpEdges = this->ConstrainSharpEdges;
-  options.FeatureAngle = this->FeatureAngle;
-  options.MinimumFeatureLength = this->MinimumFeatureLength;
-  options.ConstrainCurvature = this->ConstrainCurvature;
-  options.CurvatureTolerance = this->CurvatureTolerance;
-  options.ConsistencyAngle = this->ConsistencyAngle;
-  options.DropConstraintsAtSingularities = this->DropConstraintsAtSingularities;
-  options.ConstrainGuidance = this->ConstrainGuidance;
-  options.ConstraintSolver = static_cast<DirectionFields::ConstraintSolver>(this->ConstraintSolver);
+#define HAND_ON(name, ...) options.name = static_cast<decltype(options.name)>(this->name);
+  DIRECTIONFIELDS_OPTIONS(HAND_ON, HAND_ON, HAND_ON)
+#undef HAND_ON
+  if (options.NumberOfThreads == 0)
+  {
+    options.NumberOfThreads = DirectionFields::DefaultThreads();
+  }
   return options;
 }
 

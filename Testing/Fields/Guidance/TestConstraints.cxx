@@ -4,6 +4,7 @@
 #include "Computation/Stages.h"
 #include "DirectionField.h"
 #include "Meshes/Surfaces.h"
+#include "OptionTable.h"
 #include "Systems/DirectSystem.h"
 
 #include <gtest/gtest.h>
@@ -383,30 +384,37 @@ TEST(Constraints, AnyCombinationGivesAFiniteUnitField)
   {
     const Surface& surface = surfaces[pick(static_cast<unsigned>(surfaces.size()))];
     Options options;
+#define PICK_FLAG(name, ...) options.name = pick(2);
+#define PICK_CHOICE(name, stage, last)                                                             \
+  options.name = static_cast<decltype(options.name)>(pick(last + 1));
+#define PICK_NUMBER(name, stage, least, most, unit)                                                \
+  options.name = static_cast<decltype(options.name)>(                                              \
+    least + fraction() * (std::min<double>(most, 10.0) - least));
+    DIRECTIONFIELDS_OPTIONS(PICK_FLAG, PICK_CHOICE, PICK_NUMBER)
+#undef PICK_FLAG
+#undef PICK_CHOICE
+#undef PICK_NUMBER
+    // These have to be sensible for the field to be checked.
+    options.Tolerance = Options().Tolerance;
+    options.MaximumIterations = Options().MaximumIterations;
+    options.NumberOfThreads = 0;
+    options.Solver = Solver::Automatic;
     options.Degree = 1 + static_cast<int>(pick(8));
     options.EnergyBias = pick(4) == 0 ? (pick(2) ? 1.0 : -1.0) : 2.0 * fraction() - 1.0;
     const bool curvature = options.Degree == 2 || options.Degree == 4;
     options.Alignment = pick(3) == 0 ? Alignment::PointVectors
       : curvature && pick(2)         ? Alignment::PrincipalCurvature
                                      : Alignment::None;
-    options.CurvatureDirection = static_cast<CurvatureDirection>(pick(4));
     options.CurvatureScale = pick(2) ? 0.0 : 4.0 * fraction();
     options.AlignmentStrength = pick(4) == 0 ? static_cast<double>(pick(2)) : fraction();
     options.UseShift = pick(4) == 0;
     options.Shift = std::pow(10.0, 8.0 * fraction() - 4.0);
-    options.ConstrainBoundary = pick(2);
-    options.ConstrainSharpEdges = pick(2);
     options.FeatureAngle = 90.0 * fraction();
     options.MinimumFeatureLength = pick(3) ? fraction() : 0.0;
-    options.MergePoints = static_cast<MergePoints>(pick(3));
     options.ConstrainCurvature = curvature && pick(2);
     options.CurvatureTolerance = 3.0 * fraction();
     options.ConsistencyAngle = 60.0 * fraction();
-    options.DropConstraintsAtSingularities = pick(2);
     options.ConstrainGuidance = pick(3) == 0;
-    options.ConstraintSolver = pick(2) ? ConstraintSolver::LeastSquares : ConstraintSolver::Energy;
-    options.IntrinsicDelaunay = pick(2);
-    options.UnitLength = pick(2);
     options.SingularityCost = pick(2) ? 2.0 * fraction() : 0.0;
     Guidance guidance;
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
