@@ -42,10 +42,11 @@ enum class GlyphMode
 /// The side of the surface that glyphs are on.
 enum class GlyphSide
 {
-  /// Outside of connected components that are closed, whatever their winding; on both sides of others.
+  /// Outside of connected components that are closed, whatever their winding; on both sides of
+  /// others.
   Automatic = 0,
-  /// Where the normals point, as the triangles are wound. A field of more than two directions defines them
-  /// by its own order.
+  /// Where the normals point, as the triangles are wound. A field of more than two directions
+  /// defines them by its own order.
   Front = 1,
   Back = 2,
   Both = 3
@@ -56,8 +57,8 @@ struct GlyphOptions
   GlyphType Type = GlyphType::Automatic;
   GlyphMode Mode = GlyphMode::SpreadEvenly;
   GlyphSide Side = GlyphSide::Automatic;
-  /// Least distance between glyphs that are spread evenly, in the unit of the surface, 0 or more; 0 is as
-  /// small as MaximumNumber allows. It is at most the diagonal of the box around the surface.
+  /// Least distance between glyphs that are spread evenly, in the unit of the surface, 0 or more; 0
+  /// is as small as MaximumNumber allows. It is at most the diagonal of the box around the surface.
   double Spacing = 0.0;
   /// Greatest number of glyphs, 1 to 1000000.
   Index MaximumNumber = 2000;
@@ -79,7 +80,8 @@ struct GlyphMesh
   std::vector<std::int64_t> Offsets = { 0 };
   std::vector<std::int64_t> Connectivity;
   bool AreLines = false;
-  /// Over the cells: the glyph that the cell belongs to, and the number k of the direction that it shows.
+  /// Over the cells: the glyph that the cell belongs to, and the number k of the direction that it
+  /// shows.
   std::vector<Index> Glyph;
   std::vector<int> Branch;
 };
@@ -96,8 +98,8 @@ struct Glyphs
   /// Direction[g Degree + k].
   int Degree = 0;
   std::vector<Vector3> Direction;
-  /// Mean over the glyphs of the spacing that sets their size, in the unit of the surface; 0 without
-  /// glyphs.
+  /// Mean over the glyphs of the spacing that sets their size, in the unit of the surface; 0
+  /// without glyphs.
   double Spacing = 0.0;
   /// The progress function stopped the computation; there are no glyphs.
   bool Aborted = false;
@@ -108,9 +110,9 @@ namespace Internal
 class GlyphSurfaceData;
 }
 
-/// A surface that several fields are drawn on, or one field with several options. All that depends on the
-/// surface only is computed once: the triangles at each point, normals, the places of the glyphs, and
-/// which side is outside.
+/// A surface that several fields are drawn on, or one field with several options. All that depends
+/// on the surface only is computed once: the triangles at each point, normals, the places of the
+/// glyphs, and which side is outside.
 class GlyphSurface
 {
 public:
@@ -134,10 +136,11 @@ private:
   std::unique_ptr<Internal::GlyphSurfaceData> Data;
 };
 
-/// Draws all n directions of a field at many places of a surface, as one glyph each, on the threads of the
-/// calling thread's Threads::Scope. Places without directions have no glyphs: the middles of singularities, and
-/// points that no triangle uses. Places that are spread evenly have a Poisson-disk distribution, improved by
-/// Lloyd's iteration; there is no randomness, and the result does not depend on the number of threads.
+/// Draws all n directions of a field at many places of a surface, as one glyph each, on the threads
+/// of the calling thread's Threads::Scope. Places without directions have no glyphs: the middles of
+/// singularities, and points that no triangle uses. Places that are spread evenly have a
+/// Poisson-disk distribution, improved by Lloyd's iteration; there is no randomness, and the result
+/// does not depend on the number of threads.
 ///
 /// @param field    the n directions at each point of the surface
 /// @param progress returns false to stop: Glyphs::Aborted is set then

@@ -37,27 +37,27 @@ enum class IntegrationDirection
 struct StreamlineOptions
 {
   SeedType Seeds = SeedType::EvenlySpaced;
-  /// Distance between neighbouring lines of a family, 0 or more; 0 stands for the root of the area / 40.
-  /// It is raised to the root of the area / 1000.
+  /// Distance between neighbouring lines of a family, 0 or more; 0 stands for the root of the area
+  /// / 40. It is raised to the root of the area / 1000.
   double Spacing = 0.0;
   /// Evenly spaced lines end where their distance from others falls below this part of the spacing,
   /// 0.1 to 0.9.
   double Ratio = 0.5;
   /// Greatest length of a line, 0 or more; 0 stands for 20 times the root of the component's area.
   double MaximumLength = 0.0;
-  /// Shorter lines are left out, 0 or more. 0 leaves out evenly spaced lines shorter than 0.9 times the
-  /// spacing (on small components, than a quarter of the root of the area), and no others.
+  /// Shorter lines are left out, 0 or more. 0 leaves out evenly spaced lines shorter than 0.9 times
+  /// the spacing (on small components, than a quarter of the root of the area), and no others.
   double MinimumLength = 0.0;
-  /// Lines from singularities end where they cross each other: together they are the motorcycle graph of
-  /// the field (Eppstein, Goodrich, Kim and Tamstorf 2008).
+  /// Lines from singularities end where they cross each other: together they are the motorcycle
+  /// graph of the field (Eppstein, Goodrich, Kim and Tamstorf 2008).
   bool StopAtCrossings = false;
   /// Of lines from points, for degree 1; lines of other fields always run in both directions.
   IntegrationDirection Direction = IntegrationDirection::Both;
   /// Greatest number of lines, 1 to 10000000.
   Index MaximumNumber = 100000;
-  /// Height of the lines above the surface as a part of the spacing, -1 to 1: outwards on surfaces that
-  /// enclose a volume, whichever way their triangles are wound, with holes or without; elsewhere along
-  /// the normals.
+  /// Height of the lines above the surface as a part of the spacing, -1 to 1: outwards on surfaces
+  /// that enclose a volume, whichever way their triangles are wound, with holes or without;
+  /// elsewhere along the normals.
   double Offset = 0.03;
 };
 
@@ -117,19 +117,19 @@ struct Streamlines
   std::vector<Vector3> Normals, Directions;
   /// Over the points: the length from the begin of the line, and |u|, the magnitude of the field.
   std::vector<double> Arc, Magnitude;
-  /// Over the points: the nearest corner of the triangle as a point of the surface, and the number k of
-  /// the direction there that is nearest to the line's.
+  /// Over the points: the nearest corner of the triangle as a point of the surface, and the number
+  /// k of the direction there that is nearest to the line's.
   std::vector<Index> Point;
   std::vector<int> Branch;
-  /// Line i has the points Offsets[i] ... Offsets[i + 1] - 1. A closed line repeats its first point at
-  /// its end.
+  /// Line i has the points Offsets[i] ... Offsets[i + 1] - 1. A closed line repeats its first point
+  /// at its end.
   std::vector<std::int64_t> Offsets = { 0 };
 
-  /// Over the lines: the number of the given seed, or of the singularity's node; for evenly spaced lines
-  /// the number that the line had before short ones were left out.
+  /// Over the lines: the number of the given seed, or of the singularity's node; for evenly spaced
+  /// lines the number that the line had before short ones were left out.
   std::vector<Index> Seed;
-  /// Over the lines: lines that cross are of different families, 0 ... n/2 - 1 for even n, 0 ... n - 1 for
-  /// odd n.
+  /// Over the lines: lines that cross are of different families, 0 ... n/2 - 1 for even n, 0 ... n
+  /// - 1 for odd n.
   std::vector<int> Family;
   std::vector<double> Length;
   /// Over the lines: 1 for closed ones, else 0.
@@ -151,10 +151,11 @@ struct Streamlines
 };
 
 /// Traces streamlines of a direction field on a surface, on the threads of the calling thread's
-/// Threads::Scope. Within each triangle a line is a solution of z' = d(z), where d is the direction, of the n
-/// that the field has at z, nearest to the last one; the field between the vertices is the section that
-/// its energy integrates (Knöppel et al. 2013, section 6.1). On surfaces that cannot be oriented, lines
-/// run on over both sides. The result does not depend on the number of threads.
+/// Threads::Scope. Within each triangle a line is a solution of z' = d(z), where d is the
+/// direction, of the n that the field has at z, nearest to the last one; the field between the
+/// vertices is the section that its energy integrates (Knöppel et al. 2013, section 6.1). On
+/// surfaces that cannot be oriented, lines run on over both sides. The result does not depend on
+/// the number of threads.
 ///
 /// Sources: B. Jobard, W. Lefer: Creating Evenly-Spaced Streamlines of Arbitrary Density, 1997.
 /// D. Eppstein, M. Goodrich, E. Kim, R. Tamstorf: Motorcycle Graphs: Canonical Quad Mesh

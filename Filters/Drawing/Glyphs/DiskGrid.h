@@ -20,8 +20,8 @@ inline bool IsSameSide(const Eigen::Vector3f& normal, const Eigen::Vector3f& oth
   return normal.dot(other) > -0.25f;
 }
 
-/// Points of a surface no two of which are nearer to each other than a spacing, and quick answers
-/// to what is near a place. A hash table over cubic cells of the spacing.
+/// Points of a surface no two of which are nearer to each other than a spacing, and a quick search
+/// for those near a place. A hash table over cubic cells of the spacing.
 class DiskGrid
 {
 public:

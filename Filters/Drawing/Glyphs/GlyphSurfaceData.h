@@ -17,8 +17,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A surface to draw glyphs on. What depends on the surface only is computed once, however many fields
-/// are drawn: which triangles meet where, their normals, the places of the glyphs and the outside.
+/// The data of a GlyphSurface, each computed when it is first needed: the triangles at each point
+/// with their normals, the places of the glyphs, the mesh of the field and the outside.
 class GlyphSurfaceData
 {
 public:
@@ -29,14 +29,15 @@ public:
   GlyphSurfaceData(const GlyphSurfaceData&) = delete;
   GlyphSurfaceData& operator=(const GlyphSurfaceData&) = delete;
 
-  /// The triangles in a unit of length of 2^GetExponent(), in which the squares of areas are numbers.
+  /// The triangles in a unit of length of 2^GetExponent(), in which the squares of areas are
+  /// numbers.
   const SurfaceIncidence& GetIncidence() const { return *this->Incidence; }
   int GetExponent() const { return this->Exponent; }
 
-  /// Where the glyphs are, in the unit of the triangles. They are sought anew where the mode, the spacing
-  /// or the maximum number are others than before.
+  /// The places of the glyphs, in the unit of the triangles. They are computed again where the
+  /// mode, the spacing or the maximum number have changed.
   ///
-  /// Throws Stopped; then those of before stay.
+  /// Throws Stopped, and keeps the former places then.
   const SurfaceSamples& GetPlaces(const GlyphOptions& options, const Progress& progress);
   /// How many times places were sought.
   int GetNumberOfSamplings() const { return this->NumberOfSamplings; }
@@ -48,7 +49,7 @@ public:
   const std::vector<signed char>& GetOutwardSides();
 
 private:
-  /// What the places depend on.
+  /// The options that the places depend on.
   struct Key
   {
     GlyphMode Mode = GlyphMode::SpreadEvenly;

@@ -157,7 +157,7 @@ Index PointAt(const Surface& surface, const SurfacePoint& place)
   return surface.Triangles[place.Triangle][corner - place.Weights.begin()];
 }
 
-/// What the glyphs of a surface are drawn of.
+/// The surface, the places on it and the field there, from which glyphs are drawn.
 class GlyphPlaces
 {
 public:
@@ -244,7 +244,7 @@ private:
   const std::vector<signed char>* Outward = nullptr;
 };
 
-/// How much there is of what glyphs consist of.
+/// The sizes of the arrays of glyphs.
 struct Sizes
 {
   std::size_t Places = 0;

@@ -19,8 +19,8 @@ namespace
 /// Candidates on a square of the spacing: their gaps are about a quarter of it.
 constexpr double CandidateDensity = 12.0;
 constexpr double FewestCandidates = 256.0;
-/// Most candidates for each sample that is wanted. A smooth surface needs 20; where many sheets share
-/// a room, their area asks for far more than there is room for.
+/// Most candidates for each sample that is wanted. A smooth surface needs 20; where many sheets
+/// share a room, their area asks for far more than there is room for.
 constexpr double MostCandidates = 64.0;
 /// Samples on a square of the spacing, as counted on smooth closed surfaces; and the same among the
 /// vertices of a fine mesh, which are not moved.
@@ -29,8 +29,8 @@ constexpr double PointDensity = 0.66;
 /// Sweeps of the relaxation, and how far it goes beyond the middle, which it reaches the sooner.
 constexpr int Sweeps = 3;
 constexpr double Overshoot = 1.5;
-/// Rounds in which an automatic spacing is found, and the part of the maximum number of samples that
-/// is near enough to it.
+/// Rounds in which an automatic spacing is found, and the part of the maximum number of samples
+/// that is near enough to it.
 constexpr int MaximumRounds = 10;
 /// The first of them suppose that the number goes by the square of the spacing.
 constexpr int SquareRounds = 3;
@@ -127,7 +127,7 @@ public:
   {
   }
 
-  /// The next round, or the first; each takes half of what is left.
+  /// The next round, or the first; each takes half of the remaining candidates.
   void Begin()
   {
     this->Done = this->End;
@@ -243,7 +243,7 @@ private:
     this->Samples.push_back(candidate);
   }
 
-  /// Moves a sample if nothing is too near there, or else half the way.
+  /// Moves a sample if nothing is too near there, or else by half of that.
   void Move(Index sample, Vector3 by)
   {
     for (int attempt = 0; attempt < 2; ++attempt, by *= 0.5)
@@ -276,8 +276,8 @@ struct Tried
   double Count = 0.0;
 };
 
-/// The largest set of at most maximumNumber samples that spread(spacing) gives for some spacing that
-/// is within bounds. The search starts from a spacing that should do.
+/// The largest set of at most maximumNumber samples that spread(spacing) gives for some spacing
+/// that is within bounds. The search starts from a spacing that should do.
 template <typename Spread>
 SurfaceSamples FitSpacing(double spacing, double least, double most, Index maximumNumber,
   Rounds& rounds, const Spread& spread)

@@ -35,10 +35,10 @@ struct SurfaceSamples
 ///
 /// Candidates that cover the surface densely and evenly (by area, with the additive recurrence of
 /// the plastic number) are taken in a scrambled order if nothing is too near, then moved along the
-/// surface towards the middle of what is nearest to them where the distance allows it (Lloyd's
-/// iteration), and the room that this opens is filled. A hash grid with cells of the spacing finds
-/// what is near, so that the time is linear in triangles and samples. There is no randomness: the
-/// same surface gives the same samples.
+/// surface towards the middle of the candidates nearest to them where the distance allows it
+/// (Lloyd's iteration), and the room that this opens is filled. A hash grid with cells of the
+/// spacing finds the samples nearby, so that the time is linear in triangles and samples. There is
+/// no randomness: the same surface gives the same samples.
 ///
 /// Throws Stopped.
 /// @param excluded not 0 for triangles without samples; empty for none

@@ -18,18 +18,18 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Lines that are traced at once, at most, and as a part of the lines at hand. While these are few, those
-/// that are traced at once come into each other's way, and what is cut off is lost work. It is the same
-/// number for any number of threads.
+/// The greatest number of streamlines traced at once, and their number as a part of the streamlines
+/// at hand. While these are few, streamlines traced at once come too close to each other, and the
+/// parts cut off are lost work. The number does not depend on that of the threads.
 constexpr std::size_t MostAtOnce = 48;
 constexpr std::size_t PartAtOnce = 6;
 /// Places that are looked at at once for gaps, by one thread.
 constexpr Index FewPlaces = 256;
-/// Seeds are at least this part of the spacing away from other lines: the distance through space, from a
-/// point that is the spacing away along the surface, is a little less than that.
+/// Seeds are at least this part of the spacing away from other lines: the distance through space,
+/// from a point that is the spacing away along the surface, is a little less than that.
 constexpr double SeedPart = 0.95;
-/// Where a line is this part of the spacing away from the point straight beside another line, the way over
-/// the surface, which takes much longer, would lead to no seed either.
+/// Where a line is this part of the spacing away from the point straight beside another line,
+/// walking over the surface, which takes much longer, would give no seed either.
 constexpr double SurelyTakenPart = 0.6;
 /// No other seed is tried nearer to one whose line was too short.
 constexpr double DeadPart = 0.25;
@@ -80,7 +80,8 @@ public:
       std::pop_heap(places.begin(), places.end(), isLater);
       this->FollowFrom(places.back(), progress);
       places.pop_back();
-      // The first line fills the surface with those beside it as a rule, and then there are few places left.
+      // The first line fills the surface with those beside it as a rule, and then there are few
+      // places left.
       if (this->Lines.size() > 2 * linesThen)
       {
         linesThen = this->Lines.size();
@@ -109,7 +110,8 @@ private:
       !this->Dead.IsNear(sample, DeadPart * spacing);
   }
 
-  /// Traces the lines at a place that are not there yet, one of each family, and all those beside them.
+  /// Traces the lines at a place that are not there yet, one of each family, and all those beside
+  /// them.
   void FollowFrom(const SeedPlace& place, const Progress& progress)
   {
     const int families = NumberOfFamilies(this->Field.GetDegree());
@@ -124,8 +126,8 @@ private:
     }
   }
 
-  /// Leaves out places where there are lines of all families. There never are fewer lines, hence it does not
-  /// matter when that happens.
+  /// Leaves out places where there are lines of all families. There never are fewer lines, hence it
+  /// does not matter when that happens.
   void RemoveCovered(std::vector<SeedPlace>& places) const
   {
     const auto count = static_cast<Index>(places.size());
@@ -262,7 +264,8 @@ private:
     }
   }
 
-  /// Cuts off what has come too close to other lines, and keeps the line if it is long enough.
+  /// Cuts off the parts of a streamline that are too close to others, and keeps it if it is long
+  /// enough.
   void Take(SpacedLine&& line)
   {
     this->Spaced.Cut(line, this->Grid);

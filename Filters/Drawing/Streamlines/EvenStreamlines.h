@@ -12,18 +12,20 @@
 
 namespace DirectionFields::Internal
 {
-/// Lines that cover a component of the surface evenly, each family by itself: where two lines of one
-/// family run beside each other, they are about the spacing apart.
+/// Streamlines that cover a component of the surface evenly, each family by itself: where two of
+/// one family run beside each other, their distance is about the spacing.
 ///
-/// B. Jobard, W. Lefer: Creating Evenly-Spaced Streamlines of Arbitrary Density, 1997, on a surface and for
-/// n directions. The first lines start where |u| is largest, where the directions are most certain; each
-/// line has seeds on both sides of it, at the distance of the spacing along the surface; and where no seed
-/// is left, the other places follow, by |u|, so that no gap remains. A line runs both ways until it comes
-/// too close to another one of its family or to itself, comes back to its start, or ends by itself.
+/// B. Jobard, W. Lefer: Creating Evenly-Spaced Streamlines of Arbitrary Density, 1997, on a surface
+/// and for n directions. The first streamlines start where |u| is largest, because the directions
+/// are most certain there. Each streamline has seeds on both sides, at the distance of the spacing
+/// along the surface. When no seeds are left, the other places follow in the order of |u|, so that
+/// no gap remains. A streamline runs in both directions until it is too close to another one of its
+/// family or to itself, comes back to its start, or ends by itself.
 ///
-/// The lines beside all lines at hand are traced at once, on the threads of the scope, and taken in their
-/// order; what has come too close meanwhile is cut off. Hence the lines do not depend on the number of
-/// threads, and as all is done by distances and |u|, they turn and grow with the surface.
+/// The streamlines beside all those at hand are traced at once, on the threads of the scope, and
+/// taken in their order; parts that are too close to those taken before are cut off. Hence the
+/// streamlines do not depend on the number of threads. As only distances and |u| decide, they turn
+/// and grow with the surface.
 ///
 /// Throws Stopped.
 /// @param field    its LongestStep is set here

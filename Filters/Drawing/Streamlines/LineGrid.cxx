@@ -18,7 +18,8 @@ constexpr std::size_t FewSlots = 16;
 LineGrid::LineGrid(const Vector3& origin, double cell, int families, bool isOneSided)
   : Origin(origin)
   , CellSize(cell)
-  // A little less than a right angle for a single family: it is the same line in whatever direction.
+  // A little less than a right angle for a single family: it is the same line in whatever
+  // direction.
   , LeastCosine(families == 1 ? -1.0 : std::cos(0.5 * Pi / families))
   , LeastWideCosine(families == 1 ? -1.0 : std::cos(0.75 * Pi / families))
   , IsOneSided(isOneSided)

@@ -22,12 +22,13 @@ struct LineSample
   double Arc = 0.0;
 };
 
-/// Samples of lines on a surface, and quick answers to which are near. A hash table over cubic cells, as
-/// large as the radius that is asked for at most; it grows by itself.
+/// Samples of lines on a surface, and quick answers to which are near. A hash table over cubic
+/// cells, as large as the radius that is asked for at most; it grows by itself.
 ///
-/// Only lines of one family see each other: those whose tangents, whichever way they run, are less than
-/// half the angle apart that there is between families (90 degrees / families). So do only places on the same side of the surface
-/// (normals up to 105 degrees apart), except where the surface has one side only.
+/// Only lines of one family see each other: those whose tangents, whichever way they run, are less
+/// than half the angle apart that there is between families (90 degrees / families). So do only
+/// places on the same side of the surface (normals up to 105 degrees apart), except where the
+/// surface has one side only.
 class LineGrid
 {
 public:
@@ -35,8 +36,8 @@ public:
 
   void Insert(const LineSample& sample);
 
-  /// Whether a sample of the family is nearer to a place than a radius, which is no larger than a cell,
-  /// among those for which counts(sample) is true.
+  /// Whether a sample of the family is nearer to a place than a radius, which is no larger than a
+  /// cell, among those for which counts(sample) is true.
   template <typename Counts>
   bool IsNear(const LineSample& place, double radius, const Counts& counts) const
   {
@@ -49,8 +50,8 @@ public:
     return this->Search(
       place, radius, [&](const LineSample& sample) { return this->SeesEachOther(sample, place); });
   }
-  /// The same for tangents up to half as much again apart: samples of lines that see each other somewhere
-  /// between their samples.
+  /// The same for tangents up to half as much again apart: samples of lines that see each other
+  /// somewhere between their samples.
   bool IsNearWidely(const LineSample& place, double radius) const
   {
     return this->Search(place, radius,

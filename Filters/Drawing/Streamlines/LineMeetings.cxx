@@ -14,10 +14,11 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr Index FewTriangles = 64;
-/// Crossings this much beyond the end of a piece, as a part of it, are no less crossings: rounding must
-/// not open a gap between two pieces.
+/// Crossings this much beyond the end of a piece, as a part of it, are no less crossings: rounding
+/// must not open a gap between two pieces.
 constexpr double Beyond = 1e-9;
-/// What is nearer to the common singularity of two pieces, as a part of them, is that.
+/// A meeting nearer to the common singularity of two pieces than this part of them is the
+/// singularity.
 constexpr double AtZero = 1e-6;
 
 /// A piece as seen on the front.

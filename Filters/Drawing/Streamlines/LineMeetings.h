@@ -19,9 +19,9 @@ struct Meeting
   double Late, Early;
 };
 
-/// All meetings of lines of which neither has come farther than a length, in no particular order that
-/// depends on anything but the lines. Lines that start or end in the same singularity do not meet there.
-/// On both sides of what cannot be oriented they meet as if there were one.
+/// All meetings of streamlines of which neither has come farther than a length, in an order that
+/// depends on the streamlines only. Streamlines that start or end in the same singularity do not
+/// meet there. On surfaces that cannot be oriented those of both sides meet.
 /// @param lines  the pieces of each
 /// @param isSame pairs that are the same line and hence do not meet
 std::vector<Meeting> FindMeetings(const GivenField& field,

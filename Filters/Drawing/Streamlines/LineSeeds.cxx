@@ -16,7 +16,8 @@ namespace
 constexpr double PlacePart = 0.25;
 /// Places along an edge at most.
 constexpr double MostAlongEdge = 4096.0;
-/// Vertices are left by this part of the way to the middle of a triangle, where directions are defined.
+/// Seeds at vertices are moved by this part of the distance to the middle of a triangle, where
+/// directions are defined.
 constexpr double OffVertex = 1e-3;
 /// How much the area around a vertex weighs against |u|.
 constexpr double AreaPart = 1e-4;

@@ -23,10 +23,10 @@ struct SeedPlace
   double Rank = 0.0;
 };
 
-/// Places on a component of the surface, no point of which is farther than a fraction of the spacing from
-/// one: the vertices, and more in triangles that are large. Their ranks are |u|, and where that is the same
-/// everywhere the area around them: that does not depend on how the surface lies or is numbered. Takes time
-/// linear in triangles and places, on the threads of the scope.
+/// Places on a component of the surface, no point of which is farther than a fraction of the
+/// spacing from one: the vertices, and more in triangles that are large. Their ranks are |u|, and
+/// where that is the same everywhere the area around them: that does not depend on how the surface
+/// lies or is numbered. Takes time linear in triangles and places, on the threads of the scope.
 /// @param excluded not 0 for triangles of the mesh without places; empty for none
 std::vector<SeedPlace> SeedPlaces(
   const GivenField& field, Index component, double spacing, const std::vector<char>& excluded);

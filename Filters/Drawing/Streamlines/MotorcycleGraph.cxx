@@ -19,7 +19,8 @@ namespace
 constexpr double Never = std::numeric_limits<double>::infinity();
 /// The first round's length, in mean edges.
 constexpr double FirstRound = 8.0;
-/// A line runs into a singularity along a ray of it if it comes from that direction within this angle.
+/// A line runs into a singularity along a ray of it if it comes from that direction within this
+/// angle.
 constexpr double SameRay = Pi;
 
 /// A line that is traced on from round to round.
@@ -229,8 +230,8 @@ private:
       rider.End = meeting.Late;
       rider.Stopper = meeting.Other;
     }
-    // What is longer than all that is still to come has been found; a line of a pair ends in its
-    // singularity at last, where the other one was stopped.
+    // No shorter streamline can still come in between; a streamline of a pair ends in its
+    // singularity where the other one was stopped.
     for (Motorcycle& rider : this->Riders)
     {
       if (rider.End == Never && rider.OwnEnd() <= time)
@@ -240,7 +241,8 @@ private:
     }
   }
 
-  /// Where a line of a pair crosses itself, the other one crosses it: that is the same line turned around.
+  /// Where a line of a pair crosses itself, the other one crosses it: that is the same line turned
+  /// around.
   void AddMeetingsOfPairs(std::vector<Meeting>& meetings) const
   {
     const std::size_t count = meetings.size();

@@ -15,7 +15,8 @@ namespace
 constexpr Index FewZeros = 16;
 /// Radius of the circle around a singularity, as a part of the size of its triangle.
 constexpr double Circle = 0.02;
-/// Singularities are seen from other triangles if they are nearer than this part of the size of their own.
+/// Singularities are seen from other triangles if they are nearer than this part of the size of
+/// their own.
 constexpr double Reach = 0.1;
 const Complex Far(1e300, 0.0);
 /// Places on the circle where it is looked at; the angles between them are found by bisection.
@@ -318,7 +319,7 @@ Complex Mirrored(const GivenField& field, Index triangle, const Complex& place)
   const SurfaceGeometry& geometry = field.GetGeometry();
   const std::array<double, 3> weights = FlatTriangle(geometry, triangle).Weights(place);
   const FlatTriangle other(geometry, geometry.Mesh.Mirror(3 * triangle) / 3);
-  // What runs from corner c on one side runs to corner -c on the other.
+  // An edge from corner c on one side runs to corner -c on the other.
   return other.Place({ weights[0], weights[2], weights[1] });
 }
 }

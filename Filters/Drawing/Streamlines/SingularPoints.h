@@ -13,8 +13,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A singularity of a field: a triangle whose index is not 0, and the place in it where the field is not
-/// defined.
+/// A singularity of a field: a triangle whose index is not 0, and the place in it where the field
+/// is not defined.
 struct SingularPoint
 {
   /// Of the mesh, on the front.
@@ -37,8 +37,8 @@ struct ZeroRay
   int Sense = 1;
 };
 
-/// A singularity that is closer to an edge or a corner of its triangle than lines are caught from, as it is
-/// seen from a triangle that shares these.
+/// A singularity that is closer to an edge or a corner of its triangle than lines are caught from,
+/// as it is seen from a triangle that shares these.
 struct ZeroBeside
 {
   /// Of the mesh: from where it is seen, and the one that it is in.
@@ -50,8 +50,8 @@ struct ZeroBeside
   Index Spoke = None;
 };
 
-/// All singularities of a field, the front's only, in the order of their triangles. On the back of what
-/// cannot be oriented there are the same ones once more, as places only.
+/// All singularities of a field on the front, in the order of their triangles. On surfaces that
+/// cannot be oriented the back has the same ones again, as places only.
 class SingularPoints
 {
 public:
@@ -59,28 +59,30 @@ public:
   explicit SingularPoints(const GivenField& field);
 
   const std::vector<SingularPoint>& GetZeros() const { return this->Zeros; }
-  /// The number of the singularity in a triangle of the mesh, on the front or the back; None if none is.
+  /// The number of the singularity in a triangle of the mesh, on the front or the back; None if
+  /// none is.
   Index ZeroIn(Index meshTriangle) const
   {
     return std::max(this->ZeroOfTriangle[meshTriangle], None);
   }
   /// Its place in that flat triangle.
   Complex PlaceIn(Index meshTriangle) const;
-  /// The singularities that lie beside a triangle of the mesh without one: two iterators. On symmetric surfaces
-  /// they lie on vertices, and lines run into them from all triangles there.
+  /// The singularities that lie beside a triangle of the mesh without one: two iterators. On
+  /// symmetric surfaces they lie on vertices, and lines run into them from all triangles there.
   std::pair<const ZeroBeside*, const ZeroBeside*> Beside(Index meshTriangle) const;
-  /// Where such a one is in the triangle's plane, with the triangles between laid flat around the common vertex:
-  /// the nearer to a place of both ways around. Infinitely far where no way leads there.
+  /// The place of such a singularity in the triangle's plane, with the triangles between laid flat
+  /// around the common vertex, clockwise or counter-clockwise: the one nearer to a place.
+  /// Infinitely far where the triangles are not connected around the vertex.
   Complex PlaceBeside(const ZeroBeside& beside, const Complex& from) const;
 
-  /// The rays of a singularity of index k/n, counter-clockwise: |n - k| of them, and 2 |n - k| for odd n,
-  /// on which the field points outwards, or along every second one inwards. None for k = n: there are
-  /// only lines that run around, into or out of it.
+  /// The rays of a singularity of index k/n, counter-clockwise: |n - k| of them, and 2 |n - k| for
+  /// odd n, on which the field points outwards, or along every second one inwards. None for k = n:
+  /// there are only lines that run around, into or out of it.
   ///
-  /// On a small circle around a singularity, the field points outwards where n beta = arg q(beta). Both
-  /// sides are continuous; their difference grows by 2 pi (n - k) around the circle and so passes that
-  /// many multiples of 2 pi. Where it passes one of them several times, which takes a strongly
-  /// anisotropic singularity, the passage nearest to that of the isotropic part counts.
+  /// On a small circle around a singularity, the field points outwards where n beta = arg q(beta).
+  /// Both sides are continuous; their difference grows by 2 pi (n - k) around the circle and so
+  /// passes that many multiples of 2 pi. Where it passes one of them several times, which takes a
+  /// strongly anisotropic singularity, the passage nearest to that of the isotropic part counts.
   std::vector<ZeroRay> Rays(Index zero) const;
 
 private:
@@ -96,7 +98,8 @@ private:
   std::vector<ZeroBeside> AllBeside;
 };
 
-/// A place in a flat triangle of the mesh as seen in the flat triangle on the other side of a cover.
+/// A place in a flat triangle of the mesh as seen in the flat triangle on the other side of a
+/// cover.
 Complex Mirrored(const GivenField& field, Index triangle, const Complex& place);
 }
 

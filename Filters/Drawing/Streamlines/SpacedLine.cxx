@@ -12,11 +12,12 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Parts of the spacing: between samples of a line; how far a line runs before it minds itself; how near
-/// it must come back to its start to be closed, and from where on it may come to that.
+/// Parts of the spacing: between samples of a line; how far a line runs before it minds itself; how
+/// near it must come back to its start to be closed, and from where on it may come to that.
 constexpr double SamplePart = 0.2;
-/// A line does not turn more than this part of the angle within which lines see each other from one sample to
-/// the next: what two lines see of each other anywhere, their samples see widely (LineGrid).
+/// From one sample to the next a streamline turns by at most this part of the angle within which
+/// streamlines see each other: where two see each other anywhere, their samples do so widely
+/// (LineGrid).
 constexpr double MostTurn = 0.2;
 constexpr std::ptrdiff_t MarksPerSeed = 3;
 constexpr double OwnPart = 3.0;
@@ -201,7 +202,7 @@ bool SpacedTracing::ComesBack(const LinePiece& piece, const LineSample& first, d
   return passes.norm() < ClosedPart * this->Options.Spacing;
 }
 
-void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength,
+void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLength,
   const LineGrid& grid, LineGrid& own, SpacedHalf& half) const
 {
   const double spacing = this->Options.Spacing;
@@ -209,7 +210,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
   StreamlineTrace trace(this->Traced, start);
   const LineSample first = this->SampleAt(start, 0.0);
   double length = 0.0;
-  double nextMark = way > 0 ? 0.0 : step;
+  double nextMark = sense > 0 ? 0.0 : step;
   bool isNearStart = false;
   // Since the last sample.
   Complex turn = 1.0;
@@ -220,12 +221,12 @@ void SpacedTracing::TraceHalf(const LineStart& start, int way, double mostLength
     const LineStart place{ piece.Triangle, piece.Begin + part * (piece.End - piece.Begin),
       direction / std::abs(direction), start.Sense };
     LineSample sample = this->SampleAt(place, 0.0);
-    sample.Arc = way * this->Unit * (piece.Arc + part * piece.Length());
+    sample.Arc = sense * this->Unit * (piece.Arc + part * piece.Length());
     if (this->IsTooClose(sample, grid, own, first))
     {
       return false;
     }
-    isNearStart = way > 0 && sample.Arc > OwnPart * spacing &&
+    isNearStart = sense > 0 && sample.Arc > OwnPart * spacing &&
       (sample.Position - first.Position).norm() < NearStartPart * spacing;
     own.Insert(sample);
     half.Marks.push_back({ sample, half.Pieces.size() - 1, part, place });

@@ -14,9 +14,9 @@ namespace DirectionFields::Internal
 /// Lengths are in the unit of the surface.
 struct EvenOptions
 {
-  /// The distance at which lines of a family start beside each other.
+  /// The distance at which streamlines of a family start beside each other.
   double Spacing = 1.0;
-  /// They end where they would come nearer to each other than this part of it.
+  /// They end where their distance falls below this part of the spacing.
   double Ratio = 0.5;
   double MaximumLength = 0.0;
   /// Shorter lines are left out.
@@ -24,14 +24,14 @@ struct EvenOptions
   Index MaximumNumber = 0;
 };
 
-/// Half of a line that keeps its distance: from the seed one way.
+/// Half of a streamline that keeps its distance: from the seed in one direction.
 struct SpacedHalf
 {
   /// A sample of the line, a fraction of the spacing after the last one, or less where it turns.
   struct Mark
   {
     LineSample Sample;
-    /// In which piece, and at what part of it.
+    /// The piece that the sample is on, and the part of the piece before it.
     std::size_t Piece;
     double Part;
     LineStart Place;
@@ -42,7 +42,7 @@ struct SpacedHalf
   Index Zero = None;
   bool IsClosed = false;
 
-  /// Leaves out what comes after the first marks.
+  /// Leaves out everything after the first marks.
   void Keep(std::size_t marks);
 };
 
@@ -72,20 +72,22 @@ public:
   LineGrid MakeGrid() const;
   /// The line at a place.
   LineSample SampleAt(const LineStart& start, double arc) const;
-  /// With the direction of the field that is nearest to the given one; for odd n it runs with the field.
+  /// With the direction of the field that is nearest to the given one; for odd n it runs with the
+  /// field.
   LineStart Aligned(const LineStart& start) const;
-  /// A line both ways from a seed until it comes too close to what is in the grid, or to itself.
+  /// A streamline in both directions from a seed until it is too close to a sample in the grid, or
+  /// to itself.
   SpacedLine Trace(const LineStart& seed, const LineGrid& grid) const;
-  /// Cuts a line where it is too close to what is in the grid by now.
+  /// Cuts a streamline where it is too close to a sample that the grid has by now.
   void Cut(SpacedLine& line, const LineGrid& grid) const;
 
 private:
-  void TraceHalf(const LineStart& start, int way, double mostLength, const LineGrid& grid,
+  void TraceHalf(const LineStart& start, int sense, double mostLength, const LineGrid& grid,
     LineGrid& own, SpacedHalf& half) const;
   /// Whether a sample is too close to lines in the grid, or to the line itself further back.
   bool IsTooClose(const LineSample& sample, const LineGrid& grid, const LineGrid& own,
     const LineSample& first) const;
-  /// Whether a piece comes back to the first sample; sets at what part of it.
+  /// Whether a piece comes back to the first sample; sets the part of the piece before that.
   bool ComesBack(const LinePiece& piece, const LineSample& first, double& part) const;
   Vector3 PositionOf(Index triangle, const Complex& place) const;
 

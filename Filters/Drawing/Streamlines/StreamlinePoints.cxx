@@ -19,8 +19,8 @@ constexpr Index FewLines = 4;
 /// A volume that is a smaller part of the area to the power 3/2 says nothing: a sphere's is 0.094.
 constexpr double LeastVolume = 0.01;
 
-/// Which way is outside, for each component: -1 against its normals where these point into what it encloses,
-/// with holes or without, else 1.
+/// The side that is outside, for each component: -1 where the normals point into the volume that it
+/// encloses, with holes or without, else 1.
 std::vector<double> OutwardSigns(const GivenField& field)
 {
   const SurfaceGeometry& geometry = field.GetGeometry();
@@ -103,7 +103,7 @@ private:
     {
     }
 
-    /// What is given at a corner, once it has been asked for.
+    /// The direction given at a corner, once it has been asked for.
     struct Given
     {
       bool IsRead = false;

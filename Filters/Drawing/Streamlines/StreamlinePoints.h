@@ -11,7 +11,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The points of lines in space, what is known at them, and the nodes, on the threads of the scope.
+/// The points of streamlines in space with their arrays, and the nodes, on the threads of the
+/// scope.
 /// @param lines  each with pieces
 /// @param height of the points above the surface, in its unit
 Streamlines ToStreamlines(const GivenField& field, const PointDirections& directions,

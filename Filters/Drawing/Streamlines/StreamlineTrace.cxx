@@ -14,25 +14,27 @@ namespace
 constexpr double StepPart = 0.25;
 /// Step near a singularity, as a part of the distance.
 constexpr double ZeroPart = 0.25;
-/// Steps are halved where the field turns by more than this part of the angle between two directions.
+/// Steps are halved where the field turns by more than this part of the angle between two
+/// directions.
 constexpr double MostTurn = 0.2;
 constexpr int MostHalvings = 6;
 /// Lines cross edges at least this part of their length away from the ends.
 constexpr double OffVertices = 1e-9;
-/// A line does not get on if so many steps are together less than this part of a triangle's size: around a
-/// vertex without directions for instance.
+/// A streamline is stuck if this number of steps is together shorter than this part of a triangle's
+/// size, as around a vertex without directions.
 constexpr int StepsToLookAt = 256;
 constexpr double LeastProgress = 1e-3;
-/// After so many steps that are shorter than this part of it, a line that runs along an edge, which rounding puts on either side, stays on it.
+/// A streamline that makes 8 steps below 1e-7 of a triangle's size alternating between two
+/// triangles runs along their edge, and is kept on it.
 constexpr int FewWithoutProgress = 8;
 /// A barycentric coordinate that is 0 up to rounding.
 constexpr double OnEdge = 1e-12;
 constexpr double Progress = 1e-7;
 constexpr int MostCrossings = 1 << 20;
 
-/// Where in (0, 1] a cubic vanishes that has these values and slopes at 0 and 1 and is negative at 1. One
-/// that starts at 0 already, on the edge that the line has come through, and rises from there, vanishes
-/// once more; one that falls leaves at once.
+/// Where in (0, 1] a cubic vanishes that has these values and slopes at 0 and 1 and is negative at
+/// 1. One that starts at 0 already, on the edge that the line has come through, and rises from
+/// there, vanishes once more; one that falls leaves at once.
 double RootOfCubic(double begin, double beginSlope, double end, double endSlope)
 {
   const bool startsAtZero = !(begin > OnEdge);
@@ -191,16 +193,16 @@ bool StreamlineTrace::RunsIntoBeside()
     {
       continue;
     }
-    std::vector<LinePiece> way;
+    std::vector<LinePiece> pieces;
     const LineStart end = WalkStraight(this->Traced.Field,
-      { this->Current, this->At, offset / distance, this->Sense }, distance, &way);
+      { this->Current, this->At, offset / distance, this->Sense }, distance, &pieces);
     // On the other side of the vertex it would miss it.
     if (end.Triangle == beside->ZeroTriangle &&
       std::abs(end.Place - this->Traced.Zeros.PlaceIn(end.Triangle)) < 1e-6 * size)
     {
-      way.front().BeginDirection = this->Heading;
-      way.back().End = this->Traced.Zeros.PlaceIn(end.Triangle);
-      this->WayInto.assign(way.rbegin(), way.rend());
+      pieces.front().BeginDirection = this->Heading;
+      pieces.back().End = this->Traced.Zeros.PlaceIn(end.Triangle);
+      this->PiecesInto.assign(pieces.rbegin(), pieces.rend());
       this->RanInto = beside->Zero;
       return true;
     }
@@ -332,14 +334,14 @@ std::optional<LinePiece> StreamlineTrace::Next()
     this->RanInto = this->Zero;
     return piece;
   }
-  if (!this->WayInto.empty() || this->RunsIntoBeside())
+  if (!this->PiecesInto.empty() || this->RunsIntoBeside())
   {
-    piece = this->WayInto.back();
+    piece = this->PiecesInto.back();
     piece.Arc = this->Done;
-    this->WayInto.pop_back();
+    this->PiecesInto.pop_back();
     this->At = piece.End;
     this->Done += piece.Length();
-    this->Reason = this->WayInto.empty() ? StreamlineEnd::Singularity : StreamlineEnd::None;
+    this->Reason = this->PiecesInto.empty() ? StreamlineEnd::Singularity : StreamlineEnd::None;
     return piece;
   }
   Step step = this->Advance(this->StepLength());

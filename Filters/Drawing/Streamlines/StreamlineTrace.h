@@ -13,7 +13,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A straight piece of a line within one triangle laid flat. Directions are unit numbers along the line.
+/// A straight piece of a line within one triangle laid flat. Directions are unit numbers along the
+/// line.
 struct LinePiece
 {
   Index Triangle = None;
@@ -37,7 +38,8 @@ struct LineStart
   Complex Place;
   /// Of unit length: the line follows the field's direction that is nearest to it.
   Complex Direction;
-  /// -1: the line runs against the field. For odd n only: for even n the opposite of a direction is one.
+  /// -1: the line runs against the field. For odd n only: for even n the opposite of a direction is
+  /// one.
   int Sense = 1;
 };
 
@@ -46,7 +48,8 @@ struct TracedField
 {
   const GivenField& Field;
   const SingularPoints& Zeros;
-  /// No piece is longer, in the unit of the component. Short steps make smooth lines in large triangles.
+  /// No piece is longer, in the unit of the component. Short steps make smooth lines in large
+  /// triangles.
   double LongestStep = 1e300;
   /// The distance at which a line runs into a singularity, as a part of the size of its triangle.
   double Capture = 0.01;
@@ -57,12 +60,12 @@ struct TracedField
 
 /// A line that is followed piece by piece.
 ///
-/// Within a triangle it is a solution of dz/ds = (the direction nearest to the last one), by the classical
-/// Runge-Kutta method in the plane of the flat triangle with steps of a quarter of its size. Where a step
-/// leaves the triangle, the place on the edge is that of the cubic through both its ends with the
-/// directions there, and the line goes on in the next triangle from the same place under the same angle
-/// against the edge: the field is continuous there (FieldInterpolant.h). A line keeps a little off the
-/// vertices, and passes beside them.
+/// Within a triangle it is a solution of dz/ds = (the direction nearest to the last one), by the
+/// classical Runge-Kutta method in the plane of the flat triangle with steps of a quarter of its
+/// size. Where a step leaves the triangle, the place on the edge is that of the cubic through both
+/// its ends with the directions there, and the line goes on in the next triangle from the same
+/// place under the same angle against the edge: the field is continuous there (FieldInterpolant.h).
+/// A line keeps a little off the vertices, and passes beside them.
 class StreamlineTrace
 {
 public:
@@ -92,7 +95,8 @@ private:
   /// If a singularity of another triangle is near enough, the line runs straight into it.
   bool RunsIntoBeside();
   Step Advance(double length) const;
-  /// The edge that a step leaves through, as its first corner, and cuts the step there; None if it stays.
+  /// The edge that a step leaves through, as its first corner, and cuts the step there; None if it
+  /// stays.
   int CutAtExit(Step& step) const;
   /// Moves the end of a step into the triangle. Returns None: it does not leave.
   int MoveInside(Step& step) const;
@@ -107,8 +111,8 @@ private:
   Index Zero = None;
   Complex ZeroPlace;
   std::pair<const ZeroBeside*, const ZeroBeside*> Beside = { nullptr, nullptr };
-  /// What is left of the way into a singularity, the last piece first.
-  std::vector<LinePiece> WayInto;
+  /// The remaining straight pieces into a singularity, the last one first.
+  std::vector<LinePiece> PiecesInto;
   double Done = 0.0;
   double FreeUntil = 0.0;
   int WithoutProgress = 0;
@@ -121,9 +125,9 @@ private:
 
 /// Goes straight on over the surface for a length, in the unit of the component; as far as there is
 /// surface.
-/// @return the place and the direction that the way has there; Triangle is None where it has left the
+/// @return the place and the direction at the end; Triangle is None where the walk has left the
 ///         surface
-/// @param pieces is given the pieces of the way where it is not null
+/// @param pieces receives the pieces of the walk where it is not null
 LineStart WalkStraight(const GivenField& field, const LineStart& start, double length,
   std::vector<LinePiece>* pieces = nullptr);
 }

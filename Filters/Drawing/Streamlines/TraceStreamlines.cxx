@@ -16,18 +16,18 @@ namespace DirectionFields
 {
 namespace
 {
-/// Default and least spacing, as parts of the root of the area of all components; the default of the longest
-/// length, of that of the line's own one.
+/// Default and least spacing, as parts of the root of the area of all components; the default of
+/// the longest length, of that of the line's own one.
 constexpr double DefaultSpacing = 1.0 / 40.0;
 constexpr double LeastSpacing = 1.0 / 1000.0;
 constexpr double DefaultLength = 20.0;
-/// Evenly spaced lines are no shorter than this part of the spacing, which is no number of the fifths that
-/// they are cut at: rounding must not decide.
+/// Evenly spaced lines are no shorter than this part of the spacing, which is no number of the
+/// fifths that they are cut at: rounding must not decide.
 constexpr double LeastOfSpacing = 0.9;
 /// Lines on a small component may be as short as this part of the root of its area.
 constexpr double LeastPart = 0.25;
-/// How near a line must come to a singularity to end there, as a part of the size of its triangle. For the
-/// graph it is more, so that lines between two singularities are found to be one.
+/// How near a line must come to a singularity to end there, as a part of the size of its triangle.
+/// For the graph it is more, so that lines between two singularities are found to be one.
 constexpr double GraphCapture = 0.1;
 constexpr double ProgressRead = 0.05;
 constexpr double ProgressTraced = 0.9;
@@ -52,10 +52,10 @@ void Check(const StreamlineOptions& options)
   require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
 }
 
-class Lines
+class StreamlineTracing
 {
 public:
-  Lines(const GivenField& field, const StreamlineOptions& options)
+  StreamlineTracing(const GivenField& field, const StreamlineOptions& options)
     : Field(field)
     , Options(options)
     , Zeros(field)
@@ -268,13 +268,13 @@ private:
     const LineStart back{ triangle, place, -start.Direction, -1 };
     const Index component = this->ComponentOf(triangle);
     const double most = this->MaximumLength(component) / this->Unit(component);
-    const IntegrationDirection way =
+    const IntegrationDirection direction =
       this->Field.GetDegree() == 1 ? this->Options.Direction : IntegrationDirection::Both;
-    if (way == IntegrationDirection::Forward)
+    if (direction == IntegrationDirection::Forward)
     {
       line = TraceLine(this->Traced, start, most);
     }
-    else if (way == IntegrationDirection::Backward)
+    else if (direction == IntegrationDirection::Backward)
     {
       line = Joined(TraceLine(this->Traced, back, most), TracedStreamline());
     }
@@ -327,10 +327,10 @@ Streamlines TraceStreamlines(const GivenField& field, const PointDirections& dir
   const Progress steps(progress);
   try
   {
-    Lines lines(field, options);
+    StreamlineTracing tracing(field, options);
     steps.Report(ProgressRead);
     std::vector<TracedStreamline> traced =
-      lines.Trace(seeds, steps.Part(ProgressRead, ProgressTraced));
+      tracing.Trace(seeds, steps.Part(ProgressRead, ProgressTraced));
     const bool isLimited = static_cast<Index>(traced.size()) >= options.MaximumNumber;
     const auto& units = field.GetGeometry().Lengths.Unit;
     traced.erase(std::remove_if(traced.begin(), traced.end(),
@@ -338,8 +338,8 @@ Streamlines TraceStreamlines(const GivenField& field, const PointDirections& dir
                    { return line.Length() * units[line.Component] < options.MinimumLength; }),
       traced.end());
     Streamlines result = ToStreamlines(
-      field, directions, lines.GetZeros(), traced, options.Offset * lines.GetSpacing());
-    result.Spacing = lines.GetSpacing();
+      field, directions, tracing.GetZeros(), traced, options.Offset * tracing.GetSpacing());
+    result.Spacing = tracing.GetSpacing();
     result.IsLimited = isLimited;
     steps.Report(1.0);
     return result;

@@ -67,8 +67,9 @@ RayStart StartOf(const TracedField& field, const ZeroRay& ray)
 {
   const SingularPoint& zero = field.Zeros.GetZeros()[ray.Zero];
   RayStart start;
-  start.Start = WalkStraight(field.Field,
-    { zero.Triangle, zero.Place, std::polar(1.0, ray.Angle), ray.Sense }, ray.Radius, &start.Way);
+  start.Start =
+    WalkStraight(field.Field, { zero.Triangle, zero.Place, std::polar(1.0, ray.Angle), ray.Sense },
+      ray.Radius, &start.Pieces);
   // It leaves almost straight.
   const double area = field.Field.GetGeometry().Lengths.Area[zero.Triangle];
   start.FreeUntil = 4.0 * field.Capture * std::sqrt(2.0 * area);
@@ -83,7 +84,7 @@ TracedStreamline BeginOf(const ZeroRay& ray, const RayStart& start)
   line.Zeros[0] = ray.Zero;
   line.Ends[0] = StreamlineEnd::Singularity;
   line.Ends[1] = start.Start.Triangle == None ? StreamlineEnd::Boundary : StreamlineEnd::None;
-  line.Pieces = start.Way;
+  line.Pieces = start.Pieces;
   return line;
 }
 

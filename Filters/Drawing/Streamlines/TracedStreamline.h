@@ -46,26 +46,27 @@ TracedStreamline Joined(TracedStreamline&& backward, TracedStreamline&& forward)
 /// Traces a line in one direction until it ends by itself or is as long as given.
 TracedStreamline TraceLine(const TracedField& field, const LineStart& start, double mostLength);
 
-/// The start of the line along a ray of a singularity, at a small distance from that, and the straight way
-/// from the singularity to there.
+/// The start of the line along a ray of a singularity, at a small distance from that, and the
+/// straight pieces from the singularity to there.
 struct RayStart
 {
-  /// Its triangle is None where the way leaves the surface.
+  /// Its triangle is None where the pieces leave the surface.
   LineStart Start;
-  std::vector<LinePiece> Way;
-  /// The line's length from Start on until which it cannot run into the singularity that it comes from.
+  std::vector<LinePiece> Pieces;
+  /// The line's length from Start on until which it cannot run into the singularity that it comes
+  /// from.
   double FreeUntil;
 };
 RayStart StartOf(const TracedField& field, const ZeroRay& ray);
 
-/// The line from a singularity as far as that way.
+/// The streamline from a singularity as far as these pieces.
 TracedStreamline BeginOf(const ZeroRay& ray, const RayStart& start);
 
 /// Traces a line from a singularity.
 TracedStreamline TraceRay(const TracedField& field, const ZeroRay& ray, double mostLength);
 
-/// The families of lines of a field of degree n: lines that cross are of different ones. n / 2 for even n,
-/// which have opposite directions, else n.
+/// The families of lines of a field of degree n: lines that cross are of different ones. n / 2 for
+/// even n, which have opposite directions, else n.
 inline int NumberOfFamilies(int degree)
 {
   return degree % 2 == 0 ? degree / 2 : degree;

@@ -28,7 +28,8 @@ constexpr Index ManyNodes = 100000;
 // Where the phases of the progress end: setting up, relaxing, cutting.
 constexpr double ProgressWanted = 0.1;
 constexpr double ProgressRelaxed = 0.8;
-/// The part of the time of the phases that their relaxation takes; the rest goes into smoothing them.
+/// The part of the time of the phases that their relaxation takes; the rest goes into smoothing
+/// them.
 constexpr double RelaxedPart = 0.7;
 
 void CheckOptions(const StripeOptions& options)
@@ -92,8 +93,8 @@ double UsableOffset(const WantedPhases& wanted, double offset)
                                                                    : 0.5 * std::round(2.0 * offset);
 }
 
-/// Calls body(component, progress) for each component, small ones on several threads at once, where nothing may be
-/// reported.
+/// Calls body(component, progress) for each component, small ones on several threads at once, where
+/// nothing may be reported.
 template <typename Body>
 void ForComponents(const WantedPhases& wanted, const Progress& progress, const Body& body)
 {

@@ -23,8 +23,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The kappas in turn, in units of the density of the flux: what is far away is settled first. Each of them this often,
-/// with this many V-cycles for a system.
+/// The kappas in turn, in units of the density of the flux: long distances are settled first. Each
+/// is used for this number of steps, with this number of V-cycles for a system.
 constexpr std::array<double, 3> Kappas = { 0.1, 0.3, 1.0 };
 constexpr int Turns = 6;
 constexpr int CyclesPerTurn = 2;
@@ -44,8 +44,8 @@ struct Moments
   }
 };
 
-/// The center of a component and its principal axes, the sense of each such that most lies farther out on its
-/// positive side.
+/// The center of a component and its principal axes, the sense of each such that most lies farther
+/// out on its positive side.
 class PrincipalAxes
 {
 public:

@@ -15,13 +15,13 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The residual up to which the system is solved: what is left is a hundredth of what was to be mended.
+/// The relative residual of the solved system: a hundredth of the correction is left undone.
 constexpr double Tolerance = 1e-2;
-/// Constants cost no energy; with this part of the smallest eigenvalue that an even surface of that area has, the
-/// matrix is definite.
+/// Constants cost no energy; with this part of the smallest eigenvalue that an even surface of that
+/// area has, the matrix is definite.
 constexpr double ConstantsCost = 1e-6;
 
-/// What the step along a half-edge lacks of the wanted one, -1/2 to 1/2.
+/// The wanted step along a half-edge less the step, -1/2 to 1/2.
 double Lack(const WantedPhases& wanted, const std::vector<double>& phases, Index h)
 {
   const WantedPhases::Step step = wanted.Along(h);

@@ -11,10 +11,11 @@
 
 namespace DirectionFields::Internal
 {
-/// Moves the phases of a component such that the sum over its edges of the squares of what their steps lack of the
-/// wanted ones, weighted by cotangents, is as small as can be while the steps keep their whole cycles, and hence the
-/// stripes their branch points: the best pattern of that topology, by one linear system. Throws Stopped.
-/// @param phases over all nodes, in cycles; those of the component are replaced
+/// Moves the phases of a component such that the sum over its edges of the squared differences
+/// between steps and wanted steps, weighted by cotangents, is as small as can be while the steps
+/// keep their whole cycles, and hence the stripes their branch points: the best pattern of that
+/// topology, by one linear system. Throws Stopped.
+/// @param phases over all nodes, in cycles; replaced at the nodes of the component
 void SmoothPhases(const WantedPhases& wanted, const WantedPhases::Component& component,
   const Progress& progress, std::vector<double>& phases);
 }

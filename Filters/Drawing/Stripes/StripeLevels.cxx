@@ -144,8 +144,8 @@ StripeLevels::Corners StripeLevels::At(Index triangle) const
     const bool flips = wanted.Along(h).Flips;
     const std::int64_t rise =
       this->EndFloor(edge) - FloorOf(this->Value(wanted.Node(mesh.Tail(use.HalfEdge))));
-    // Against the edge's direction the levels are crossed the other way, but seen from the other sheet, too, where
-    // it flips.
+    // Against the edge's direction the levels are crossed the other way, but seen from the other
+    // sheet, too, where it flips.
     const std::int64_t along = use.Along || flips ? rise : -rise;
     corners.Sides[c] = { this->First[edge], onSecond ? -along : along, !use.Along };
     corners.Floor[c + 1] = corners.Floor[c] + corners.Sides[c].Signed;

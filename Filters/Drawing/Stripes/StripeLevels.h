@@ -12,22 +12,23 @@
 
 namespace DirectionFields::Internal
 {
-/// The steps that phases take along the edges of a surface: of all that lead to the phase at the end, up to whole
-/// cycles, the one nearest to the wanted step. Several cycles along an edge are as good as none.
+/// The steps that phases take along the edges of a surface: of all that lead to the phase at the
+/// end, up to whole cycles, the one nearest to the wanted step. Several cycles along an edge are as
+/// good as none.
 class StripePhases
 {
 public:
   /// @param phases over all nodes, in cycles, finite
-  /// @param offset in cycles: phases of this value are those of lines; 0 or 1/2 where a component has two sheets
+  /// @param offset in cycles: lines have this phase; 0 or 1/2 where a component has two sheets
   StripePhases(const WantedPhases& wanted, std::vector<double> phases, double offset);
 
   const WantedPhases& GetWanted() const { return this->Wanted; }
   double GetOffset() const { return this->Offset; }
-  /// The phase of a node, moved by up to a millionth of a cycle so that neither lines nor the borders of bands run
-  /// through nodes.
+  /// The phase of a node, moved by up to a millionth of a cycle so that neither lines nor the
+  /// borders of bands run through nodes.
   double Phase(Index node) const { return this->Phases[node]; }
-  /// The step along a half-edge as Use names it ends at this many cycles more than the phase of its head, which is
-  /// negative where the edge flips.
+  /// The step along a half-edge as Use names it ends at this many cycles more than the phase of its
+  /// head, which is negative where the edge flips.
   std::int64_t Cycles(Index edge) const { return this->EdgeCycles[edge]; }
 
 private:
@@ -37,7 +38,7 @@ private:
   LargeArray<std::int64_t> EdgeCycles;
 };
 
-/// What is cut out of a stripe pattern.
+/// The levels that are cut out of a stripe pattern.
 enum class LevelKind
 {
   /// The middles of stripes: one level a cycle.
@@ -46,8 +47,9 @@ enum class LevelKind
   Borders
 };
 
-/// Where the levels of a function of the phase, the whole numbers, cross the edges of a surface. All that tells how
-/// often, and in which order, are whole numbers, which the two triangles at an edge share.
+/// Where the levels of a function of the phase, the whole numbers, cross the edges of a surface.
+/// All that tells how often, and in which order, are whole numbers, which the two triangles at an
+/// edge share.
 class StripeLevels
 {
 public:
@@ -57,7 +59,8 @@ public:
   /// All crossings of edges, numbered edge by edge.
   std::int64_t GetNumberOfCrossings() const { return this->First.back(); }
 
-  /// A side of a triangle or of a piece of one: the levels that cross it, as the numbers of their points.
+  /// A side of a triangle or of a piece of one: the levels that cross it, as the numbers of their
+  /// points.
   struct Side
   {
     std::int64_t First = 0;
@@ -74,8 +77,8 @@ public:
     Side Reversed() const { return { this->First, -this->Signed, !this->IsBackward }; }
   };
 
-  /// A triangle with the values of the function at its corners, as seen from the first one. The function of the
-  /// second sheet is Mirror - y.
+  /// A triangle with the values of the function at its corners, as seen from the first one. The
+  /// function of the second sheet is Mirror - y.
   struct Corners
   {
     /// The last one is the first corner after a turn.
@@ -84,7 +87,7 @@ public:
     std::array<Side, 3> Sides;
     /// The turn ends on the other sheet.
     bool Flips;
-    /// What a turn gains, where it does not flip.
+    /// The number of levels gained by a turn that does not flip.
     std::int64_t Gain() const { return this->Floor[3] - this->Floor[0]; }
   };
   Corners At(Index triangle) const;
@@ -128,8 +131,8 @@ private:
   std::int64_t EndTurns(Index edge) const;
 
   const StripePhases& Phases;
-  /// The function is Factor phase + Shift; Zero is its value at the middle of a line, and Mirror - y that of the
-  /// second sheet, up to an even number.
+  /// The function is Factor phase + Shift; Zero is its value at the middle of a line, and Mirror -
+  /// y that of the second sheet, up to an even number.
   std::int64_t Factor;
   double Shift;
   double Zero;

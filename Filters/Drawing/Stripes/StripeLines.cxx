@@ -191,7 +191,8 @@ StripeLines::StripeLines(const StripePieces& pieces, const std::vector<char>& is
     this->Closed.push_back(closed ? 1 : 0);
     this->EndCenters.push_back({ begin, end });
   };
-  // First from where lines begin, then from where they end, which are some that change their sense on the way.
+  // First from the begins of lines, then from their ends: some lines change their sense between two
+  // ends.
   for (std::int64_t s = 0; s < chains.Size(); ++s)
   {
     if (!chains.IsTaken(s) && chains.IsEnd(chains.At(s).From))

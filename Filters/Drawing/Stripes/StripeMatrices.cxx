@@ -15,11 +15,11 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What a triangle that has no integrals gives the masses along its edges, as a part of its area: half of what others
-/// do, so that the matrix stays positive definite whatever the steps.
+/// The share of a triangle without integrals in the masses along its edges, as a part of its area:
+/// half of the share of other triangles, so that the matrix is positive definite for any steps.
 constexpr double EdgeMass = 1.0 / 24.0;
 
-/// The rows, energies and masses of a column, those of a row once.
+/// The rows, energies and masses of a column, each row once.
 struct Entry
 {
   Index Row;
@@ -106,7 +106,7 @@ private:
     return { this->WithSteps ? step.Increment : 0.0, step.Flips };
   }
 
-  /// Adds what the triangle to the left of an outgoing half-edge gives.
+  /// Adds the share of the triangle to the left of an outgoing half-edge.
   void AddTriangle(Index h)
   {
     const TriangleMesh& mesh = this->Geometry.Mesh;
@@ -116,7 +116,7 @@ private:
     { return this->Geometry.Lengths.SquaredLength[mesh.Edge(side)]; };
     const WantedPhases::Step out = this->StepAlong(h);
     const WantedPhases::Step opposite = this->StepAlong(across);
-    // Of the way back, which begins on another sheet where the step flips.
+    // The step back begins on the other sheet where the step flips.
     const WantedPhases::Step in = this->StepAlong(last);
     const double back = in.Flips ? -in.Increment : in.Increment;
     const Complex toHead = std::polar(1.0, 2.0 * Pi * out.Increment);

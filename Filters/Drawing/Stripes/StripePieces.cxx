@@ -12,7 +12,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// How large the triangle around a point that the phase turns around is, as a part of the whole one.
+/// How large the triangle around a point that the phase turns around is, as a part of the whole
+/// one.
 constexpr double InnerSize = 0.3;
 /// Values inside of triangles keep this distance from whole numbers.
 constexpr double Clearance = 1e-5;

@@ -12,8 +12,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A triangle, or a part of one, that levels run through as straight lines. Its points are numbers: of crossings of
-/// edges, of points inside of triangles after those, and -1 - v of the node v.
+/// A triangle, or a part of one, that levels run through as straight lines. Its points are numbers:
+/// of crossings of edges, of points inside of triangles after those, and -1 - v of the node v.
 struct StripePiece
 {
   /// Counter-clockwise.
@@ -22,13 +22,13 @@ struct StripePiece
   std::array<double, 3> Value;
   std::array<std::int64_t, 3> Floor;
   std::array<StripeLevels::Side, 3> Sides;
-  /// Whether all levels at the first side end in the last corner, which has no value; and whether one of those at
-  /// the first side does, which is what the others do not take.
+  /// Whether all levels at the first side end in the last corner, which has no value; and whether
+  /// one of the levels at the first side does, which the other sides do not cross.
   bool IsFan = false;
   bool EndsInCorner = false;
 
-  /// Calls body(from, to) for each level, the higher values to the left of it; a level that ends in the last corner
-  /// has that for one of them.
+  /// Calls body(from, to) for each level, the higher values to the left of it; a level that ends in
+  /// the last corner has that for one of them.
   template <typename Body>
   void ForLevels(const Body& body) const
   {
@@ -55,8 +55,8 @@ struct StripePiece
     std::int64_t Point;
     double Value;
   };
-  /// Calls body(places, floor) for each region between levels: a convex polygon, counter-clockwise, and the next lower
-  /// whole number of the values in it.
+  /// Calls body(places, floor) for each region between levels: a convex polygon, counter-clockwise,
+  /// and the next lower whole number of the values in it.
   template <typename Body>
   void ForRegions(std::vector<Place>& places, const Body& body) const
   {
@@ -130,11 +130,12 @@ private:
   }
 };
 
-/// How the levels go on inside of triangles. Where a turn around a triangle gains nothing, it is one piece. Where it
-/// gains n levels, these run to a point in its middle, around which the phase turns n times: the triangle has a smaller
-/// one in its middle, in which they run straight to that point, and pieces around that. Where a turn leads to
-/// the other sheet, the two sheets meet in the middle: the phase at the corners and the one that is their mirror
-/// image have one value there, and three pieces lie around it. Where that is a level, it ends there.
+/// How the levels go on inside of triangles. Where a turn around a triangle gains nothing, it is
+/// one piece. Where it gains n levels, these run to a point in its middle, around which the phase
+/// turns n times: the triangle has a smaller one in its middle, in which they run straight to that
+/// point, and pieces around that. Where a turn leads to the other sheet, the two sheets meet in the
+/// middle: the phase at the corners and the one that is their mirror image have one value there,
+/// and three pieces lie around it. Where that is a level, it ends there.
 class StripePieces
 {
 public:
@@ -150,7 +151,7 @@ public:
   struct Center
   {
     Index Triangle;
-    /// What a turn gains; 0 where it leads to the other sheet.
+    /// The number of levels gained by a turn; 0 where it leads to the other sheet.
     std::int64_t Gain;
     bool Flips;
     std::int64_t Point;
@@ -160,12 +161,13 @@ public:
   /// The centers in the order of their triangles.
   const std::vector<Center>& GetCenters() const { return this->Centers; }
   const std::vector<InnerPoint>& GetInnerPoints() const { return this->Points; }
-  /// The pieces of the triangles that have a center, those of a center one after the other.
+  /// The pieces of the triangles that have a center, ordered by the centers.
   const std::vector<StripePiece>& GetPiecesAtCenters() const { return this->Pieces; }
   /// The center of each piece.
   const std::vector<Index>& GetPieceCenters() const { return this->PieceCenters; }
 
-  /// Calls body(triangle, piece) for the triangles of a range that are one piece, of those on the front.
+  /// Calls body(triangle, piece) for the triangles of a range that are one piece, of those on the
+  /// front.
   template <typename Body>
   void ForStraight(Index begin, Index end, const Body& body) const
   {
@@ -202,7 +204,7 @@ private:
   void CutTurning(Index triangle, const StripeLevels::Corners& corners);
   void CutFlipping(Index triangle, const StripeLevels::Corners& corners);
   std::int64_t AddPoint(Index triangle, const Weights& weights);
-  /// The crossings of a straight way through a triangle.
+  /// The crossings of a straight line through a triangle.
   Side AddSide(Index triangle, const End& from, const End& to);
   void AddPiece(const StripePiece& piece);
 

@@ -46,7 +46,7 @@ public:
     return { k, opposite };
   }
 
-  /// False where that contradicts what is known.
+  /// False where that contradicts the signs so far.
   bool Join(Index a, Index b, bool opposite)
   {
     const auto [rootA, oppositeA] = this->Find(a);

@@ -13,27 +13,29 @@
 
 namespace DirectionFields::Internal
 {
-/// How the phase alpha of a stripe pattern is to change along each edge of a surface (F. Knöppel, K. Crane,
-/// U. Pinkall, P. Schröder: Stripe Patterns on Surfaces, ACM TOG 34(4), 2015): by the component along the edge of a
-/// vector field of the length of the stripes' frequency, which points across the stripes.
+/// How the phase alpha of a stripe pattern is to change along each edge of a surface (F. Knöppel,
+/// K. Crane, U. Pinkall, P. Schröder: Stripe Patterns on Surfaces, ACM TOG 34(4), 2015): by the
+/// component along the edge of a vector field of the length of the stripes' frequency, which points
+/// across the stripes.
 ///
-/// A node is a point of the surface as it lies in space: a vertex of the mesh, or the two of a double cover that are
-/// the two sides of one point. At each node one of the two opposite vectors across the stripes is chosen, and with it
-/// the sign of alpha there; where an edge flips, the chosen vectors at its ends are opposite, and alpha goes on as
-/// -alpha. All phases are in cycles. Signs are chosen so that no edge of a component flips where that can be.
+/// A node is a point of the surface as it lies in space: a vertex of the mesh, or the two of a
+/// double cover that are the two sides of one point. At each node one of the two opposite vectors
+/// across the stripes is chosen, and with it the sign of alpha there; where an edge flips, the
+/// chosen vectors at its ends are opposite, and alpha goes on as -alpha. All phases are in cycles.
+/// Signs are chosen so that no edge of a component flips where that can be.
 class WantedPhases
 {
 public:
   /// A field of degree 1 or 2; throws std::invalid_argument for another one.
-  /// @param frequency cycles per length at each point of the surface, finite and at least 0; 0 also holds where the
-  ///                  field has no direction
+  /// @param frequency cycles per length at each point of the surface, finite and at least 0; 0 also
+  ///                  holds where the field has no direction
   WantedPhases(const GivenField& field, StripeDirection direction,
     const std::function<double(Index point)>& frequency);
 
   struct Component
   {
     Index FirstNode, EndNode;
-    /// Of the mesh's triangles those of the same number.
+    /// The number of the mesh's component.
     Index Number;
     /// Signs cannot be chosen so that no edge flips: the phases live on two sheets.
     bool HasTwoSheets;
@@ -55,8 +57,8 @@ public:
   Index Node(Index vertex) const { return this->Nodes.empty() ? vertex : this->Nodes[vertex]; }
   Index Vertex(Index node) const { return this->Vertices[node]; }
 
-  /// The half-edge that edges of the surface are counted by, which may run the other way or on the other side of a
-  /// cover, and whether it runs the same way in space.
+  /// The half-edge that edges of the surface are counted by, which may run the other way or on the
+  /// other side of a cover, and whether it runs the same way in space.
   struct EdgeUse
   {
     Index HalfEdge;
@@ -73,7 +75,8 @@ public:
     return { use.Along || flips ? increment : -increment, flips };
   }
 
-  /// The sum of the steps around a triangle of the mesh, the flux, and whether an odd number of them flips.
+  /// The sum of the steps around a triangle of the mesh, the flux, and whether an odd number of
+  /// them flips.
   struct Turn
   {
     double Sum;
@@ -95,7 +98,8 @@ private:
   /// Empty where the mesh has no covers.
   LargeArray<Index> Nodes;
   LargeArray<Index> Vertices;
-  /// Of each vertex the angle of a vector across the stripes, and the sign that makes it the chosen one.
+  /// Of each vertex the angle of a vector across the stripes, and the sign that makes it the chosen
+  /// one.
   LargeArray<double> Angle;
   std::vector<signed char> Sign;
   /// Of each edge that Use may name, in the direction of its half-edge.

@@ -9,7 +9,7 @@
 
 namespace DirectionFields::Internal
 {
-/// A quotient that stays within the range of double: the largest value stands for what exceeds it.
+/// A quotient that stays within the range of double: larger quotients become the largest value.
 inline double Divided(double value, double unit)
 {
   constexpr double largest = std::numeric_limits<double>::max();

@@ -56,8 +56,8 @@ void PreferLargePages([[maybe_unused]] void* storage, [[maybe_unused]] std::size
   }
   const std::size_t before = reinterpret_cast<std::uintptr_t>(storage) % PageBytes;
   const std::size_t skipped = before > 0 ? PageBytes - before : 0;
-  // Whole pages only: what is left over would take the memory of one. No more than advice: where it
-  // is not taken, pages are small.
+  // Whole pages only: the remainder would take the memory of one. It is advice only: where the
+  // system does not take it, pages are small.
   madvise(static_cast<char*>(storage) + skipped, (bytes - skipped) / PageBytes * PageBytes,
     MADV_HUGEPAGE);
 #endif

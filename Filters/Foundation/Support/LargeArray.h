@@ -13,15 +13,15 @@
 
 namespace DirectionFields
 {
-/// Storage that is not initialized. That of several megabytes asks for large pages where the system has
-/// them (transparent huge pages of Linux): the first touch of each page takes time.
+/// Storage that is not initialized. That of several megabytes asks for large pages where the system
+/// has them (transparent huge pages of Linux): the first touch of each page takes time.
 /// @throw std::bad_alloc
 void* AllocateLarge(std::size_t bytes);
 void ReleaseLarge(void* storage) noexcept;
 /// Asks for large pages for storage of another kind, which is best not written to yet.
 void PreferLargePages(void* storage, std::size_t bytes) noexcept;
-/// Gives what many small blocks took, all released, back to the system: the C library may keep it, and
-/// large arrays do not fit in. Takes milliseconds.
+/// Gives the memory of many released small blocks back to the system: the C library may keep it,
+/// and large arrays do not fit into it. Takes milliseconds.
 void ReturnReleased() noexcept;
 
 /// Leaves values that are not given uninitialized: the loop that fills an array in is to touch its

@@ -31,8 +31,8 @@ struct BoundingBox
   }
 };
 
-/// A Morton curve (Z-order) through the cube around a box: what is close in space is mostly close
-/// along it.
+/// A Morton curve (Z-order) through the cube around a box: points that are close in space are
+/// mostly close along it.
 class MortonCurve
 {
 public:
@@ -47,8 +47,8 @@ public:
   static LargeArray<Index> Sorted(
     const std::vector<Vector3>& points, const LargeArray<Index>& members);
 
-  /// Positions of points in the order of their groups, within a group in that of a curve of its own,
-  /// and at the same place of it in that of their ids.
+  /// Positions of points in the order of their groups, within a group in that of a curve of its
+  /// own, and at the same place of it in that of their ids.
   /// @param members  ids of finite points
   /// @param group    of each of them, 0 to groups - 1
   static LargeArray<Index> SortedInGroups(const std::vector<Vector3>& points,

@@ -17,8 +17,9 @@ inline bool LexicographicallyLess(const Vector3& a, const Vector3& b)
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// Of two points the one with the lower z, or else y, or else x: that is how the points of grids are numbered. Coordinates
-/// that differ by less than a thousandth of what the points are apart are equal up to rounding. No order of many.
+/// Whether the first of two points has the lower z, or else y, or else x, as the points of grids
+/// are numbered. Coordinates that differ by less than a thousandth of the distance are equal up to
+/// rounding. The relation is not transitive: it does not sort many points.
 inline bool ComesFirstInGrids(const Vector3& a, const Vector3& b)
 {
   const Vector3 step = b - a;

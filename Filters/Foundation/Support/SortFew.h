@@ -10,7 +10,7 @@
 
 namespace DirectionFields::Internal
 {
-/// Sorts what is mostly a handful of items, like the edges of a vertex: insertion is fastest there.
+/// Sorts items that are mostly a handful, like the edges of a vertex: insertion is fastest for few.
 template <typename Item>
 void SortFew(std::vector<Item>& items)
 {

@@ -17,7 +17,7 @@ namespace DirectionFields
 namespace
 {
 /// Looks for new work, or for the end of the others' work, before a thread goes to sleep: some
-/// microseconds, about what falling asleep and waking up cost. Few, so that threads that share a
+/// microseconds, about the cost of falling asleep and waking up. Few, so that threads that share a
 /// core with other programs lose little.
 constexpr int Looks = 2000;
 

@@ -68,8 +68,8 @@ inline Index NumberOfPieces(Index count, Index size)
   return count / size + (count % size != 0 ? 1 : 0);
 }
 
-/// Calls body(begin, end) for pieces of [0, count) of the given size. The pieces must not touch each
-/// other's results.
+/// Calls body(begin, end) for pieces of [0, count) of the given size. The pieces must not touch
+/// each other's results.
 template <typename Body>
 void ParallelFor(Index count, Index size, const Body& body)
 {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 // Compiled with options under which the compiler may take the C library's vector functions. Nothing
-// but loops over those belongs here: elsewhere the options would change what is computed.
+// but loops over those belongs here: elsewhere the options would change results.
 
 namespace DirectionFields::Internal
 {

@@ -12,8 +12,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The modulus, for numbers whose squares neither overflow nor matter if they vanish: a third of the
-/// time that std::abs takes.
+/// The modulus, for numbers whose squares neither overflow nor matter if they vanish: a third of
+/// the time that std::abs takes.
 inline double Modulus(const Complex& z)
 {
   return std::sqrt(std::norm(z));
@@ -32,7 +32,7 @@ inline Vector3 AnyOrthogonal(const Vector3& unit)
 
 /// @param angles in radians
 void CosinesAndSines(const double* angles, Index count, double* cosines, double* sines);
-/// The same for k = begin ... end - 1: angle(k) gives an angle, set(k, cosine, sine) takes what comes of it.
+/// The same for k = begin ... end - 1: angle(k) gives an angle, set(k, cosine, sine) takes both.
 template <typename Angle, typename Set>
 void ForCosinesAndSines(Index begin, Index end, const Angle& angle, const Set& set)
 {

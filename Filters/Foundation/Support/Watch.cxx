@@ -15,8 +15,8 @@ namespace
 {
 constexpr std::chrono::milliseconds TimeBetweenQuestions(50);
 
-/// Threads whose results nobody wants. They run to their ends, which are waited for before their code is
-/// unloaded.
+/// Threads whose results nobody wants. They run to their ends, which are waited for before their
+/// code is unloaded.
 class GivenUp
 {
 public:

@@ -10,10 +10,10 @@
 
 namespace DirectionFields::Internal
 {
-/// A computation that cannot be interrupted, on a thread of its own. Its result is waited for a little at a
-/// time, so that one may ask meanwhile whether it is still wanted. Where the object goes before Take, the
-/// computation is given up: its thread runs to its end, which comes at the latest when the program or the
-/// library is unloaded.
+/// A computation that cannot be interrupted, on a thread of its own. Its result is waited for a
+/// little at a time, so that one may ask meanwhile whether it is still wanted. Where the object
+/// goes before Take, the computation is given up: its thread runs to its end, which comes at the
+/// latest when the program or the library is unloaded.
 class Watch
 {
 public:
@@ -25,7 +25,8 @@ public:
 
   /// Waits 50 ms at most. Whether the result is there.
   bool IsDone() const;
-  /// The result, which is waited for. May be called once; throws what the computation threw.
+  /// The result, which is waited for. May be called once; throws the exception of the computation
+  /// again.
   bool Take();
 
 private:

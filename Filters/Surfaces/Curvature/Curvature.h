@@ -10,29 +10,29 @@
 
 namespace DirectionFields::Internal
 {
-/// Curvature of a mesh over its vertices. Lengths are in units of Metric::Unit. That of a closed component
-/// whose triangles are wound inside out, so that its signed volume is negative, is taken as seen from
-/// outside.
+/// Curvature of a mesh over its vertices. Lengths are in units of Metric::Unit. That of a closed
+/// component whose triangles are wound inside out, so that its signed volume is negative, is taken
+/// as seen from outside.
 ///
-/// At most vertices it is that of quadrics that are fitted to their surroundings and averaged over as
-/// much more of the surface as noise makes necessary (Curvature/ShapeFit.h, ShapeSmoothing.h). On creases,
-/// where the surface is bent and not curved, and where there are too few points for a quadric, it is that
-/// of the edges, over a third of the incident area.
+/// At most vertices it is that of quadrics that are fitted to their surroundings and averaged over
+/// as much more of the surface as noise makes necessary (Curvature/ShapeFit.h, ShapeSmoothing.h).
+/// On creases, where the surface is bent and not curved, and where there are too few points for a
+/// quadric, it is that of the edges, over a third of the incident area.
 struct Curvature
 {
   /// @param dihedralAngles of each edge
-  /// @param rings          radius of the surroundings that curvature is averaged over, in edges; 0 to
-  ///                       find it
+  /// @param rings          radius of the surroundings that curvature is averaged over, in edges; 0
+  ///                       to find it
   Curvature(
     const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles, double rings = 0.0);
 
   /// Hopf differential, a section of degree 2: (k_max - k_min) / 2 exp(2 i theta) with theta the
-  /// direction of the larger signed curvature. On creases -1/4 sum over edges at i of
-  /// exp(2 i theta_i(e)) beta_e |e| over the area (KCPS13, section 6.1.4). Zero where it is no more than
-  /// what the rounding of the coordinates explains.
+  /// direction of the larger signed curvature. On creases -1/4 sum over edges at i of exp(2 i
+  /// theta_i(e)) beta_e |e| over the area (KCPS13, section 6.1.4). Zero where the rounding of the
+  /// coordinates explains it.
   std::vector<Complex> Hopf;
-  /// H, positive where the surface is convex. On creases half the length of the cotangent Laplacian of the
-  /// positions over the area (Meyer et al. 2003); on the boundary the part along the normal.
+  /// H, positive where the surface is convex. On creases half the length of the cotangent Laplacian
+  /// of the positions over the area (Meyer et al. 2003); on the boundary the part along the normal.
   std::vector<double> Mean;
   /// K = H^2 - |q|^2; on creases the angle defect over the area, 0 on their boundary.
   std::vector<double> Gaussian;

@@ -13,7 +13,7 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What the coordinates of some vertices have in common.
+/// The precision that the coordinates of some vertices have in common.
 struct Precision
 {
   double Largest = 0.0;
@@ -37,7 +37,8 @@ double Decade(double x)
   return std::floor(std::log10(x));
 }
 
-/// Whether a number is one of so many digits, up to what single precision leaves of it.
+/// Whether a number has at most this number of decimal digits, within the rounding of single
+/// precision.
 bool HasDigits(double x, int digits, double tolerance)
 {
   const double size = std::abs(x);

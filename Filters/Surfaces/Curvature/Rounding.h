@@ -10,9 +10,9 @@
 
 namespace DirectionFields::Internal
 {
-/// The largest error that rounding has left in the coordinates of a component, in units of the input, by
-/// what all of them have in common: numbers of six or seven decimal digits, as files of text have them,
-/// numbers of single precision, or of double precision.
+/// The largest rounding error of the coordinates of a component, in units of the input. It follows
+/// from the precision that all of them have in common: six or seven decimal digits, as in text
+/// files, single precision, or double precision.
 double RoundingError(
   const std::vector<Vector3>& positions, const TriangleMesh::Component& component);
 }

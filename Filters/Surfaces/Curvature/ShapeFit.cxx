@@ -17,7 +17,8 @@ namespace
 constexpr int Terms = 6;
 /// Points whose part in the tangent plane is a smaller part of their squared distance are left out.
 constexpr double LeastTangential = 0.1;
-/// The smallest pivot of the normal equations, whose diagonal is of the order of the number of points.
+/// The smallest pivot of the normal equations, whose diagonal is of the order of the number of
+/// points.
 constexpr double SmallestPivot = 1e-4;
 
 /// Symmetric positive definite equations for the coefficients of the quadric.
@@ -77,8 +78,8 @@ public:
       }
       c[i] *= this->Inverse[i];
     }
-    // The last three unknowns depend on the last rows of the factor only: so do their variances, which are
-    // the squared lengths of L^-1 e.
+    // The last three unknowns depend on the last rows of the factor only: so do their variances,
+    // which are the squared lengths of L^-1 e.
     const double xyy = this->Lower[5][4];
     const double xxy = this->Lower[4][3];
     const double xxyy = this->Lower[5][3];
@@ -99,7 +100,7 @@ private:
   std::array<double, Terms> Right = {};
 };
 
-/// What is around a vertex.
+/// The points around a vertex.
 class Neighbourhood
 {
 public:
@@ -151,7 +152,7 @@ public:
     }
   }
 
-  /// The quadric through what was gathered.
+  /// The quadric through the gathered points.
   Shape Fit(Index v, double unit) const
   {
     const Vector3& origin = this->Geometry.Positions[v];

@@ -14,21 +14,22 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The part of a mean that the neighbours have. A step adds as much to the mean squared distance of what
-/// enters, in squared edges; what a quadric is fitted to has FitRadius^2 / 2.
+/// The part of a mean that the neighbours have. A step adds the same number to the mean squared
+/// distance of the vertices in the mean, in squared edges; for the points of a fitted quadric that
+/// distance is FitRadius^2 / 2.
 constexpr double Share = 0.75;
 constexpr double FitRadius = 1.5;
-/// The cotangent weights are those of linear interpolation: means of them have no drift. Negative ones
-/// would make noise larger.
+/// The cotangent weights are those of linear interpolation: means of them have no drift. Negative
+/// ones would make noise larger.
 constexpr double LeastWeight = 0.02;
 /// A first step pays where the second one changes less than this times as much, in the mean square;
 /// a doubling of steps, which adds more of the surface's own variation, where the next one does.
 constexpr double FirstGain = 0.55;
 constexpr double NextGain = 1.0;
 constexpr int MostDoublings = 7;
-/// The correction is made in full where what the edges scatter is, squared, less than the first times the
-/// squared correction, and not at all where it is more than the second times. Means of scatter alone leave a
-/// fourth of it.
+/// The correction is made in full where the squared scatter of the edges is less than the first
+/// times the squared correction, and not at all where it is more than the second times. Means of
+/// scatter alone leave a fourth of it.
 constexpr double LeastNoise = 0.25;
 constexpr double MostNoise = 1.5;
 constexpr int CorrectionSteps = 2;
@@ -52,8 +53,8 @@ double SquaredDistance(const Weighted& a, const Weighted& b)
   return std::norm(a.GetHopf() - b.GetHopf()) + mean * mean;
 }
 
-/// The weight of a fit, the inverse of its standard deviation: between 1, which is best for the surface's own
-/// variation, and the inverse of the variance, which is best for noise.
+/// The weight of a fit, the inverse of its standard deviation: between 1, which is best for the
+/// surface's own variation, and the inverse of the variance, which is best for noise.
 double WeightOf(const Shape& shape)
 {
   return 1.0 / std::sqrt(std::clamp(shape.Variance, 1e-100, 1e100));
@@ -88,7 +89,7 @@ public:
     return sum;
   }
 
-  /// The mean of the numbers at the vertex and at those of its neighbours that take part.
+  /// The mean of the numbers at the vertex and at its neighbours that take part.
   float Of(Index v, const std::vector<float>& values, const std::vector<char>& takesPart) const
   {
     const float own = values[v];
@@ -129,7 +130,8 @@ private:
   std::vector<Coupling> Couplings;
 };
 
-/// Calls body(h, neighbour, outgoing) for the edges of a vertex, by a half-edge that runs out or in.
+/// Calls body(h, neighbour, outgoing) for the edges of a vertex, by a half-edge that runs out or
+/// in.
 template <typename Body>
 void ForEachEdge(const TriangleMesh& mesh, Index v, const Body& body)
 {
@@ -250,8 +252,8 @@ public:
     this->Scratch = this->Current;
   }
 
-  /// Adds what the fits are off from the shapes of the edges, on average over the surroundings, as far as
-  /// that is no noise of the edges.
+  /// Adds the difference between the shapes of the edges and the fits, averaged over the
+  /// surroundings, as far as it is not noise of the edges.
   void Correct(const std::vector<Shape>& shapes, const std::vector<Shape>& edges)
   {
     std::vector<Weighted> off(shapes.size());
@@ -347,8 +349,8 @@ public:
           {
             shapes[v].Hopf = this->Current[v].GetHopf();
             shapes[v].Mean = this->Current[v].GetMean();
-            // That of white noise falls with the sixth power of the radius, but near boundaries and between
-            // slivers with its square only.
+            // That of white noise falls with the sixth power of the radius, but near boundaries and
+            // between slivers with its square only.
             shapes[v].Variance /= 1.0 + 2.0 * Share * this->Steps[v] / (FitRadius * FitRadius);
           }
         }

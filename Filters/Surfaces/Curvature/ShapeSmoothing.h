@@ -11,17 +11,18 @@
 
 namespace DirectionFields::Internal
 {
-/// Averages fitted shapes over the surroundings of their vertices, the better fits counting for more;
-/// vertices without a fit are left out. Each step takes the mean with the neighbours, carried along the
-/// edges.
+/// Averages fitted shapes over the surroundings of their vertices, the better fits counting for
+/// more; vertices without a fit are left out. Each step takes the mean with the neighbours, carried
+/// along the edges.
 ///
-/// Before that they are corrected: the shapes of the edges are off by much, but not to one side, while a
-/// quadric through a wider surrounding is. Where their difference varies little from vertex to vertex it is
-/// the error of the quadrics, as on even meshes.
+/// Before that they are corrected: the shapes of the edges are off by much, but not to one side,
+/// while a quadric through a wider surrounding is. Where their difference varies little from vertex
+/// to vertex it is the error of the quadrics, as on even meshes.
 ///
-/// Where the scale is to be found, the steps of a vertex are 0, 1, 2, 4 ... 64: while noise prevails, each
-/// doubling changes the shape less than the one before, and once the surface's own variation does,
-/// more. A vertex keeps what it had before that, and its neighbours go on with it as it is.
+/// Where the scale is to be found, the steps of a vertex are 0, 1, 2, 4 ... 64: while noise
+/// prevails, each doubling changes the shape less than the one before, and once the surface's own
+/// variation does, more. A vertex keeps the shape from before that, which its neighbours use in
+/// their further steps.
 /// @param edges the shape of each vertex by the angles of its edges
 /// @param rings the radius of the surroundings in edges; 0 to find it
 void SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges, double rings,

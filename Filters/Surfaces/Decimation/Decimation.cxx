@@ -14,13 +14,14 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Vertices of a block that is decimated by itself. The blocks of every other sweep lie half a block further.
+/// Vertices of a block that is decimated by itself. The blocks of every other sweep lie half a
+/// block further.
 constexpr Index BlockSize = 1 << 14;
 /// A triangle takes that of more edges too long to be worth it.
 constexpr std::size_t MostNeighbours = 24;
 /// Components with fewer vertices are left alone.
 constexpr Index LeastVertices = 100;
-/// New triangles are at most so much turned, as a cosine.
+/// The cosine of the largest angle by which new triangles may be turned.
 constexpr double LeastCosine = 0.5;
 /// The cosine of the sharpest turn of a feature that may vanish: corners stay.
 constexpr double LeastTurn = 0.85;
@@ -32,7 +33,8 @@ constexpr double Growth = 1.2;
 
 struct Decimation::Star
 {
-  /// The outgoing half-edges counter-clockwise, and the vertices around; one more of these on the boundary.
+  /// The outgoing half-edges counter-clockwise, and the vertices around; one more of these on the
+  /// boundary.
   std::vector<Index> Edges;
   std::vector<Index> Ring;
   std::vector<Vector3> Places;
@@ -156,7 +158,7 @@ void Decimation::Run(const Progress& progress)
     const Index blocks = NumberOfPieces(vertices + shift, BlockSize);
     if (k % 2 == 0 && k < 2 * stages)
     {
-      // What was too long may not be any more.
+      // Edges that were too long may be allowed now.
       std::fill(this->IsNew.begin(), this->IsNew.end(), 1);
     }
     std::vector<Index> collapses(blocks, 0);
@@ -301,7 +303,7 @@ std::size_t Decimation::MarkNeighbours(Index w, const Star& star, char* isNeighb
   } while (h != None && h != any);
   if (isOpen)
   {
-    // Clockwise it went as far as it could; the rest lies the other way.
+    // The walk went clockwise as far as it could; the rest lies counter-clockwise.
     h = any;
     while (h != None)
     {
@@ -341,8 +343,8 @@ bool Decimation::KeepsTopology(Index v, const Star& star, std::size_t i) const
   {
     return false;
   }
-  // The common neighbours of v and w have to be those of their triangles (T. Dey et al. 1999), and what becomes
-  // a neighbour of w has to be one that it may have.
+  // The common neighbours of v and w have to be corners of their triangles (T. Dey et al. 1999),
+  // and w may only get neighbours that the kinds of the two allow.
   std::array<char, MostNeighbours + 1> isCommon{};
   const std::size_t common = this->MarkNeighbours(w, star, isCommon.data());
   if (common != (isOuter ? 1U : 2U))

@@ -11,11 +11,12 @@
 
 namespace DirectionFields::Internal
 {
-/// Fewer triangles for the same surface: edges are collapsed (H. Hoppe et al.: Mesh Optimization, 1993) to one of
-/// their ends, so that all vertices that are left stay where they are. The topology stays the same; features
-/// and the boundary remain paths of edges, vertices where features end, meet or turn remain. So does every
-/// vertex that shares its point with another one, and no two such become neighbours: a mesh of the triangles
-/// that are left is connected as this one is. Covers are left alone. Takes time linear in the triangles.
+/// Fewer triangles for the same surface: edges are collapsed (H. Hoppe et al.: Mesh Optimization,
+/// 1993) to one of their ends, so that all vertices that are left stay where they are. The topology
+/// stays the same; features and the boundary remain paths of edges, vertices where features end,
+/// meet or turn remain. So does every vertex that shares its point with another one, and no two
+/// such become neighbours: a mesh of the triangles that are left is connected as this one is.
+/// Covers are left alone. Takes time linear in the triangles.
 class Decimation
 {
 public:
@@ -53,16 +54,19 @@ private:
   static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index Previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   void FindKinds(const TriangleMesh& mesh);
-  /// Collapses edges between vertices of a range, to lengths up to a part of the limit; returns how many.
+  /// Collapses edges between vertices of a range, to lengths up to a part of the limit; returns how
+  /// many.
   Index Sweep(Index begin, Index end, double part);
   bool FindStar(Index v, Index begin, Index end, Star& star) const;
-  /// How good the worst triangle is after the collapse of edge i of a star; negative where that may not be.
+  /// How good the worst triangle is after the collapse of edge i of a star; negative where that may
+  /// not be.
   double Quality(Index v, const Star& star, std::size_t i, double part) const;
   bool IsOnFeature(const Star& star, std::size_t k) const;
   /// How far a vertex on a feature is from the edge that is to take the place of its two.
   double FeatureStep(Index v, const Star& star, std::size_t i) const;
   bool KeepsTopology(Index v, const Star& star, std::size_t i) const;
-  /// Marks the vertices of a star's ring that are neighbours of w. Returns how many times it met one.
+  /// Marks the vertices of a star's ring that are neighbours of w. Returns how many times it met
+  /// one.
   std::size_t MarkNeighbours(Index w, const Star& star, char* isNeighbour) const;
   void Collapse(Index v, const Star& star, std::size_t i);
 

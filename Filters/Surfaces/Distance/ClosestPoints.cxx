@@ -31,8 +31,8 @@ struct Range
   Index Count() const { return static_cast<Index>(this->End - this->Begin); }
 };
 
-/// Puts half of a node's triangles before the others, along the axis on which their middles are farthest apart. Of middles
-/// at the same place the first goes first.
+/// Puts half of a node's triangles before the others, along the axis on which their middles are
+/// farthest apart. Of middles at the same place the first goes first.
 std::array<Range, 2> Halves(const Range& range)
 {
   const std::int64_t half = range.Size / 2;
@@ -77,7 +77,7 @@ void SortWithin(const Range& range, Index leaf)
   }
 }
 
-/// Brings triangles into the order of a tree whose nodes have up to so many parts.
+/// Brings triangles into the order of a tree, down to nodes of at most this number of triangles.
 void Sort(LargeArray<Member>& members, Index leaf)
 {
   constexpr std::size_t mostRanges = 32;
@@ -239,7 +239,8 @@ void ClosestPoints::BuildLevels()
     ParallelFor(nodes, MediumPiece,
       [&](Index begin, Index end)
       {
-        // The last node of a level may have less than it could: the box of its last part is there several times.
+        // The last node of a level may have less than it could: the box of its last part is there
+        // several times.
         for (Index child = Width * begin; child < Width * end; ++child)
         {
           const Index k = std::min(child, below - 1);

@@ -16,8 +16,9 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The distance of the third corner of a triangle laid flat, whose first two have distances a and b from a
-/// source beyond the edge between them; infinite where the way there does not lead across that edge.
+/// The distance of the third corner of a triangle laid flat, whose first two have distances a and b
+/// from a source beyond the edge between them; infinite where the straight path there does not
+/// cross that edge.
 /// @param edge   squared length of that edge
 /// @param toA, toB squared lengths of the edges from the two to the third corner
 /// @param isCircle    whether fronts are circles where they can be
@@ -57,7 +58,8 @@ struct Arrival
   Index Vertex;
   Index Source;
 
-  /// Sources and vertices decide between equal distances, so that the result does not depend on the queue.
+  /// Sources and vertices decide between equal distances, so that the result does not depend on the
+  /// queue.
   bool operator>(const Arrival& other) const
   {
     return std::tie(this->Distance, this->Vertex, this->Source) >
@@ -69,7 +71,8 @@ struct Arrival
 double SurfaceDistance::ToCorner(
   const IntrinsicGeometry& geometry, const MeshPlace& place, int corner)
 {
-  // The squared length of sum w_c P_c with weights that sum up to zero is -sum over pairs w_i w_j |P_i - P_j|^2.
+  // The squared length of sum w_c P_c with weights that sum up to zero is -sum over pairs w_i w_j
+  // |P_i - P_j|^2.
   std::array<double, 3> weights = place.Weights;
   weights[static_cast<std::size_t>(corner)] -= 1.0;
   double square = 0.0;
@@ -159,7 +162,8 @@ SurfaceDistance::SurfaceDistance(const IntrinsicGeometry& geometry, const std::v
   {
     arrive(seed.Vertex, seed.Distance, seed.Source);
   }
-  // What the fronts do beyond the triangle at the tail of a half-edge, whose corner there is final.
+  // Continues the front beyond the triangle at the tail of a half-edge, where the distance is
+  // final.
   const auto spread = [&](Index tail, Index h)
   {
     const auto at = static_cast<std::size_t>(tail);

@@ -19,11 +19,13 @@ struct MeshPlace
   std::array<double, 3> Weights{};
 };
 
-/// How far the vertices of a mesh are from the nearest of some sources, along the surface. Fronts run from the sources
-/// over the triangles laid flat, from near to far (fast marching, Kimmel and Sethian 1998); across an edge that
-/// a front has passed they go on as circles around the place where its distances at both ends meet, where they
-/// do and sources are points, else as a straight line. So distances are exact on what can be laid flat and seen from the source, and too long by
-/// one or two percent where the surface is curved or triangles have no acute angles. Takes time n log n in the vertices reached.
+/// The distances of the vertices of a mesh from the nearest of some sources, along the surface.
+/// Fronts run from the sources over the triangles laid flat, from near to far (fast marching,
+/// Kimmel and Sethian 1998); across an edge that a front has passed it goes on as a circle around
+/// the place that has its distances from both ends, if there is one and sources are points, else as
+/// a straight line. So distances are exact on surfaces that can be laid flat and seen from the
+/// source, and too long by one or two percent where the surface is curved or triangles have no
+/// acute angles. Takes time n log n in the vertices reached.
 class SurfaceDistance
 {
 public:
@@ -36,7 +38,8 @@ public:
     Index Source;
   };
 
-  /// What the sources are: Points, whose fronts are circles, or the points of Curves, whose fronts are straight.
+  /// The kind of the sources: Points, whose fronts are circles, or the points of Curves, whose
+  /// fronts are straight.
   enum class Sources
   {
     Points,
@@ -44,7 +47,8 @@ public:
   };
 
   /// @param most    fronts end at this distance
-  /// @param targets fronts end where all of these vertices are reached, if there are any; others may not have been then
+  /// @param targets fronts end where all of these vertices are reached, if there are any; others
+  ///                may not have been then
   SurfaceDistance(const IntrinsicGeometry& geometry, const std::vector<Seed>& seeds,
     double most = std::numeric_limits<double>::infinity(), Sources sources = Sources::Points,
     const std::vector<Index>& targets = {});

@@ -56,7 +56,7 @@ ClosestPoints::Answer TriangleRuns::Find(const Vector3& givenPlace) const
   }
   best.SquaredDistance = std::numeric_limits<double>::infinity();
   const Vector3 place = this->Scale * givenPlace;
-  // The nearest box comes first: after it few others are nearer than what was found.
+  // The nearest box comes first: few of the others are nearer than its closest point.
   std::vector<std::pair<double, Index>> runs(this->Boxes.size());
   for (std::size_t run = 0; run < runs.size(); ++run)
   {

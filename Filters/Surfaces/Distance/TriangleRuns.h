@@ -11,18 +11,21 @@
 
 namespace DirectionFields::Internal
 {
-/// Finds the closest points of a surface for a few places: boxes around runs of triangles that follow each other in
-/// a given order. They are made in the time that it takes to read the triangles, a tenth of what ClosestPoints
-/// takes to sort and copy them; each question takes the boxes' number besides.
+/// Finds the closest points of a surface for a few places: boxes around runs of triangles that
+/// follow each other in a given order. They are made in the time that it takes to read the
+/// triangles; each search looks at all boxes. Eight places on 330 000 triangles take 1 % of the
+/// time of a smoothest field on them, ClosestPoints 17 %, because it sorts and copies the triangles
+/// first.
 class TriangleRuns
 {
 public:
   /// @param surface must outlive this
-  /// @param order   the triangles to be found, whose corners are points with finite coordinates; such that
-  ///                neighbours in the order are near each other, as those of a mesh are
+  /// @param order   the triangles to be found, whose corners are points with finite coordinates;
+  ///                such that neighbours in the order are near each other, as in a mesh
   TriangleRuns(const Surface& surface, LargeArray<Index>&& order);
 
-  /// The closest point of all triangles, of equally close ones that of the first triangle of the surface.
+  /// The closest point of all triangles, of equally close ones that of the first triangle of the
+  /// surface.
   ClosestPoints::Answer Find(const Vector3& place) const;
 
 private:

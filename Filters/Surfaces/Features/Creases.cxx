@@ -14,12 +14,12 @@ namespace
 {
 /// The least angle of a crease, radians.
 constexpr double SharpAngle = Pi / 6.0;
-/// How many times as sharp a crease is as what is around it.
+/// The sharpness of a crease over that of the edges around it.
 constexpr double Prominence = 3.0;
 /// The least part of its angle that the normals at the vertices beyond its two triangles enclose.
 constexpr double Support = 0.6;
 
-/// The third largest of the angles around a vertex: the first two may be those of one crease.
+/// The third largest of the angles around a vertex: the first two may belong to one crease.
 float ThirdSharpest(const TriangleMesh& mesh, const std::vector<double>& angles, Index v)
 {
   float first = 0.0F;

@@ -10,13 +10,13 @@
 
 namespace DirectionFields::Internal
 {
-/// Edges where a surface is bent and not curved, as those of machine parts. No smooth surface is to be
+/// Edges where a surface is bent and not curved, as on machine parts. No smooth surface is to be
 /// fitted across them.
 struct Creases
 {
-  /// An edge is a crease where its normals enclose more than 30 degrees, where this is three times as
-  /// much as at all but two edges of one of its ends, and where the surface beyond its two triangles
-  /// agrees. Noise and coarse round surfaces bend all edges alike.
+  /// An edge is a crease where its normals enclose more than 30 degrees, where this is three times
+  /// as much as at all but two edges of one of its ends, and where the surface beyond its two
+  /// triangles agrees. Noise and coarse round surfaces bend all edges alike.
   /// @param dihedralAngles of each edge
   Creases(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles);
 

@@ -166,7 +166,7 @@ bool FeatureChains::DropRound(Index component, const Doubt& doubt)
   const TriangleMesh::Component& range = this->Mesh.GetComponents()[component];
   std::fill(this->IsSeen.begin() + range.FirstEdge, this->IsSeen.begin() + range.EndEdge, 0);
   std::vector<Index> noise;
-  // What no node is part of is a loop.
+  // Chains without a node are loops.
   for (const bool nodes : { true, false })
   {
     for (Index v = range.FirstVertex; v < range.EndVertex; ++v)

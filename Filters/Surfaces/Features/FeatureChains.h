@@ -10,9 +10,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Which edges are features of the shape: those sharper than an angle, without what is noise among them.
-/// A chain is one sharp edge after the other; it ends where three or more meet, where there are no more,
-/// and on the boundary. Noise makes chains that are short and stand out little from what is around them.
+/// The edges that are features of the shape: all sharper than an angle, except noise. A chain is
+/// one sharp edge after the other; it ends where three or more meet, where there are no more, and
+/// on the boundary. Chains of noise are short and stand out little from the edges around them.
 class FeatureChains
 {
 public:
@@ -20,21 +20,22 @@ public:
   {
     /// Angle between the normals of an edge's triangles above which it is sharp, radians.
     double Angle;
-    /// What is shorter may be noise, in parts of the square root of the component's area; 0 keeps all.
+    /// Shorter chains may be noise, in parts of the square root of the component's area; 0 keeps
+    /// all.
     double MinimumLength;
   };
 
-  /// The mean angle of a chain over that of the other edges at its vertices, from which on even a short
-  /// one is a feature; where it ends freely and is less than very sharp, as what noise makes is, it needs
-  /// the larger contrast.
+  /// The mean angle of a chain over that of the other edges at its vertices, from which on even a
+  /// short one is a feature; where it ends freely and is less than very sharp, as noise is, it
+  /// needs the larger contrast.
   static constexpr double ClearContrast = 4.0;
   static constexpr double FreeContrast = 8.0;
   static constexpr double VerySharp = Pi / 3.0;
 
-  /// Drops the chains that are shorter and have less contrast, unless they lead from boundary to boundary:
-  /// first those that end where there are no more sharp edges, which lets others grow together, then those
-  /// that lead from chain to chain. What is left is looked at again, for a few rounds. Takes time linear in
-  /// the edges.
+  /// Drops the chains that are shorter and have less contrast, unless they lead from boundary to
+  /// boundary: first those that end where there are no more sharp edges, which lets others grow
+  /// together, then those that lead from chain to chain. The remaining chains are checked again,
+  /// for a few rounds. Takes time linear in the edges.
   /// @param dihedral angle of each edge, radians
   FeatureChains(
     const SurfaceGeometry& geometry, const std::vector<double>& dihedral, const Settings& settings);
@@ -49,7 +50,7 @@ private:
     Index From, To;
   };
 
-  /// What may be noise.
+  /// A chain that may be noise.
   struct Doubt
   {
     /// Chains shorter than this.

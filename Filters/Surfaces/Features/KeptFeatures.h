@@ -18,8 +18,8 @@ struct FeatureSettings
   double Angle;
   /// As Options::MinimumFeatureLength.
   double MinimumLength;
-  /// Chains that end freely are dropped where they are shorter than this, in the input's unit: a mesh could not
-  /// show them. So are closed ones.
+  /// Chains that end freely are dropped where they are shorter than this, in the input's unit: a
+  /// mesh could not show them. So are closed ones.
   double ShortestChain;
 };
 
@@ -30,7 +30,8 @@ std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSet
 void DropShortFeatures(
   const SurfaceGeometry& geometry, const FeatureSettings& settings, std::vector<char>& isFeature);
 
-/// The direction of the sharpest feature at each vertex, of length 1; zero where there is none, and on the boundary.
+/// The direction of the sharpest feature at each vertex, of length 1; zero where there is none, and
+/// on the boundary.
 std::vector<Vector3> FeatureDirections(
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature);
 }

@@ -25,8 +25,8 @@ struct Connection
   /// @param positions of the vertices
   Connection(const TriangleMesh& mesh, const Metric& metric, const std::vector<Vector3>& positions);
 
-  /// theta_i(ij) of each half-edge i -> j, radians: from 0 to less than AngleSum; after flips of edges it
-  /// may be larger.
+  /// theta_i(ij) of each half-edge i -> j, radians: from 0 to less than AngleSum; after flips of
+  /// edges it may be larger.
   LargeArray<double> EdgeAngle;
   /// The factor of the corner angles of each vertex: 2 pi over their sum, on the boundary 1.
   LargeArray<double> Scale;

@@ -12,8 +12,8 @@ namespace DirectionFields
 {
 /// A triangulation of a surface with all that can be measured without leaving the surface: lengths,
 /// angles and the parallel transport of tangent vectors. Operators, double covers and singularities
-/// need no more than this. A SurfaceGeometry is one that lies in space, an IntrinsicTriangulation one
-/// whose edges run straight over the surface of another.
+/// need no more than this. A SurfaceGeometry is one that lies in space, an IntrinsicTriangulation
+/// one whose edges run straight over the surface of another.
 struct IntrinsicGeometry
 {
   TriangleMesh Mesh;

@@ -203,8 +203,8 @@ private:
     return length[0] + length[1] + length[2] - 2.0 * longest > Slack * longest;
   }
 
-  /// The angle in the tangent cone of the edge that leaves the tail of a half-edge at an angle to the
-  /// left of it.
+  /// The angle in the tangent cone of the edge that leaves the tail of a half-edge at an angle to
+  /// the left of it.
   double Direction(Index halfEdge, double angle) const
   {
     const Index v = this->Mesh.Tail(halfEdge);

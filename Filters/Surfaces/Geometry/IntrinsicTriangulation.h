@@ -20,12 +20,12 @@ namespace DirectionFields
 /// vertices, and their operators, mean the same on both triangulations. Where nothing is flipped
 /// nothing changes, not in a bit.
 ///
-/// An edge may join a vertex to itself, and several edges the same vertices. Flipped triangles have no
-/// input triangle.
+/// An edge may join a vertex to itself, and several edges the same vertices. Flipped triangles have
+/// no input triangle.
 struct IntrinsicTriangulation : IntrinsicGeometry
 {
   /// Flips edges in an order that depends on nothing but their numbers. Where flips do not come to
-  /// an end, as rounding might have it with extreme triangles, what was reached stands.
+  /// an end, as rounding might cause with extreme triangles, the last triangulation stands.
   explicit IntrinsicTriangulation(const IntrinsicGeometry& geometry);
 
   /// How often an edge was flipped.

@@ -218,7 +218,7 @@ std::array<double, 3> TriangleAngles(const std::array<double, 3>& length, double
   const double longest = opposite[first];
   const double twiceSum = 2.0 * (longest + (opposite[second] + opposite[third]));
   // tan(angle / 2) = area / (s (s - opposite)), s half the sum of the lengths. The two smaller
-  // angles come without cancellation, and the largest one is what they leave.
+  // angles come without cancellation, and the largest one is pi less these.
   const std::array<double, 2> tangents = {
     8.0 * area / (twiceSum * (opposite[third] + (longest - opposite[second]))),
     8.0 * area / (twiceSum * (opposite[second] + (longest - opposite[third]))),

@@ -18,7 +18,7 @@ struct SurfaceGeometry : IntrinsicGeometry
 {
   /// Takes time linear in the triangles. Throws MeshError for a surface that cannot be processed.
   explicit SurfaceGeometry(const Surface& surface);
-  /// @param mesh    of the surface, or of what came of it when points were merged
+  /// @param mesh    of the surface, or of the surface with points merged
   /// @param surface whose points the mesh has
   SurfaceGeometry(TriangleMesh&& mesh, const Surface& surface);
 

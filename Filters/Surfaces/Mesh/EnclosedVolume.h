@@ -11,8 +11,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Whether a component is closed and wound inside out: the volume that it encloses is negative, as the sum
-/// of signed tetrahedra. Double sheets, which enclose next to nothing, are not.
+/// Whether a component is closed and wound inside out: the volume that it encloses is negative, as
+/// the sum of signed tetrahedra. Double sheets, which enclose next to nothing, are not.
 /// @param component the number of the component
 /// @param positions of the vertices, in any unit of length
 /// @param unit      the length that the area is measured by

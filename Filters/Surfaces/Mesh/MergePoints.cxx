@@ -198,8 +198,8 @@ private:
 
   Index PlaceOf(Index vertex) const { return this->Place[this->Mesh.Point(vertex)]; }
 
-  /// Makes the corners at the same place of a triangle one where nothing is connected with it. Returns
-  /// whether there are any.
+  /// Makes the corners at the same place of a triangle one where nothing is connected with it.
+  /// Returns whether there are any.
   bool Collapses(Index triangle)
   {
     const std::array<Index, 3> corners = CornersOf(this->Mesh, triangle);

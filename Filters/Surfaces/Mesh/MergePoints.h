@@ -20,21 +20,21 @@ std::vector<Index> FirstAtSamePlace(const Surface& surface);
 /// ids do.
 Surface Merged(const Surface& surface, const std::vector<Index>& first);
 
-/// For each point the first of those that it becomes one with across seams; empty where there are no
-/// seams. At a seam exactly two edges of the boundary have their ends at the same places, in whatever
-/// direction: the two sides of a cut, two facets of a soup, two patches. The ends of the two become
-/// one, so that what only touches stays apart: bodies that meet in a point or along an edge, sheets
-/// that meet three at a time. So do triangles of the same three places (the rim of a sheet that is
-/// there twice), and the sides of one triangle. Corners at the same place of a triangle that is
-/// connected with none become one, too, which makes it collapse. Takes time linear in the boundary, and
-/// in the points where there are seams.
+/// For each point the first of those that it becomes one with across seams; empty where there are
+/// no seams. At a seam exactly two edges of the boundary have their ends at the same places, in
+/// whatever direction: the two sides of a cut, two facets of a soup, two patches. The ends of the
+/// two become one, so that surfaces that only touch stay apart: bodies that meet in a point or
+/// along an edge, sheets that meet three at a time. So do triangles of the same three places (the
+/// rim of a sheet that is there twice), and the sides of one triangle. Corners at the same place of
+/// a triangle that is connected with none become one, too, which makes it collapse. Takes time
+/// linear in the boundary, and in the points where there are seams.
 std::vector<Index> FirstAcrossSeams(const TriangleMesh& mesh, const std::vector<Vector3>& points);
 
 /// A mesh whose points at the same places have become one.
 struct MergedMesh
 {
-  /// The mesh of the surface, and its mesh with the first of all points at the same place, or with the
-  /// first across seams. Throw MeshError as TriangleMesh does.
+  /// The mesh of the surface, and its mesh with the first of all points at the same place, or with
+  /// the first across seams. Throw MeshError as TriangleMesh does.
   static MergedMesh OfPoints(const Surface& surface);
   static MergedMesh OfPlaces(const Surface& surface);
   static MergedMesh AcrossSeams(const Surface& surface);

@@ -12,8 +12,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Makes a mesh of a surface, whatever is wrong with that: sorts the triangles, matches their edges,
-/// winds and covers them, makes every fan a vertex, and numbers everything by component.
+/// Makes a mesh of a surface, whatever is wrong with that: sorts the triangles, matches their
+/// edges, winds and covers them, makes every fan a vertex, and numbers everything by component.
 class MeshBuilder
 {
 public:
@@ -29,10 +29,11 @@ public:
 private:
   /// Matches the edges and finds the components.
   void Collect(const Surface& surface);
-  /// Finds the components, turns the minority of their triangles and covers what cannot be oriented.
+  /// Finds the components, turns the minority of their triangles and covers components that cannot
+  /// be oriented.
   void Orient();
-  /// Finds the members of a component from one of its triangles, and which of them have to be turned to
-  /// be wound like that. Returns whether that is possible for all of them at once.
+  /// Finds the members of a component from one of its triangles, and which of them have to be
+  /// turned to be wound like that. Returns whether that is possible for all of them at once.
   bool Spread(
     Index seed, Index component, std::vector<Index>& members, std::vector<char>& isTurned);
   /// Turns the others where most members of a component would be turned. Returns how many are.
@@ -47,8 +48,8 @@ private:
   void SplitPoints();
   /// Numbers the edges by their first half-edges.
   void NumberEdges();
-  /// Of the two vertices of a cover that have the same point, the one that has fewer triangles of the
-  /// front is on the back.
+  /// Of the two vertices of a cover that have the same point, the one that has fewer triangles of
+  /// the front is on the back.
   void ChooseFrontVertices();
 
   TriangleMesh& Mesh;

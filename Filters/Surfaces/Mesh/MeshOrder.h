@@ -16,8 +16,8 @@ namespace DirectionFields::Internal
 /// The triangles around a vertex.
 struct Fan
 {
-  /// The first outgoing half-edge: on the boundary the first one counter-clockwise, else the one of the
-  /// least number.
+  /// The first outgoing half-edge: on the boundary the first one counter-clockwise, else the one of
+  /// the least number.
   Index First;
   /// The number of triangles.
   Index Corners;
@@ -26,12 +26,12 @@ struct Fan
 /// The fan that a half-edge leaves the vertex of. Only needs the twins.
 Fan FindFan(const TriangleMesh& mesh, Index start);
 
-/// Numbers triangles and vertices component by component, as the description of TriangleMesh says. Works
-/// on a mesh that is being built, whose edges have no numbers yet.
+/// Numbers triangles and vertices component by component, as the description of TriangleMesh says.
+/// Works on a mesh that is being built, whose edges have no numbers yet.
 class MeshOrder
 {
 public:
-  /// @param components the component of each triangle, numbered anew by Sort
+  /// @param components the component of each triangle, renumbered by Sort
   MeshOrder(TriangleMesh& mesh, LargeArray<Index>& components)
     : Mesh(mesh)
     , TriangleComponent(components)
@@ -44,8 +44,8 @@ public:
 private:
   /// Orders the components by their first triangles in the input.
   void OrderComponents();
-  /// Sorts the vertices of each component along a Morton curve of its own, so that no other component
-  /// has a say in it.
+  /// Sorts the vertices of each component along a Morton curve of its own, so that no other
+  /// component has a say in it.
   void SortVertices(const std::vector<Vector3>& points);
   /// Sorts the triangles by their lowest vertices, and so by component.
   void SortTriangles();

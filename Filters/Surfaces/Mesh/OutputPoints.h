@@ -12,12 +12,12 @@
 
 namespace DirectionFields::Internal
 {
-/// The points that results are given at: those of the input, then one for each vertex whose points
-/// have another vertex already. Of a cover there are only the front vertices.
+/// The points that results are given at: the points of the input, then one for each vertex whose
+/// point has another vertex already. Of a cover there are only the front vertices.
 class OutputPoints
 {
 public:
-  /// @param mesh    of the surface, or of what came of it when points were merged
+  /// @param mesh    of the surface, or of the surface with points merged
   /// @param surface as it came in
   /// @param merged  for each point the one that stands for it in the mesh; empty if none was merged
   OutputPoints(const TriangleMesh& mesh, const Surface& surface, const std::vector<Index>& merged);

@@ -10,17 +10,17 @@
 
 namespace DirectionFields::Internal
 {
-/// What counts in sums over a mesh. Of a cover one side counts. Where triangles are there as ghosts of
-/// other pieces (Surface::Ghost), such a triangle counts in the piece that it belongs to, and a vertex
-/// or an edge in the piece of that one of its triangles whose corners are lexicographically first. So
-/// all that is known of a surface in pieces is counted once, wherever each piece has for ghosts all
-/// the triangles that touch its own.
+/// The parts of a mesh that count in sums over it. Of a cover one side counts. Where triangles are
+/// there as ghosts of other pieces (Surface::Ghost), such a triangle counts in the piece that it
+/// belongs to, and a vertex or an edge in the piece of that one of its triangles whose corners are
+/// lexicographically first. So everything on a surface in pieces is counted once, wherever each
+/// piece has for ghosts all the triangles that touch its own.
 struct OwnedParts
 {
   /// @param surface of the mesh
   OwnedParts(const TriangleMesh& mesh, const Surface& surface);
 
-  /// What counts of a component.
+  /// The counted parts of a component.
   struct Counts
   {
     Index Vertices = 0;

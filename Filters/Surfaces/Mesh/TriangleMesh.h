@@ -25,17 +25,17 @@ class MeshOrder;
 /// vertices are numbered component by component, so that everything of a component is contiguous,
 /// and the components by their first triangles in the input. Within a component vertices follow a
 /// Morton curve (Z-order) through their points, triangles their lowest vertices and edges their
-/// lowest half-edges: what is close on the surface is mostly close in memory, whatever the order of
-/// the input.
+/// lowest half-edges: neighbours on the surface are mostly close in memory, in whatever order they
+/// came in.
 ///
 /// A vertex is a fan of triangles at a used point. A surface that is no manifold is split into
 /// sheets: an edge of more than two triangles becomes boundary for all of them, and where several
 /// fans meet in a point each is a vertex of its own.
 ///
-/// A component that cannot be oriented (Möbius strip, Klein bottle) is represented by its orientable
-/// double cover: each of its triangles, vertices and edges is there twice, once for each side of the
-/// surface, and Mirror leads from the one to the other. Everything on it that knows intrinsic
-/// geometry only is mapped to its complex conjugate by that.
+/// A component that cannot be oriented (Möbius strip, Klein bottle) is represented by its
+/// orientable double cover: each of its triangles, vertices and edges is there twice, once for each
+/// side of the surface, and Mirror leads from the one to the other. Everything on it that knows
+/// intrinsic geometry only is mapped to its complex conjugate by that.
 class TriangleMesh
 {
 public:
@@ -46,7 +46,7 @@ public:
     Index FirstEdge, EndEdge;
     Index FirstVertex, EndVertex;
     bool Closed;
-    /// The double cover of what cannot be oriented. All ranges and counts are those of the cover.
+    /// It is the double cover of a component that cannot be oriented; so are all ranges and counts.
     bool IsCover;
 
     Index Vertices() const { return this->EndVertex - this->FirstVertex; }
@@ -76,8 +76,8 @@ public:
   {
     return !this->NonManifold.empty() && this->NonManifold[h] != 0;
   }
-  /// Several edges may join the same vertices: along slits, between sheets that share the corners of
-  /// a triangle, and after flips.
+  /// Several edges may join the same vertices: along slits, between sheets that share the corners
+  /// of a triangle, and after flips.
   bool MayRepeatNeighbours() const { return !this->NonManifold.empty() || this->Flipped; }
   /// The half-edge that gives an edge its direction.
   Index HalfEdge(Index edge) const { return this->EdgeHalfEdge[edge]; }
@@ -101,7 +101,7 @@ public:
     } while (h != None && h != first);
   }
 
-  /// The same edge seen from the other side of a cover, where it runs the other way; None elsewhere.
+  /// The same edge on the other side of a cover, where it runs the other way; None elsewhere.
   Index Mirror(Index h) const
   {
     const Index mirror = this->Mirrors.empty() ? None : this->Mirrors[h / 3];
@@ -135,13 +135,13 @@ public:
   Index InputTriangle(Index triangle) const { return this->TriangleInput[triangle]; }
 
   /// Puts the other diagonal of its two triangles, which must be two, in the place of an interior
-  /// edge. After that the vertices may not tell triangles and edges apart: an edge may join a vertex to
-  /// itself, two edges the same vertices. InputTriangle loses its meaning for both
+  /// edge. After that the vertices may not tell triangles and edges apart: an edge may join a
+  /// vertex to itself, two edges the same vertices. InputTriangle loses its meaning for both
   /// triangles.
   ///
   /// The edge keeps its number, and its half-edges h and g theirs: h then runs from the corner
-  /// opposite of g to that opposite of h. What belongs to the other half-edges moves with them:
-  /// Next(h) to Previous(g), Previous(g) to Next(g), Next(g) to Previous(h), Previous(h) to Next(h).
+  /// opposite of g to that opposite of h. The data of the other half-edges moves with them: Next(h)
+  /// to Previous(g), Previous(g) to Next(g), Next(g) to Previous(h), Previous(h) to Next(h).
   void FlipEdge(Index edge);
 
   /// DegenerateTriangles is left to the metric.

@@ -27,8 +27,8 @@ public:
   Index GetNumberOfPoints() const { return static_cast<Index>(this->Mesh->Points.size()); }
   Index GetNumberOfTriangles() const { return static_cast<Index>(this->Areas.size()); }
 
-  /// Whether lengths are far enough from the largest and the least numbers for squares of areas. If not,
-  /// sound triangles may pass for unsound: another unit of length is needed.
+  /// Whether lengths are far enough from the largest and the least numbers for squares of areas. If
+  /// not, sound triangles may pass for unsound: another unit of length is needed.
   bool HasUsualSize() const { return this->UsualSize; }
 
   /// 0 for unsound triangles.
@@ -67,7 +67,8 @@ private:
   /// The sound triangles of point i: Incident[First[i]] ... Incident[First[i + 1] - 1].
   std::vector<std::size_t> First;
   std::vector<Index> Incident;
-  /// Normals of points with many triangles: all that is in one of these would add them up anew.
+  /// Normals of points with many triangles: they would be summed up again for each path through one
+  /// of these.
   std::unordered_map<Index, Vector3> NormalsOfLargeFans;
 };
 

@@ -28,8 +28,8 @@ public:
   /// @param direction unit tangent vector at the start
   SurfaceWalk(const SurfaceIncidence& surface, const PathStart& start, const Vector3& direction);
 
-  /// Goes to the edge ahead and into the triangle beyond it. Returns false, and stays, where the whole
-  /// way would become longer than the given length, and on the boundary.
+  /// Goes to the edge ahead and into the triangle beyond it. Returns false, and stays, where the
+  /// whole way would become longer than the given length, and on the boundary.
   bool Cross(double length);
 
   /// None where the direction leads away from the surface at once.
@@ -38,18 +38,18 @@ public:
   const Vector3& Position() const { return this->Position_; }
   /// Unit normal of the triangle, on the side that the start says.
   const Vector3& Normal() const { return this->Normal_; }
-  /// Unit tangent vector of the way.
+  /// Unit tangent vector of the walk.
   const Vector3& Heading() const { return this->Heading_; }
-  /// The length of the way from the start to the position.
+  /// The length of the walk from the start to the position.
   double Done() const { return this->Done_; }
   /// The walk has come to the boundary, which is ToBoundary() ahead of the position.
   bool AtBoundary() const { return this->AtBoundary_; }
   double ToBoundary() const { return this->ToBoundary_; }
 
 private:
-  /// The corner from which the edge starts that the way leaves through: the one that runs from its
+  /// The corner from which the edge starts that the walk leaves through: the one that runs from its
   /// right to its left. None if there is none.
-  /// @param part is set to where on the edge that is, from 0 to 1. A way keeps a little off the
+  /// @param part is set to where on the edge that is, from 0 to 1. A walk keeps a little off the
   ///             points, where rounding could lead it into a triangle that it only touches.
   int FindExit(double& part) const;
   /// Turns heading and normal about the edge between two points, into the next triangle's plane.

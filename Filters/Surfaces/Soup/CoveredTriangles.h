@@ -11,7 +11,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The orientable double cover of what cannot be oriented: triangles that are seen from both sides.
+/// The orientable double cover of components that cannot be oriented: triangles that are seen from
+/// both sides.
 struct CoveredTriangles
 {
   /// Appends the other side of triangles, wound the other way: (a, b, c) gives (a, c, b). An edge

@@ -10,15 +10,15 @@
 
 namespace DirectionFields::Internal
 {
-/// What is left of a polygon while ears are cut off, and what it looks like around its corners.
+/// The rest of a polygon while ears are cut off, and its shape around the corners.
 class CutPolygon
 {
 public:
   /// Coordinates in the plane are integers up to this size, so that their differences are exact.
   static constexpr double LargestCoordinate = 1125899906842624.0;
-  /// The measure of what is no ear.
+  /// The measure of a corner that is no ear.
   static constexpr double Worst = 1e300;
-  /// What is nearer to a diagonal than this part of the polygon's size is on it up to rounding.
+  /// Points nearer to a diagonal than this part of the polygon's size are on it up to rounding.
   static constexpr double Nearness = 1e-9;
 
   struct Place
@@ -39,7 +39,8 @@ public:
   const Place& At(Index i) const { return this->Places[i]; }
   void Remove(Index i);
 
-  /// The sign of the area of a triangle of three corners, exactly: 1 if it is wound counter-clockwise.
+  /// The sign of the area of a triangle of three corners, exactly: 1 if it is wound
+  /// counter-clockwise.
   int Turn(Index a, Index b, Index c) const;
   /// Whether the inner angle of a corner is less than half a turn.
   bool IsConvex(Index i) const { return this->Turn(this->Previous(i), i, this->Next(i)) > 0; }

@@ -34,7 +34,7 @@ Key KeyOf(const Index* corners)
 using Pair = std::array<Index, 2>;
 
 /// Marks triangles that are there twice in the same winding.
-/// @return the pairs of what is left, by their first triangles
+/// @return the pairs among the other triangles, by their first triangles
 std::vector<Pair> MarkSameWinding(const LargeArray<Index>& corners, std::vector<char>& isDuplicate)
 {
   const auto triangles = static_cast<Index>(corners.size() / 3);
@@ -124,8 +124,8 @@ std::vector<Side> SidesAtPairs(const LargeArray<Index>& corners,
   return sides;
 }
 
-/// What the sides along one edge say of the pairs there: 1 if both triangles go on, -1 if one of them is
-/// enough, 0 if they say nothing.
+/// The vote of the sides along one edge on the pairs there: 1 if both triangles go on, -1 if one of
+/// them is enough, 0 if they say nothing.
 /// @param inPairs, others the number of these sides; up of the others run from the lower vertex to
 ///                        the higher one
 int Vote(std::size_t inPairs, std::size_t others, std::size_t up)

@@ -45,8 +45,8 @@ struct Side
   }
 };
 
-/// Matches four half-edges of the same vertices so that each triangle has a neighbour of the opposite
-/// direction that is not itself seen from behind. False where that does not say which.
+/// Matches four half-edges of the same vertices so that each triangle has a neighbour of the
+/// opposite direction that is not itself seen from behind. False where that does not say which.
 bool MatchFour(const LargeArray<Index>& corners, const Side* sides, LargeArray<Index>& twins)
 {
   std::array<Index, 4> halfEdges;

@@ -33,7 +33,7 @@ std::vector<Vector3> Normalized(const std::vector<Vector3>& corners)
   std::vector<Vector3> normalized(corners.size(), Vector3(Vector3::Zero()));
   if (half.maxCoeff() > 0.0)
   {
-    // A power of two, which rounds nothing: what is on one line stays there.
+    // A power of two, which rounds nothing: points on one line stay there.
     int exponent = 0;
     std::frexp(half.maxCoeff(), &exponent);
     const double halfSize = std::ldexp(0.5, std::max(exponent, -1021));
@@ -102,8 +102,8 @@ public:
   /// Whether a corner can be in the way.
   bool Has(Index i) const { return this->IsIn[i] != 0; }
 
-  /// Looks whether a corner is still there and not convex. Once that holds for half of them only, the
-  /// cells are made anew.
+  /// Looks whether a corner is still there and not convex. Once that holds for half of them only,
+  /// the cells are made again.
   void Update(Index i)
   {
     if (this->IsIn[i] && (!this->Shape.IsThere(i) || this->Shape.IsConvex(i)))
@@ -259,14 +259,14 @@ private:
     const bool isEar = this->Shape.IsConvex(i) && (takesAll || this->Shape.OpensInwards(i));
     if (isEar || takesAll)
     {
-      // What is not convex is cut in turns, so that few triangles meet in a corner.
+      // Corners that are not convex are cut in turns, so that few triangles meet in a corner.
       this->Ears.push(
         { isEar ? this->Shape.Measure(i) : CutPolygon::Worst * (1.0 + 1e-9 * this->Version[i]), i,
           this->Version[i] });
     }
   }
 
-  /// Looks anew at a corner around which something has changed, and at what waits for it.
+  /// Checks a corner again around which something has changed, and the ears that wait for it.
   void Update(Index i)
   {
     this->InTheWay.Update(i);
@@ -288,8 +288,8 @@ private:
     waiting.erase(std::remove_if(waiting.begin(), waiting.end(), isOver), waiting.end());
   }
 
-  /// Cuts off the corners after one that are at the same place, by triangles without area: others may
-  /// have an edge in common with them.
+  /// Cuts off the corners after one that are at the same place, by triangles without area: others
+  /// may have an edge in common with them.
   void JoinRepeated(Index i)
   {
     while (this->Shape.IsThere(i) && this->Shape.GetRemaining() > 3 &&
@@ -321,8 +321,8 @@ private:
     this->Update(this->Shape.Next(right));
   }
 
-  /// Removes corners around one where the polygon runs back along the edge that it came by, and so has
-  /// no area. Returns the corner that is left there.
+  /// Removes corners around one where the polygon runs back along the edge that it came by, and so
+  /// has no area. Returns the corner that is left there.
   Index RemoveSpikes(Index i)
   {
     while (this->Shape.GetRemaining() > 2)
@@ -370,8 +370,8 @@ private:
   CutPolygon Shape;
   Grid InTheWay;
   bool Force;
-  /// What keeps an ear from being cut: corners in the way or beside its diagonal; once nothing is left
-  /// then, those in the way; and once what is left crosses itself, nothing.
+  /// The corners that keep an ear from being cut: all inside it or beside its diagonal; once no ear
+  /// is left, all inside it; and once the rest of the polygon crosses itself, none.
   enum class Care
   {
     Wide,

@@ -22,7 +22,7 @@ std::string Id(Index id)
   return std::to_string(id);
 }
 
-/// How many there are of what an error names, and the first of them.
+/// The number of faults of one kind, and the first of them.
 struct Found
 {
   Index Count = 0;
@@ -152,7 +152,7 @@ void SortedTriangles::Sort(const Surface& surface, const LargeArray<Index>& vert
         const Triangle& triangle = surface.Triangles[t];
         const bool ignored = IsCollapsed(triangle);
         collapsed += ignored;
-        // What is ignored comes behind all others.
+        // Ignored triangles come behind all others.
         order[t] = { static_cast<std::uint32_t>(ignored
                          ? vertices
                          : std::min({ vertexOfPoint[triangle[0]], vertexOfPoint[triangle[1]],

@@ -9,8 +9,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The triangles of a surface that have three corners, sorted so that what is close in space is
-/// mostly close in memory, whatever the order of the input.
+/// The triangles of a surface that have three corners, sorted so that neighbours in space are
+/// mostly close in memory, in whatever order they came in.
 struct SortedTriangles
 {
   /// Throws MeshError for invalid ids and non-finite coordinates.

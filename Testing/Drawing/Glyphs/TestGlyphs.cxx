@@ -262,8 +262,8 @@ TEST(Glyphs, DoNotDrownInTheSurface)
         {
           low += up * Height(incidence, place) < 0.1 * offset ? 1 : 0;
         }
-        // The width of an arm across a sharp valley is flat, and the back of a coarse round surface is
-        // nothing but valleys.
+        // The width of an arm across a sharp valley is flat, and the back of a coarse round surface
+        // is nothing but valleys.
         const double most = side == GlyphSide::Front ? 0.02 : 0.06;
         EXPECT_LE(low, most * static_cast<double>(glyphs.Mesh.Points.size()));
       }

@@ -136,8 +136,9 @@ TEST(EvenStreamlines, LeaveNoGaps)
 
 TEST(EvenStreamlines, FollowTheDirectionsWithinFiveDegrees)
 {
-  // Each chord against the direction of the field in its middle, in the flat triangle; all of them but those
-  // into a singularity, the last hundredth of a triangle's size, where the field has no direction.
+  // Each chord against the direction of the field in its middle, in the flat triangle; all of them
+  // but those into a singularity, the last hundredth of a triangle's size, where the field has no
+  // direction.
   constexpr double intoSingularity = 0.015;
   for (const Surface& surface : ManySurfaces())
   {

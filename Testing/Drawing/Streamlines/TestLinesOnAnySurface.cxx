@@ -52,7 +52,8 @@ LineSample SampleOf(const Streamlines& lines, std::int64_t point, std::size_t li
 
 TEST(LinesOnAnySurface, CloseAroundATorus)
 {
-  // Fine enough for lines to come back to their start by less than the distance at which they close.
+  // Fine enough for lines to come back to their start by less than the distance at which they
+  // close.
   const Surface torus = Meshes::Torus(120, 60);
   PointDirections around;
   around.Degree = 1;

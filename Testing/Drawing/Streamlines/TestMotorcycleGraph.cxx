@@ -53,8 +53,8 @@ struct Graph
   std::vector<TracedStreamline> Lines;
 };
 
-/// The parts that lines cut a surface into, by flood fill: parts of the edges of the mesh between the lines
-/// that cross them are joined through each triangle wherever no line lies between.
+/// The parts that lines cut a surface into, by flood fill: parts of the edges of the mesh between
+/// the lines that cross them are joined through each triangle wherever no line lies between.
 class FloodFill
 {
 public:
@@ -63,7 +63,8 @@ public:
     , Geometry(graph.Field.GetGeometry())
     , OnEdge(this->Mesh.GetNumberOfEdges())
   {
-    // What hangs together within a triangle: the lines through a singularity, and lines that end at others.
+    // What hangs together within a triangle: the lines through a singularity, and lines that end at
+    // others.
     Index trees = 0;
     std::vector<std::vector<Index>> treeOf(graph.Lines.size());
     for (std::size_t i = 0; i < graph.Lines.size(); ++i)
@@ -256,7 +257,8 @@ private:
   const SurfaceGeometry& Geometry;
   std::vector<std::vector<Crossing>> OnEdge;
   std::vector<Index> Trees;
-  /// Parts within a single triangle, which no edge leads to: what joins a tree to itself closes one off.
+  /// Parts within a single triangle, which no edge leads to: what joins a tree to itself closes one
+  /// off.
   int Inside = 0;
 };
 
@@ -288,8 +290,8 @@ TEST(MotorcycleGraph, EnclosesAsManyPatchesAsTheFormulasSay)
     EXPECT_EQ(patches, graph.EulerCharacteristic() + lines - singularities)
       << graph.Field.GetMesh().GetNumberOfTriangles() << " triangles, " << singularities
       << " singularities";
-    // All patches are quads: their corners are two at each crossing, and one between any two rays of a
-    // singularity. A line that ends in a singularity is one of its rays.
+    // All patches are quads: their corners are two at each crossing, and one between any two rays
+    // of a singularity. A line that ends in a singularity is one of its rays.
     const auto crossings = std::count_if(graph.Lines.begin(), graph.Lines.end(),
       [](const TracedStreamline& line) { return line.Ends[1] == StreamlineEnd::Crossing; });
     if (lines - crossings == Merged(graph))

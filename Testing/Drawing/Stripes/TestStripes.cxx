@@ -81,7 +81,8 @@ TEST(Stripes, OfAFieldThatIntegratesHaveNoBranchPoints)
 
 TEST(Stripes, OnTheSphereBranchAsOftenAsTheirNumberChanges)
 {
-  // The stripes across the equator are as many as fit around it, and half a sphere has to lose them all.
+  // The stripes across the equator are as many as fit around it, and half a sphere has to lose them
+  // all.
   const Surface sphere = Meshes::Icosphere(5);
   for (const double frequency : { 6.0, 12.0 })
   {
@@ -96,7 +97,8 @@ TEST(Stripes, OfARingGainInTheMiddleWhatTheirNumberAtTheBoundaryChangesBy)
   const Surface ring = Ring(160, 40, 0.5, 1.5);
   const StripePattern pattern =
     PatternOf(ring, East(ring), Spaced(1.0 / 8.0, StripeDirection::Across));
-  // Lines run with higher phases to their left: those that begin at the boundary begin at the inner or the outer one.
+  // Lines run with higher phases to their left: those that begin at the boundary begin at the inner
+  // or the outer one.
   int balance = 0;
   for (std::size_t i = 0; i < pattern.Closed.size(); ++i)
   {

@@ -27,7 +27,8 @@ double ErrorOf(Surface surface, Round round)
   return RoundingError(mesh.Positions(surface.Points), mesh.GetComponents()[0]);
 }
 
-/// GCC 12 leaves the rounding out where a number is turned into one of single precision and back at once.
+/// GCC 12 leaves the rounding out where a number is turned into one of single precision and back at
+/// once.
 double Single(double x)
 {
   const volatile auto rounded = static_cast<float>(x);

@@ -166,7 +166,8 @@ TEST(KeptFeatures, OfACubeAreItsEdges)
     const std::vector<char> isFeature = FindFeatures(geometry, settings);
     return std::count(isFeature.begin(), isFeature.end(), 1);
   };
-  // Each edge is one of four. They end at the corners, nowhere freely: however long the shortest is to be.
+  // Each edge is one of four. They end at the corners, nowhere freely: however long the shortest is
+  // to be.
   EXPECT_EQ(count({ true, 40.0, 0.5, 0.0 }), 48);
   EXPECT_EQ(count({ true, 40.0, 0.5, 100.0 }), 48);
   EXPECT_EQ(count({ true, 100.0, 0.5, 0.0 }), 0);

@@ -19,8 +19,8 @@ using namespace Meshes;
 
 namespace
 {
-/// A square of 8 x 8 cells and area 1. Its edges are as sharp as is said, in radians, those inside a little
-/// bent by noise.
+/// A square of 8 x 8 cells and area 1. Its edges are as sharp as is said, in radians, those inside
+/// a little bent by noise.
 class SharpSquare
 {
 public:
@@ -106,7 +106,8 @@ TEST(FeatureChains, ShortOnesAreNoise)
 
 TEST(FeatureChains, GrowTogetherWhereBranchesAreDropped)
 {
-  // The pieces between the branches are too short, and so are the ends; what becomes of the pieces is not.
+  // The pieces between the branches are too short, and so are the ends; what becomes of the pieces
+  // is not.
   SharpSquare square;
   square.Sharpen(
     { { 1, 4 }, { 2, 4 }, { 3, 4 }, { 4, 4 }, { 5, 4 }, { 6, 4 }, { 7, 4 } }, SharpSquare::Blunt);

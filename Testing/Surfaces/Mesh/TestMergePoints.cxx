@@ -248,7 +248,8 @@ TEST(MergePoints, AutomaticLeavesASurfaceThatIsConnectedAlone)
 
 TEST(MergePoints, AutomaticClosesSeams)
 {
-  // A torus cut along two circles, as textures cut it: a grid whose last row and column repeat the first.
+  // A torus cut along two circles, as textures cut it: a grid whose last row and column repeat the
+  // first.
   const Surface torus = Torus(16, 10);
   const auto place = [](Index i, Index j) { return 16 * (j % 10) + i % 16; };
   Surface cut;

@@ -198,8 +198,8 @@ TEST(TriangleMesh, SplitsNonManifoldEdgesIntoSheets)
   const TriangleMesh mesh(fin);
   ExpectConsistent(mesh);
   EXPECT_EQ(mesh.GetRepairs().NonManifoldEdges, 1);
-  // The slit reaches the border in point 1 and ends in the center, point 4: there the square has one
-  // fan, in point 1 two, and the fin has its own.
+  // The slit reaches the border in point 1 and ends in the center, point 4: there the square has
+  // one fan, in point 1 two, and the fin has its own.
   EXPECT_EQ(mesh.GetRepairs().NonManifoldPoints, 2);
   ASSERT_EQ(mesh.GetComponents().size(), 2u);
   EXPECT_EQ(mesh.GetComponents()[0].Vertices(), 10);

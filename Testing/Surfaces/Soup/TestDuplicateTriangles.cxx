@@ -16,8 +16,9 @@ using namespace Meshes;
 
 namespace
 {
-/// Two square sheets of cells^2 squares that share their border, bulged apart: a closed surface. Two of
-/// the corners are cut off by an edge of both sheets, so that the triangles there have the same corners.
+/// Two square sheets of cells^2 squares that share their border, bulged apart: a closed surface.
+/// Two of the corners are cut off by an edge of both sheets, so that the triangles there have the
+/// same corners.
 Surface Pillow(int cells)
 {
   const Surface square = Square(cells);
@@ -136,8 +137,8 @@ TEST(DuplicateTriangles, BackToBackIsOneSheet)
   ExpectInAnyOrder(BackToBack(Disk(1)), { 6, 0, 1, false, 1 });
   // Closed, too: no other sheet goes on from it.
   ExpectInAnyOrder(BackToBack(Tetrahedron()), { 4, 0, 1, true, 2 });
-  // A triangle of a closed surface that is there once more, the other way round, adds nothing. Which of
-  // the two stays is up to the order, and is turned if need be.
+  // A triangle of a closed surface that is there once more, the other way round, adds nothing.
+  // Which of the two stays is up to the order, and is turned if need be.
   Surface once = Icosahedron();
   once.Triangles.push_back(Reversed(once.Triangles[7]));
   const TriangleMesh mesh(once);

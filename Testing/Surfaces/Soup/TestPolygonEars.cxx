@@ -41,8 +41,8 @@ Corners Moved(Corners corners, const Vector3& by)
   return corners;
 }
 
-/// The outline with holes joined to it by bridges, each from the corner of the outline that is given to
-/// the hole's first one; ids of the corners, so that both visits of a place have the same.
+/// The outline with holes joined to it by bridges, each from the corner of the outline that is
+/// given to the hole's first one; ids of the corners, so that both visits of a place have the same.
 struct Keyhole
 {
   Corners Points;
@@ -105,8 +105,8 @@ double AreaOf(const Corners& polygon)
   return area;
 }
 
-/// The triangles cover the polygon once: there are as many as there should be, all are wound as it is and
-/// have areas that add up to its own.
+/// The triangles cover the polygon once: there are as many as there should be, all are wound as it
+/// is and have areas that add up to its own.
 void ExpectCovered(const Corners& corners, const std::vector<Index>& triangles)
 {
   ASSERT_EQ(triangles.size(), 3 * (corners.size() - 2));
@@ -221,7 +221,8 @@ TEST(PolygonEars, KeepHolesOpen)
   Keyhole frame({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 } });
   frame.Cut(0, { { 1, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 }, { 1, 2, 0 } });
   ExpectHoles(frame, 1);
-  // The same turned in space, where lines are straight up to rounding only: no triangle without area.
+  // The same turned in space, where lines are straight up to rounding only: no triangle without
+  // area.
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
   Corners places = frame.Places();
@@ -255,7 +256,8 @@ TEST(PolygonEars, LoopsAtAPlaceAreCutEach)
   triangles = CutEars(corner, false);
   EXPECT_EQ(triangles.size(), 9u);
   EXPECT_NEAR(AreaOf(corner, triangles), 1.5, 1e-12);
-  // A way that leads out and back has no area, a corner that is repeated only a triangle without any.
+  // A way that leads out and back has no area, a corner that is repeated only a triangle without
+  // any.
   const Corners antenna = { { 0, 0, 0 }, { 1, 0, 0 }, { 5, -1, 0 }, { 7, 0, 0 }, { 5, -1, 0 },
     { 1, 0, 0 }, { 1, 1, 0 } };
   triangles = CutEars(antenna, false);
