@@ -21,22 +21,36 @@ function (find_blocks text language output)
   set(${output} "${blocks}" PARENT_SCOPE)
 endfunction ()
 
-# Writes all blocks of a language in the file README into the file OUTPUT.
-function (extract_blocks readme language output)
-  file(READ "${readme}" text)
+# Writes all blocks of a language in a page into the file OUTPUT.
+function (extract_blocks page language output)
+  file(READ "${page}" text)
   find_blocks("${text}" "${language}" blocks)
   file(WRITE "${output}" "${blocks}")
 endfunction ()
 
-# Sets output to what stands in the file README below a heading, up to the next heading of any level.
-function (find_section readme heading output)
-  file(READ "${readme}" text)
+# The same of those below a heading.
+function (extract_blocks_below page heading language output)
+  find_section("${page}" "${heading}" text)
+  find_blocks("${text}" "${language}" blocks)
+  file(WRITE "${output}" "${blocks}")
+endfunction ()
+
+# Sets output to the text of a page below a heading, up to the next heading of any level. Programs have lines that
+# begin with a #, too, but none with a blank behind it.
+function (find_section page heading output)
+  file(READ "${page}" text)
   string(FIND "${text}" "# ${heading}\n" begin)
   if (begin EQUAL -1)
-    message(FATAL_ERROR "${readme} has no heading ${heading}.")
+    message(FATAL_ERROR "${page} has no heading ${heading}.")
   endif ()
   string(SUBSTRING "${text}" ${begin} -1 text)
-  string(FIND "${text}" "\n#" end)
+  string(LENGTH "${text}" end)
+  foreach (mark IN ITEMS "\n# " "\n## " "\n### ")
+    string(FIND "${text}" "${mark}" next)
+    if (next GREATER -1 AND next LESS end)
+      set(end ${next})
+    endif ()
+  endforeach ()
   string(SUBSTRING "${text}" 0 ${end} text)
   set(${output} "${text}\n" PARENT_SCOPE)
 endfunction ()

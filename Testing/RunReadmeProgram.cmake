@@ -1,9 +1,9 @@
-# Builds the C++ program of the README as it stands there, with the package installed in PREFIX, and
+# Builds the C++ program for VTK as it stands on the PAGE for C++, with the package installed in PREFIX, and
 # runs it on MESH.
 include("${CMAKE_CURRENT_LIST_DIR}/ExtractReadme.cmake")
 file(REMOVE_RECURSE "${BUILD}")
-extract_blocks("${README}" cmake "${BUILD}/CMakeLists.txt")
-extract_blocks("${README}" cpp "${BUILD}/app.cxx")
+extract_blocks_below("${PAGE}" "With VTK" cmake "${BUILD}/CMakeLists.txt")
+extract_blocks_below("${PAGE}" "With VTK" cpp "${BUILD}/app.cxx")
 foreach (command IN ITEMS
     "${CMAKE_COMMAND};-S;${BUILD};-B;${BUILD}/build;-G;${GENERATOR};-DCMAKE_PREFIX_PATH=${PREFIX};\
 -DCMAKE_BUILD_TYPE=${CONFIG};-DCMAKE_CXX_COMPILER=${CXX};-DVTK_DIR=${VTK_DIR}"
