@@ -7,7 +7,9 @@ import math
 import random
 
 import extraction
+import integers
 import remeshing
+from integers import Sum
 from meshes import bumpy, icosphere, torus
 from method import (
     PI,
@@ -18,7 +20,7 @@ from method import (
     smallest_eigenpair,
     triangle_area,
 )
-from remeshing import UNIT, Sum, Transition, minus, turned
+from remeshing import UNIT, Transition, minus, turned
 
 
 def is_identity(transition):
@@ -78,7 +80,7 @@ def check_elimination():
     """Random integers in the free variables satisfy all equations, and make integers of the dependent ones."""
     numbers = random.Random(7)
     for _ in range(20):
-        solved = remeshing.Elimination([0] * 2 + [1] * 8)
+        solved = integers.Elimination([0] * 2 + [1] * 8)
         equations = []
         for k in range(5):
             terms = {v: numbers.choice((-4, -3, -2, 2, 3, 4)) for v in numbers.sample(range(2, 10), 3)}
@@ -115,8 +117,8 @@ def check_rounding(grid):
     step = round(x[reals + k]) - x[reals + k]
     matrix, side, at = grid.energy.matrix, grid.energy.side, reals + k
     others = [i for i in range(len(x)) if i != at]
-    fixed = remeshing.solve(
-        remeshing.cholesky([[matrix[i][j] for j in others] for i in others]),
+    fixed = integers.solve(
+        integers.cholesky([[matrix[i][j] for j in others] for i in others]),
         [side[i] - matrix[i][at] * (x[at] + step) for i in others],
     )
     for i, value in zip(others, fixed):

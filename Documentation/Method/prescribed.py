@@ -7,8 +7,9 @@ of angles at the vertices.
 import cmath
 import math
 
+from integers import cholesky, solve
 from method import PI, corner_angle, edge_rotations, singularity_indices
-from remeshing import JoinedSets, cholesky, solve
+from remeshing import JoinedSets
 
 
 class Forms:
