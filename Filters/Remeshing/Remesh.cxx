@@ -188,8 +188,8 @@ struct FinishedMesh
   Index OpenSeams = 0;
 };
 
-/// Joins the components along the seams, and improves the faces as the policy says. Returns nothing
-/// where triangles remain although only quads are wanted.
+/// Joins the components along the seams, and improves the faces as the policy says. Returns no mesh
+/// if triangles remain although only quads are wanted.
 std::optional<FinishedMesh> Finish(const Request& request, const FeatureLines& features,
   std::vector<ExtractedMesh>& extracted, const Progress& progress)
 {

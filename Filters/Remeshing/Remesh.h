@@ -22,7 +22,7 @@ class PreparedField;
 struct WantedSizes;
 }
 
-/// The faces of a mesh to be made.
+/// The faces of the new mesh.
 enum class Element
 {
   /// Quads, along a field of degree 4.
@@ -31,7 +31,7 @@ enum class Element
   Triangles = 1
 };
 
-/// What the user asks of a new mesh. The defaults stand here and nowhere else.
+/// The options of a new mesh. The defaults stand here and nowhere else.
 struct RemeshOptions
 {
   DirectionFields::Element Element = DirectionFields::Element::Quads;
@@ -41,18 +41,20 @@ struct RemeshOptions
   bool UseEdgeLength = false;
   /// Wanted length of the edges, in the unit of the surface. Above 0.
   double EdgeLength = 1.0;
-  /// Wanted length of the edges at each point relative to elsewhere; empty for the same everywhere. Values
-  /// are clamped to 1/8 ... 8, what is no positive number counts as 1.
+  /// Wanted length of the edges at each point relative to elsewhere; empty for the same everywhere.
+  /// Values are clamped to 1/8 ... 8; values that are no positive numbers count as 1.
   std::vector<double> Sizing;
-  /// Only quads: triangles are joined in pairs with the quads between them. Where that cannot be, and without smoothing, a
-  /// mesh of twice the edge length is made, and each of its faces split into quads.
+  /// Only quads: triangles are joined in pairs with the quads between them. Where that is not
+  /// possible, and without smoothing, a mesh of twice the edge length is made, and each of its
+  /// faces split into quads.
   bool PureQuads = false;
   /// Sharp edges become edges of the new mesh. The boundary always does.
   bool KeepFeatures = true;
   /// As in Options. Angles of coarse round surfaces should not pass for features.
   double FeatureAngle = 40.0;
   double MinimumFeatureLength = 0.5;
-  /// Steps in which vertices move so that faces become regular. 0 leaves them on the grid. Range 0 to 1000.
+  /// Steps in which vertices move so that faces become regular. 0 leaves them on the grid. Range 0
+  /// to 1000.
   int SmoothingIterations = 12;
   /// As in Options.
   int NumberOfThreads = 0;
@@ -61,7 +63,7 @@ struct RemeshOptions
 /// Throws std::invalid_argument, its text a sentence for the user, for options out of range.
 void Check(const RemeshOptions& options, std::size_t points);
 
-/// What a vertex of the new mesh stands for.
+/// The role of a vertex of the new mesh.
 enum class VertexKind : signed char
 {
   Surface = 0,
@@ -99,7 +101,7 @@ struct RemeshResult
   Index Triangles = 0;
   /// Largest distance of a middle of a face from the surface, in its unit.
   double MaximumDistance = 0.0;
-  /// V - E + F of the surface, mended, and of the mesh.
+  /// V - E + F of the repaired surface and of the mesh.
   int EulerCharacteristicBefore = 0;
   int EulerCharacteristicAfter = 0;
   /// The length of edges that was asked for.
@@ -110,8 +112,9 @@ struct RemeshResult
   bool Aborted = false;
 };
 
-/// Makes meshes of quads or triangles that follow a direction field. What does not depend on the wanted size
-/// is kept for the next mesh. Two threads may not use one object at once.
+/// Makes meshes of quads or triangles that follow a direction field. Everything that does not
+/// depend on the wanted size is cached for the next mesh. Two threads may not use one object at the
+/// same time.
 class Remesh
 {
 public:
@@ -122,16 +125,17 @@ public:
   Remesh& operator=(Remesh&&) noexcept;
 
   /// Throws MeshError for a surface that cannot be processed, and std::invalid_argument.
-  /// @param directions any of the directions of a field of degree 4 (6 for triangles) at each point of the
-  ///                   surface; empty to compute the field that is smoothest along boundary and features
+  /// @param directions any of the directions of a field of degree 4 (6 for triangles) at each point
+  ///                   of the surface; empty to compute the field that is smoothest along boundary
+  ///                   and features
   RemeshResult Compute(const RemeshOptions& options, const std::vector<Vector3>& directions = {},
     const ProgressFunction& progress = {});
 
-  /// What is being done at a fraction of the progress, in words for the user.
+  /// The step of the computation at a fraction of the progress, in words for the user.
   static const char* StepAt(double done);
 
 private:
-  /// Makes a mesh with one policy. Returns false where that leaves triangles although only quads are
+  /// Makes a mesh with one policy. Returns false if triangles remain although only quads are
   /// wanted. Throws Stopped.
   bool Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     Internal::QuadPolicy policy, const Progress& progress, RemeshResult& result);

@@ -23,8 +23,8 @@ bool Joins(JoinedSets& sets, Index a, Index b)
 }
 }
 
-/// The shortest paths over the triangles of a component from the nearest source: cones, stars of frameless
-/// vertices, loops of the boundary.
+/// The shortest paths over the triangles of a component from the nearest source: cones, stars of
+/// frameless vertices, loops of the boundary.
 struct CutGraph::Search
 {
   Search(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,

@@ -67,7 +67,7 @@ struct CutMesh::Builder
   const CutGraph& Jumps;
   double Unit;
   CutMesh& Out;
-  /// Where the half-edges of the component are in the charted mesh.
+  /// The half-edges of the component in the cut mesh.
   std::vector<Index> Image;
 
   Index Local(Index vertex) const { return vertex - this->Part.FirstVertex; }

@@ -27,8 +27,9 @@ struct SymbolicTransition
   bool IsIdentity() const { return this->Turn == 0 && this->Jumps.empty(); }
 };
 
-/// A component with a vertex in the middle of each cone, and a chart for every triangle: all that is needed
-/// to set up the map. Vertices are the component's, counted from its first one, then those of the cones.
+/// A component with a vertex in the middle of each cone, and a chart for every triangle: everything
+/// needed to set up the map. Vertices are the component's, counted from its first one, then the
+/// cones'.
 struct CutMesh
 {
   /// @param section of the field, over the vertices of the mesh; places the cones
@@ -41,9 +42,10 @@ struct CutMesh
     Triangle Vertex;
     /// From the chart of each corner's vertex to that of the triangle.
     std::array<SymbolicTransition, 3> Corner;
-    /// Edge c runs from corner c to the next: what its coordinates should increase by in the triangle's
-    /// chart, in the input's unit of length; half the cotangent of the angle opposite; the half-edge on
-    /// the other side, or None; the number of the feature that it is part of, from 1 on, or 0.
+    /// Edge c runs from corner c to the next one. Target: the wanted increase of the coordinates
+    /// along it in the triangle's chart, in the input's unit of length. Weight: half the cotangent
+    /// of the opposite angle. Twin: the half-edge on the other side, or None. Feature: the number
+    /// of its feature, from 1 on, or 0.
     std::array<Complex, 3> Target;
     std::array<double, 3> Weight;
     std::array<Index, 3> Twin;
@@ -54,13 +56,13 @@ struct CutMesh
   struct Cone
   {
     Index Vertex;
-    /// From the chart of the first triangle once around the cone and back to it: its own coordinates are
-    /// the fixed point.
+    /// From the chart of the first triangle once around the cone and back to it: the coordinates of
+    /// the cone are its fixed point.
     SymbolicTransition Holonomy;
   };
 
-  /// A feature edge: its two ends have the same second coordinate once zeta^-Axis is applied in the chart of
-  /// the triangle.
+  /// A feature edge: its two ends have the same second coordinate once zeta^-Axis is applied in the
+  /// chart of the triangle.
   struct IsolineEdge
   {
     Index Triangle;
@@ -77,7 +79,8 @@ struct CutMesh
   std::vector<IsolineEdge> Isolines;
   /// The unknown jumps.
   Index NumberOfJumps;
-  /// The index of each vertex that is a cone, 0 elsewhere; whether it has no frame because of features.
+  /// The singularity index of each vertex that is a cone, 0 elsewhere; whether features leave a
+  /// vertex without a frame.
   std::vector<int> ConeIndex;
   std::vector<char> IsCorner;
   /// Vertices with one feature, or more than two, or with features of different axes.

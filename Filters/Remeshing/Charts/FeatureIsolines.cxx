@@ -28,7 +28,7 @@ public:
   std::vector<FeatureIsoline> FollowAll()
   {
     std::vector<FeatureIsoline> stretches;
-    // Stretches between lattice points, then closed ones.
+    // Isolines between grid points, then closed ones.
     for (const bool fromPoints : { true, false })
     {
       for (std::size_t v = 0; v < this->EdgesAt.size(); ++v)

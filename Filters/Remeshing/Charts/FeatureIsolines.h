@@ -10,11 +10,11 @@
 
 namespace DirectionFields::Internal
 {
-/// Edges of features one after the other, from a vertex that is a lattice point to the next one, or all
-/// around where there is none.
+/// Consecutive edges of a feature, from one grid point to the next, or the whole loop if there is
+/// no grid point on it.
 struct FeatureIsoline
 {
-  /// Isoline of a charted mesh, and whether the stretch runs from its head to its tail.
+  /// An isoline of a cut mesh, and whether it is traversed from its head to its tail.
   struct Step
   {
     std::size_t Isoline;
@@ -29,8 +29,8 @@ inline Index EndOf(const CutMesh& mesh, const CutMesh::IsolineEdge& edge, bool a
   return mesh.Triangles[edge.Triangle].Vertex[(edge.Corner + (atHead ? 1 : 0)) % 3];
 }
 
-/// Every isoline edge belongs to one stretch. Takes time linear in the mesh.
-/// @param isPoint not 0 for vertices that are lattice points
+/// Every isoline edge belongs to one feature isoline. Takes time linear in the mesh.
+/// @param isPoint not 0 for vertices that are grid points
 std::vector<FeatureIsoline> FindFeatureIsolines(
   const CutMesh& mesh, const std::vector<char>& isPoint);
 }

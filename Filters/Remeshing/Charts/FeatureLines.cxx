@@ -10,8 +10,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Calls visit(h, reversed) for the edges at a vertex counter-clockwise, each with a half-edge of it, and
-/// whether that runs towards the vertex, as that of the last edge of a boundary vertex does.
+/// Calls visit(h, reversed) for the edges at a vertex counter-clockwise, each with one of its
+/// half-edges, and whether that one runs towards the vertex, as for the last edge of a boundary
+/// vertex.
 template <typename Visit>
 void ForEdgesAt(const TriangleMesh& mesh, Index vertex, const Visit& visit)
 {
@@ -61,8 +62,8 @@ std::vector<char> WithBoundary(const TriangleMesh& mesh, const std::vector<char>
   return features;
 }
 
-/// Whether two features at an interior vertex go on straight, to the nearest multiple of 2 pi / n. Angles
-/// are those on the surface, not scaled.
+/// Whether two features at an interior vertex are opposite, to the nearest multiple of 2 pi / n.
+/// Angles are the surface's, not scaled.
 bool GoesStraight(
   const IntrinsicGeometry& geometry, int degree, const std::vector<char>& isFeature, Index vertex)
 {
@@ -86,7 +87,7 @@ struct LiftedDirections
   /// In units of 2 pi / n.
   std::vector<double> Direction;
   std::vector<double> Length;
-  /// What the frame has been turned by where the step has its axis, in units of 2 pi / n.
+  /// The turn of the frame where the step has its axis, in units of 2 pi / n.
   std::vector<int> Turned;
 };
 
@@ -286,7 +287,7 @@ void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldMatchi
     const Index c = component[Start(mesh, chain.Steps.front())];
     LiftedDirections lifted;
     int turned = 0;
-    // A closed chain is walked three times: what the window sees is the same all around, then.
+    // A closed chain is walked three times, so that the window is complete all around.
     const std::size_t count = chain.Steps.size();
     const std::size_t rounds = chain.IsClosed ? 3 : 1;
     for (std::size_t i = 0; i < rounds * count; ++i)

@@ -10,10 +10,11 @@
 
 namespace DirectionFields::Internal
 {
-/// Vertices where features end, meet or turn so that no one frame fits all of them, as a corner of a cube:
-/// the interior vertices with features that are not two in the opposite directions, to the nearest
-/// multiple of 2 pi / n. Those of the boundary are none, their angles being unscaled.
-/// @param isFeature not 0 for edges that are features; those of the boundary count anyway
+/// Vertices where features end, meet or turn so that no single frame fits all of them, as at the
+/// corners of a cube: the interior vertices at which features are not exactly two in opposite
+/// directions, to the nearest multiple of 2 pi / n. Boundary vertices are never such corners: their
+/// angles are not rescaled.
+/// @param isFeature not 0 for edges that are features; boundary edges always count
 std::vector<char> FramelessVertices(
   const IntrinsicGeometry& geometry, int degree, const std::vector<char>& isFeature);
 
@@ -27,15 +28,15 @@ void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
 struct FeatureLines
 {
   /// No two neighbours may be frameless.
-  /// @param isFeature   not 0 for edges that are features; those of the boundary count anyway
+  /// @param isFeature   not 0 for edges that are features; boundary edges always count
   /// @param isFrameless of each vertex
-  /// @param window      length over which the direction of a curve is averaged before it is rounded to one
-  ///                    of the field, in the input's unit; of each component
+  /// @param window      length over which the direction of a curve is averaged before it is rounded
+  ///                    to one of the field, in the input's unit; of each component
   FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& charts,
     const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
     const std::vector<double>& window);
 
-  /// One feature edge after the other, from one end of a half-edge to the other or the other way round.
+  /// A feature edge of a chain, traversed along its half-edge or against it.
   struct Step
   {
     Index HalfEdge;
@@ -51,12 +52,13 @@ struct FeatureLines
   std::vector<char> IsFeature;
   /// The number of the chain that an edge belongs to, from 1 on; 0 elsewhere.
   std::vector<Index> Line;
-  /// k of each feature edge: it runs along zeta^k in the chart of Base, to the nearest axis. It counts in the
-  /// direction of the edge.
+  /// k of each feature edge: it runs along zeta^k in the chart of Base, to the nearest axis. Its
+  /// sign refers to the direction of the edge.
   std::vector<int> Axis;
   /// That end of a feature edge whose chart the axis is of: its tail unless that is frameless.
   std::vector<Index> Base;
-  /// Not 0 for vertices of features that are to be lattice points whatever the features do there; empty for none.
+  /// Not 0 for vertices of features that have to be grid points regardless of the features there;
+  /// empty for none.
   std::vector<char> IsEnd;
   /// They end where features end, meet, or have no frame.
   std::vector<Chain> Chains;

@@ -10,8 +10,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A chart at every vertex, in which direction 0 of the field is the real axis, and how the charts at the
-/// two ends of an edge turn into each other: the matching of the field.
+/// A chart at every vertex, in which direction 0 of the field is the real axis, and the rotations
+/// between the charts at the two ends of every edge: the matching of the field.
 struct FieldMatching
 {
   /// @param section of the degree, over the vertices; where it vanishes any direction will do
@@ -20,17 +20,18 @@ struct FieldMatching
   int Degree;
   /// Angle of direction 0 at each vertex, in (-pi / n, pi / n].
   std::vector<double> Angle;
-  /// m of each edge i -> j in its direction: zeta^m times what the chart of j says is what that of i says.
-  /// 0 ... n - 1.
+  /// m of each edge i -> j in its direction, 0 ... n - 1: a direction z in the chart of j is zeta^m
+  /// z in the chart of i.
   std::vector<int> Matching;
-  /// By how much the directions so matched still differ, radians: the angle of the edge in the chart of i
-  /// minus 2 pi m / n minus that in the chart of j. At most pi / n.
+  /// The remaining difference between matched directions, radians: the angle of the edge in the
+  /// chart of i minus 2 pi m / n minus its angle in the chart of j. At most pi / n in absolute
+  /// value.
   std::vector<double> Remainder;
-  /// Singularity index of each triangle, as SingularityIndices; minus the sum of the matchings around it,
-  /// modulo n.
+  /// Singularity index of each triangle, as SingularityIndices: minus the sum of the matchings
+  /// around it, modulo n.
   std::vector<int> SingularityIndex;
 
-  /// m and the remainder along a half-edge, whichever way it runs.
+  /// m and the remainder along a half-edge, in either direction.
   int MatchingAlong(const TriangleMesh& mesh, Index h) const
   {
     const int m = this->Matching[mesh.Edge(h)];

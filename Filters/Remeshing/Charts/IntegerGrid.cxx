@@ -42,7 +42,7 @@ bool IntegerGrid::IsInCircle(
   }
   if (largest >= CircleRange)
   {
-    // No triangle that the mesh keeps is as large; the mesh is valid whatever the answer is.
+    // No triangle that the mesh keeps is as large; the mesh is valid for any answer.
     return false;
   }
   std::array<Wide, 3> squares{};

@@ -10,8 +10,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A point a + b zeta of the plane, zeta = exp(2 pi i / n), in fixed-point numbers: multiples of
-/// 1 / IntegerGrid::Unit. It is a lattice point where both are multiples of IntegerGrid::Unit.
+/// A point a + b zeta of the plane, zeta = exp(2 pi i / n), in fixed-point numbers: multiples of 1
+/// / IntegerGrid::Unit. It is a grid point where both are multiples of IntegerGrid::Unit.
 struct GridPoint
 {
   std::int64_t A = 0;
@@ -38,7 +38,7 @@ struct Transition
 {
   /// 0 ... n - 1
   int Turn = 0;
-  /// A lattice point.
+  /// A grid point.
   GridPoint Shift;
 
   friend bool operator==(const Transition& s, const Transition& t)
@@ -47,14 +47,14 @@ struct Transition
   }
 };
 
-/// The lattice Z[zeta] of the squares (degree 4) or of the equilateral triangles (degree 6) of side 1, and
-/// decisions about its plane that are exact: no rounding makes two triangles of a map disagree.
+/// The integer grid Z[zeta] of the squares (degree 4) or of the equilateral triangles (degree 6) of
+/// side 1, and exact predicates on its plane: no rounding makes two triangles of a map disagree.
 class IntegerGrid
 {
 public:
   static constexpr int Bits = 18;
   static constexpr std::int64_t Unit = std::int64_t(1) << Bits;
-  /// Coordinates have a smaller modulus, in units of the lattice.
+  /// The modulus of coordinates is smaller than this, in units of the grid.
   static constexpr double Range = 1048576.0;
 
   /// @param degree 4 or 6
@@ -93,7 +93,7 @@ public:
     return { this->Wrapped(-t.Turn), -this->Turned(t.Shift, -t.Turn) };
   }
 
-  /// As a complex number, in units of the lattice.
+  /// As a complex number, in units of the grid.
   Complex Place(const GridPoint& p) const
   {
     return this->Combined(static_cast<double>(p.A) / Unit, static_cast<double>(p.B) / Unit);

@@ -10,9 +10,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Flips edges until the interior edges without feature between triangles that lie the right way round are
-/// Delaunay in the lattice's plane. No flip joins vertices that are joined already.
-/// @param edges half-edges to look at first; is used up
+/// Flips edges until all interior edges that are no features and lie between two positive triangles
+/// are Delaunay in the plane of the grid. No flip joins two vertices that are already joined.
+/// @param edges half-edges to start from; is used up
 void MakeDelaunay(ExtractionMesh& mesh, std::vector<Index>& edges);
 }
 

@@ -9,7 +9,7 @@ namespace DirectionFields::Internal
 {
 void SplitDoubleEdges(ExtractionMesh& mesh)
 {
-  // The half-edge from the vertex that is looked at to each other one.
+  // The half-edge from the current vertex to each other one.
   std::vector<Index> edgeTo(mesh.GetNumberOfVertices(), None);
   std::vector<Index> star;
   const Index vertices = mesh.GetNumberOfVertices();

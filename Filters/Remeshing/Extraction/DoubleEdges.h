@@ -8,8 +8,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Where several edges join the same two vertices, as those of a fin that touches itself along an edge do, puts a
-/// vertex on all of them but one: faces are told by their corners in the mesh to come, and so are its edges.
+/// Where several edges join the same two vertices, as in a fin that touches itself along an edge,
+/// puts a vertex on all of them but one: in the extracted mesh faces and edges are identified by
+/// their corners.
 void SplitDoubleEdges(ExtractionMesh& mesh);
 }
 

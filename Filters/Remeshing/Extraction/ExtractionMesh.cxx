@@ -363,7 +363,7 @@ void ExtractionMesh::RemoveVertex(Index v, const Layout& layout,
   }
   if (triangles.empty())
   {
-    // A single triangle at the boundary: what was behind it is the boundary now.
+    // A single triangle at the boundary: the edge behind it is on the boundary now.
     const Index outer = sides.front().Twin;
     this->Link(outer, None, {});
     this->Features[outer] = feature;
@@ -383,7 +383,8 @@ bool ExtractionMesh::MayCollapse(Index h) const
   {
     return false;
   }
-  // The only common neighbours are the two corners opposite of the edge, which keep a third triangle.
+  // The only common neighbours are the two corners opposite of the edge, which keep a third
+  // triangle.
   std::vector<Index> other;
   this->GetStar(w, other);
   std::vector<Index> neighbours;

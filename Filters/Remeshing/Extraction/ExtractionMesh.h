@@ -10,11 +10,12 @@
 
 namespace DirectionFields::Internal
 {
-/// A triangle mesh with lattice coordinates at every corner, that changes by local operations, none of which
-/// changes its topology: points are inserted, edges flipped, vertices removed. Every triangle has a chart of
-/// its own; transitions lead from one to the next, and every operation carries them along exactly.
+/// A triangle mesh with grid coordinates at every corner. It is changed by local operations that
+/// keep its topology: vertices are inserted, edges flipped, vertices removed. Every triangle has a
+/// chart of its own; transitions lead from one to the next, and every operation carries them along
+/// exactly.
 ///
-/// Half-edge 3 t + c runs from corner c of triangle t to the next. Triangles that were removed have the
+/// Half-edge 3 t + c runs from corner c of triangle t to the next. Removed triangles have the
 /// corners None.
 class ExtractionMesh
 {
@@ -47,10 +48,10 @@ public:
              this->Places[3 * t], this->Places[3 * t + 1], this->Places[3 * t + 2]) > 0;
   }
 
-  /// What a vertex is for the mesh to come.
+  /// The role of a vertex in the extracted mesh.
   struct Role
   {
-    /// It is to stay: a lattice point.
+    /// It stays as a vertex: a grid point.
     bool IsKept = false;
     /// The charts around it do not close up, or it stands for a singularity.
     bool IsCone = false;
@@ -71,7 +72,8 @@ public:
   struct Layout
   {
     std::vector<Index> Star;
-    /// The neighbours counter-clockwise, and where they are. On the boundary there is one more than triangles.
+    /// The neighbours counter-clockwise, and their coordinates. On the boundary there is one more
+    /// than triangles.
     std::vector<Index> Ring;
     std::vector<GridPoint> Places;
     /// From the chart of each triangle.
@@ -83,19 +85,19 @@ public:
   };
   void LayOut(Index v, Layout& layout) const;
 
-  /// Puts the other diagonal in the place of an interior edge: h then runs from the corner opposite of its
+  /// Replaces an interior edge by the other diagonal: h then runs from the corner opposite of its
   /// twin to its own opposite corner.
   void Flip(Index h);
   /// Puts a vertex on an edge, at coordinates in the chart of the half-edge's triangle. Returns it.
   Index SplitEdge(Index h, GridPoint place, const Vector3& position);
   /// Puts a vertex inside a triangle.
   Index SplitTriangle(Index t, GridPoint place, const Vector3& position);
-  /// Puts triangles between the vertices of a ring, counter-clockwise by their places in it, in the place
-  /// of those around a vertex. One edge between two places of the ring, or None, is a feature from then on. On the
-  /// boundary the last place and the first one are joined by the new boundary.
+  /// Replaces the triangles around a vertex by these, whose corners are places in the ring,
+  /// counter-clockwise. One edge between two places of the ring, unless None, becomes part of the
+  /// feature. On the boundary the new boundary edge joins the last place and the first one.
   void RemoveVertex(Index v, const Layout& layout, const std::vector<Triangle>& triangles,
     std::array<Index, 2> ends, Index feature, std::vector<Index>& changed);
-  /// Makes the tail of a half-edge and its head one, whose coordinates are the same; the head stays.
+  /// Merges the tail of a half-edge into its head, which has the same coordinates and stays.
   void Collapse(Index h);
   /// Whether the mesh stays one of simple triangles then.
   bool MayCollapse(Index h) const;

@@ -9,8 +9,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Of two lattice points at the same place in the ring of a vertex that could not be removed, one is not to
-/// be kept. Near a cone or corner only that counts: others may lie on different sheets.
+/// Of two grid points at the same place in the ring of a vertex that could not be removed, one need
+/// not stay. Near a cone or corner only grid points at its own place are given up: others may lie
+/// on different sheets.
 bool TakeBack(ExtractionMesh& mesh, Index v, ExtractionMesh::Layout& layout)
 {
   mesh.LayOut(v, layout);
@@ -73,7 +74,8 @@ bool CollapseZeroEdges(ExtractionMesh& mesh)
     }
     const Index v = mesh.Tail(h);
     const Index w = mesh.Head(h);
-    // A vertex that is not kept goes; of two cones the one that may.
+    // A vertex that is no grid point is merged into the other one; of two cones the one that may
+    // move.
     const auto rank = [&](Index u)
     {
       const ExtractionMesh::Role& role = mesh.GetRole(u);
@@ -85,7 +87,8 @@ bool CollapseZeroEdges(ExtractionMesh& mesh)
     { return k != None && MayMove(mesh, k) && mesh.MayCollapse(k); };
     if (!isPossible(edge))
     {
-      // A cone beside a feature moves onto it, but not onto the boundary, where faces would get worse.
+      // A cone beside a feature moves onto it, but not onto the boundary, where faces would get
+      // worse.
       edge = edge == h ? twin : h;
       if (!isPossible(edge) || mesh.IsBoundary(mesh.Head(edge)))
       {

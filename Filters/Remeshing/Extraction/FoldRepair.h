@@ -8,9 +8,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Where a map folds, a lattice point may have been inserted more than once, and cones may have been rounded
-/// to the same place. This takes such lattice points back, and makes vertices one that edges without
-/// length join, so that more vertices can be removed. Returns whether anything was done.
+/// Where a map folds, a grid point may have been inserted more than once, and cones may have been
+/// rounded to the same place. Such grid points are given up, and vertices that are joined by edges
+/// without length become one, so that more vertices can be removed. Returns whether anything was
+/// changed.
 bool RepairFolds(ExtractionMesh& mesh);
 }
 

@@ -18,7 +18,7 @@ std::int64_t FloorOf(std::int64_t x)
   return x >> IntegerGrid::Bits;
 }
 
-/// Puts the lattice points of a feature edge on it, from its tail on.
+/// Puts the grid points of a feature edge on it, from its tail on.
 void SplitFeature(ExtractionMesh& mesh, Index h)
 {
   const IntegerGrid& plane = mesh.GetPlane();
@@ -60,7 +60,7 @@ void SplitFeature(ExtractionMesh& mesh, Index h)
   }
 }
 
-/// Puts the lattice points inside of a triangle into it, and onto its edges.
+/// Puts the grid points inside of a triangle into it, and onto its edges.
 class TriangleFiller
 {
 public:
@@ -85,7 +85,7 @@ public:
     for (std::int64_t b = FloorOf(lowB + IntegerGrid::Unit - 1); b * IntegerGrid::Unit <= highB;
          ++b)
     {
-      // Of a row only what is between the sides: a sliver across the lattice has few points.
+      // Of a row only the part between the sides: a sliver across the grid has few points.
       std::int64_t from = highA;
       std::int64_t to = lowA;
       this->RowRange(p, b * IntegerGrid::Unit, from, to);
@@ -163,8 +163,8 @@ private:
     GridPoint Place;
     Vector3 Position;
   };
-  /// As good as random, one number for each place (G. Steele et al.: Fast Splittable Pseudorandom Number
-  /// Generators, 2014).
+  /// As good as random, one number for each place (G. Steele et al.: Fast Splittable Pseudorandom
+  /// Number Generators, 2014).
   static std::uint64_t Mixed(const GridPoint& place)
   {
     std::uint64_t x = static_cast<std::uint64_t>(place.A) * 0x9e3779b97f4a7c15u +
@@ -174,7 +174,7 @@ private:
     return x ^ (x >> 31);
   }
 
-  /// A triangle that was a part once: where its corners are, and the parts that it has been cut into.
+  /// A triangle that was once a part: its corners, and the parts that it was cut into.
   struct Part
   {
     std::array<GridPoint, 3> Places;
@@ -213,7 +213,8 @@ private:
       IntegerGrid::Orientation(part.Places[1], part.Places[2], place) >= 0 &&
       IntegerGrid::Orientation(part.Places[2], part.Places[0], place) >= 0;
   }
-  /// Goes down to the part that a point is in: in random order that takes about the logarithm of the points.
+  /// Descends to the part that contains a point: with points in random order that takes about the
+  /// logarithm of their number.
   Index Locate(const GridPoint& place) const
   {
     Index at = 0;
@@ -279,12 +280,13 @@ private:
     }
   }
 
-  /// So many points are searched for just as quickly in any order.
+  /// This number of points is searched for just as quickly in any order.
   static constexpr std::size_t FewPoints = 8;
   ExtractionMesh& Mesh;
   /// The first one is the whole triangle.
   std::vector<Part> Parts;
-  /// The triangle that is filled, which stays the number of one part, and those that have come after.
+  /// The triangle that is being filled, whose number stays with one part, and the triangles that
+  /// were added after it.
   Index FirstTriangle = None;
   Index FirstPart = 0;
   Index FirstNew = 0;

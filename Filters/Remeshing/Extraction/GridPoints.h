@@ -8,10 +8,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Puts a vertex at every lattice point that the map of a mesh meets: on the features, and inside of the
-/// triangles that lie the right way round and on their edges. Vertices that are at one already are kept.
-/// Then the mesh is made Delaunay in the lattice's plane: what is bounded by four lattice points becomes two
-/// halves of a unit square (of three, a unit triangle).
+/// Puts a vertex at every grid point in the image of a map: on the features, and inside and on the
+/// edges of positive triangles. Existing vertices at grid points are marked to stay. Then the mesh
+/// is made Delaunay in the plane of the grid: four grid points around an empty square become the
+/// corners of two halves of it, three around an empty triangle those of a unit triangle.
 void InsertGridPoints(ExtractionMesh& mesh);
 }
 

@@ -48,8 +48,8 @@ ExtractedMesh Unchanged(
   return out;
 }
 
-/// Removes vertices and repairs folds in turn, until neither changes anything. Returns the number of
-/// vertices that are no grid points and could not be removed.
+/// Removes vertices and repairs folds in turn, until neither changes anything. Returns the number
+/// of vertices that are no grid points and could not be removed.
 Index Reduce(ExtractionMesh& cells, const Progress& progress)
 {
   VertexRemoval removal(cells);

@@ -52,7 +52,8 @@ struct ExtractedMesh
   Index Cones = 0;
 };
 
-/// The faces of a component: the cells of its map, or its triangles if it has no map. Throws Stopped.
+/// The faces of a component: the cells of its map, or its triangles if it has no map. Throws
+/// Stopped.
 ExtractedMesh ExtractMesh(
   const SurfaceGeometry& geometry, const ComponentMap& map, const Progress& progress = {});
 }

@@ -10,7 +10,7 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The edge is the diagonal of a unit square of the lattice.
+/// The edge is the diagonal of a unit square of the grid.
 bool IsHypotenuse(const ExtractionMesh& mesh, Index h)
 {
   const Index g = mesh.Twin(h);
@@ -88,11 +88,12 @@ public:
       this->Mesh.Head(h), this->Mesh.Tail(ExtractionMesh::Previous(h)) };
   }
 
-  /// Joins a triangle that is left over with another one by way of few quads between them, whose triangles are
-  /// joined anew: an alternating path, as short as can be.
+  /// Joins an unpaired triangle with another one along few quads between them, whose triangles are
+  /// paired differently: a shortest alternating path.
   void Augment(Index first, const std::vector<Vector3>& points)
   {
-    // The half-edge over which each triangle on the way would be joined, and what had its partner before.
+    // The half-edge over which each triangle of the path would be joined, and the triangle whose
+    // partner it was before.
     struct Visit
     {
       Index Triangle;
@@ -153,7 +154,7 @@ private:
     this->FacesAt[this->Mesh.Tail(h)] += change;
     this->FacesAt[this->Mesh.Head(h)] += change;
   }
-  /// Joins over these edges what was joined otherwise, unless that leaves a vertex with too few faces.
+  /// Pairs the triangles along these edges, unless that leaves a vertex with too few faces.
   bool Follow(const std::vector<Index>& path)
   {
     std::vector<Index> before;

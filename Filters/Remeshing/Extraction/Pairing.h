@@ -9,12 +9,13 @@
 
 namespace DirectionFields::Internal
 {
-/// Joins the triangles of a cell mesh of degree 4 in pairs: first the two halves of every unit square of the
-/// lattice, then others where that makes good quads, best first. No feature is taken out, and no vertex is left with
-/// two faces in the interior. For degree 6 the triangles are the faces.
+/// Joins the triangles of an extraction mesh of degree 4 in pairs: first the two halves of every
+/// unit square of the grid, then other pairs that make good quads, best first. Feature edges stay,
+/// and no interior vertex keeps fewer than three faces. For degree 6 the triangles are the faces.
 Faces PairTriangles(const ExtractionMesh& mesh);
 
-/// Quads of less quality than this are not made of triangles that are no cell of the lattice.
+/// Triangles that are not halves of a unit square are joined only to quads of at least this
+/// quality.
 constexpr double LeastQuality = 0.15;
 }
 

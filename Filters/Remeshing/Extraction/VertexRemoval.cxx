@@ -167,7 +167,8 @@ void VertexRemoval::FindJoined()
   }
 }
 
-/// Whether no vertex is twice in the ring, and the star is not all but one triangle of a tetrahedron.
+/// Whether no vertex is twice in the ring, and the star is not all but one triangle of a
+/// tetrahedron.
 bool VertexRemoval::IsSimple()
 {
   std::vector<Index> ring = this->Star.Ring;
@@ -304,7 +305,7 @@ Index VertexRemoval::RemoveAll(Mode mode)
       left.push_back(v);
     }
   }
-  // What could not be removed is tried again where something has changed around it.
+  // A vertex that could not be removed is tried again after a change around it.
   std::vector<char> isDue(this->Mesh.GetNumberOfVertices(), 1);
   bool hasChanged = true;
   while (hasChanged)

@@ -10,9 +10,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Removes the vertices of a cell mesh that are not kept, one after the other, each by another triangulation
-/// of the polygon around it. That cannot change the topology, whatever the map is like; where the map is
-/// good, what is left is the triangulation of the lattice points, and where it folds, vertices stay.
+/// Removes the vertices of an extraction mesh that need not stay, one after the other, each by
+/// another triangulation of the polygon around it. That cannot change the topology for any map.
+/// Where the map is good the result is the triangulation of the grid points; where it folds,
+/// vertices remain.
 class VertexRemoval
 {
 public:
@@ -23,18 +24,18 @@ public:
 
   enum class Mode
   {
-    /// All new triangles lie the right way round in the lattice's plane.
+    /// All new triangles are positive in the plane of the grid.
     Strict,
-    /// They do so in space, seen along the mean normal of those that go, and there are not more than before
-    /// that lie the wrong way round in the plane.
+    /// The new triangles are positive in space, seen along the mean normal of the removed ones, and
+    /// no more of them than before are flipped in the plane.
     Relaxed,
-    /// As Strict, but triangles may have no area, as those between vertices at the same place do. For vertices
-    /// with such neighbours only, so that these can become one.
+    /// As Strict, but triangles may have no area, as between vertices at the same place. Only for
+    /// vertices with such neighbours, so that these can be merged.
     Joining
   };
 
-  /// Removes what can be, in the order of the numbers, until nothing changes. Returns how many are left that
-  /// are not kept.
+  /// Removes all possible vertices, in the order of their numbers, until nothing changes. Returns
+  /// the number of vertices that should be removed but remain.
   Index RemoveAll(Mode mode);
   /// Removes one vertex. Returns whether it could be.
   bool Remove(Index v, Mode mode);
@@ -44,7 +45,8 @@ public:
 private:
   /// The quality of a triangle of the ring, or -1 where it is not allowed.
   double QualityOf(int i, int j, int k, Mode mode) const;
-  /// Triangulates the polygon of these places in the ring, the edge from the last to the first given.
+  /// Triangulates the polygon of these places in the ring; the edge from the last to the first is
+  /// given.
   bool Triangulate(const std::vector<int>& polygon, Mode mode, std::vector<Triangle>& triangles);
   bool FindFeature(std::array<Index, 2>& feature) const;
   void FindJoined();

@@ -10,12 +10,12 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What a vertex with one face too many or too few counts, what the second and the further ones add: two vertices with one
-/// count more than one with two, but less than one with three.
+/// Penalty for one face too many or too few at a vertex, and for the second and each further one:
+/// two vertices with one cost more than one vertex with two, but less than one with three.
 constexpr int Once = 10;
 constexpr int Second = 9;
 constexpr int Further = 3;
-/// What must not change.
+/// The parts that must not change.
 constexpr int Forbidden = 10000;
 
 constexpr Faces::Face Nothing = { None, None, None, None };

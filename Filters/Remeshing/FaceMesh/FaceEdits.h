@@ -10,15 +10,16 @@
 
 namespace DirectionFields::Internal
 {
-/// Local changes of quads, and the few triangles among them, that keep the topology: edges are turned, vertices
-/// merged, quads cut. Edges of features and the boundary stay, or become one with the next of theirs.
+/// Local edits of quads, and of the few triangles among them, that keep the topology: edges are
+/// turned, vertices merged, quads cut. Feature and boundary edges are kept or merged with the next
+/// edge of the same line.
 class FaceEdits
 {
 public:
-  /// What a triangle counts where a vertex with one face too many or too few counts 10.
+  /// Penalty for a triangle, where a vertex with one face too many or too few has a penalty of 10.
   static constexpr int PerTriangle = 12;
 
-  /// What of a vertex counts.
+  /// The penalty for the valence of a vertex.
   struct Rule
   {
     /// How many faces it should have.
@@ -35,27 +36,29 @@ public:
   };
   FaceEdits(VertexStars& faces, std::vector<Rule> rules);
 
-  /// Two faces with a common edge whose polygon is cut another way, or a vertex that becomes one with another one,
-  /// to which an edge or the diagonal of a quad leads, or a quad that becomes two triangles.
+  /// One edit: two faces with a common edge whose polygon is cut along another diagonal, a vertex
+  /// that is merged with another one along an edge or the diagonal of a quad, or a quad that is cut
+  /// into two triangles.
   struct Edit
   {
     /// Faces, or vertices: the first one goes. The second face is None where a quad is cut.
     Index First;
     Index Second;
-    /// Which way of cutting; None for vertices.
+    /// The number of the cut; None for merged vertices.
     Index Way;
   };
   /// The edits of faces at a vertex.
   std::vector<Edit> Find(Index v) const;
-  /// Those that make triangles, or lines shorter, for the sake of bad faces: a vertex becomes one with the next one of
-  /// its line or, if it is free, with any neighbour, and quads are cut.
+  /// Edits that make triangles or shorten lines, for the sake of bad faces: a vertex is merged with
+  /// the next one of its line or, if it is free, with any neighbour, and quads are cut.
   std::vector<Edit> FindForBadFaces(Index v) const;
   /// By how much an edit makes the irregularity grow: that of all vertices, and of triangles.
   int GrowthBy(const Edit& edit) const;
-  /// Does an edit; returns false, and does nothing, where the mesh would not stay one.
+  /// Applies an edit. Returns false, and changes nothing, if the result would not be a manifold
+  /// mesh.
   bool Do(const Edit& edit);
 
-  /// What the number of faces at a vertex counts, with so many more; 0 where it is what it should be.
+  /// Penalty for a vertex's valence if `more` faces were added; 0 at the wanted valence.
   int Irregularity(Index v, Index more = 0) const;
   /// Whether the faces at a vertex are as many as a mesh needs.
   bool HasEnoughFaces(Index v) const;
@@ -65,7 +68,8 @@ private:
   bool Cut(Index f, Index way);
   bool IsAlongLine(Index goes, Index stays) const;
   bool Merge(Index goes, Index stays, const std::vector<Index>& around);
-  /// The polygon of two faces with one common edge, whose other vertices differ, from an end of that on; else empty.
+  /// The polygon of two faces with one common edge, whose other vertices differ, from an end of
+  /// that edge on; else empty.
   std::vector<Index> PolygonOf(Index f, Index g) const;
   int Growth(Index v, Index more) const;
 

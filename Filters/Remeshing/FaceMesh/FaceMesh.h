@@ -10,13 +10,13 @@
 
 namespace DirectionFields::Internal
 {
-/// A mesh of triangles and quads, and what its vertices are for the surface that it is to lie on.
+/// A mesh of triangles and quads, and the role of its vertices on the surface.
 struct FaceMesh
 {
   struct Vertex
   {
-    /// The feature that the vertex stays on, from 1 on; 0 for vertices on the surface, -1 for those that stay where
-    /// they are.
+    /// The feature of the vertex, from 1 on; 0 for vertices that are free on the surface, -1 for
+    /// vertices that do not move.
     Index Line = 0;
     /// Where sheets of a surface meet, too.
     bool IsBoundary = false;

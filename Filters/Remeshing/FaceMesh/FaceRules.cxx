@@ -21,7 +21,8 @@ double AngleAt(const std::vector<Vector3>& points, const Faces::Face& face, Inde
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// How many faces there should be at a vertex on lines: as many as there is room for in each sector between them.
+/// The wanted number of faces at a vertex on lines: the number for which there is room in each
+/// sector between them.
 Index FacesBetweenLines(const VertexStars& faces, const std::vector<Vector3>& points, Index v)
 {
   const std::vector<Index>& star = faces.At(v);

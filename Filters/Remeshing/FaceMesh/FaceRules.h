@@ -11,8 +11,9 @@
 
 namespace DirectionFields::Internal
 {
-/// How many faces each vertex should have, and what may be done with it: inside four, unless a singularity of the field
-/// explains what it has; on lines as many as there is room for in each sector between them.
+/// The wanted number of faces at each vertex, and the edits that are allowed there: inside four,
+/// unless a singularity of the field explains another number; on lines the number for which there
+/// is room in each sector between them.
 std::vector<FaceEdits::Rule> RulesFor(const VertexStars& faces, const MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices);
 

@@ -15,17 +15,18 @@ struct Faces
 {
   using Face = std::array<Index, 4>;
   std::vector<Face> Corners;
-  /// Whether a face is a cell of the lattice.
+  /// Whether a face is a cell of the integer grid.
   std::vector<char> IsRegular;
 
   static int Size(const Face& face) { return face[3] == None ? 3 : 4; }
 };
 
-/// The scaled Jacobian of a face, as the Verdict library and vtkMeshQuality define it: the least sine of the
-/// angles at its corners, negative where the face is folded; of a triangle relative to 60 degrees.
+/// The scaled Jacobian of a face, as the Verdict library and vtkMeshQuality define it: the least
+/// sine of the angles at its corners, negative where the face is folded; of a triangle relative to
+/// 60 degrees.
 double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& face);
 
-/// V - E + F, the faces being the whole of a mesh of so many points.
+/// V - E + F of a mesh with this number of points.
 int EulerCharacteristic(Index points, const Faces& faces);
 }
 

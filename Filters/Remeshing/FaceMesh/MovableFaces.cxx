@@ -18,8 +18,8 @@ Vector3 AreaVector(const Faces::Face& face, const std::vector<Vector3>& points)
   return 0.5 * u.cross(face[3] == None ? Vector3(-(points[face[1]] - points[face[0]])) : v);
 }
 
-/// Of regular polygons of one number of corners: the weights that fit one to given corners, the corners of one whose
-/// first is 1, and the length of an edge.
+/// Of regular polygons with one number of corners: the weights that fit one to given corners, the
+/// corners of the one whose first is 1, and the length of an edge.
 struct Roots
 {
   explicit Roots(int size)

@@ -11,14 +11,14 @@
 
 namespace DirectionFields::Internal
 {
-/// What vertices may move on.
+/// The surface and the features on which vertices move.
 struct SmoothingDomain
 {
   /// The triangles of the surface, and the segments of each feature.
   const ClosestPoints& Surface;
   const std::vector<ClosestPoints>& Lines;
-  /// The feature that each vertex stays on, from 1 on; 0 for vertices on the surface, -1 for those that
-  /// stay where they are.
+  /// The feature of each vertex, from 1 on; 0 for vertices that are free on the surface, -1 for
+  /// vertices that do not move.
   std::vector<Index> Line;
   /// The wanted length of the edges at each vertex.
   std::vector<double> EdgeLength;
@@ -42,7 +42,7 @@ public:
   bool IsFree(Index v) const { return this->Domain.Line[v] >= 0 && !this->Cells.At(v).empty(); }
   /// It moves on the surface, not on a feature.
   bool IsOnSurface(Index v) const { return this->Domain.Line[v] == 0; }
-  /// It has so many faces that what is tried again and again at a vertex would take as long as all faces.
+  /// A vertex with so many faces that repeated trials at it would take as long as all other faces.
   bool IsHub(Index v) const { return this->Cells.At(v).size() > 64; }
   bool IsFace(Index f) const { return this->Cells.IsFace(f); }
   const Faces::Face& Face(Index f) const { return this->Cells.Face(f); }
@@ -52,26 +52,29 @@ public:
 
   /// The sum of the area vectors of the faces at a vertex.
   Vector3 NormalAt(Index v, const std::vector<Vector3>& points) const;
-  /// The regular face of nearly the wanted size that is nearest to a face, and the area vector of this.
+  /// The regular face of nearly the wanted size that is nearest to a face, and its area vector.
   struct Regular
   {
     std::array<Vector3, 4> Corners;
     Vector3 Area;
   };
   Regular RegularFace(Index f, const std::vector<Vector3>& points) const;
-  /// Where the faces at a vertex would have it if they were regular and nearly of the wanted size, on average.
+  /// The mean place that the faces at a vertex would give it if they were regular and nearly of the
+  /// wanted size.
   Vector3 Ideal(Index v, const std::vector<Vector3>& points) const;
-  /// The point of the surface, or of the vertex' feature, that is closest to a place; where the vertex is if none
-  /// is near.
+  /// The point of the surface, or of the vertex' feature, that is closest to a place; the vertex'
+  /// own place if none is near.
   Vector3 Projected(Index v, const Vector3& place, const std::vector<Vector3>& points) const;
-  /// Half the way to Ideal, projected, where the regular faces of all are known.
+  /// Half the way to Ideal, projected, from the regular faces that are already known.
   Vector3 Relaxed(
     Index v, const std::vector<Vector3>& points, const std::vector<Regular>& regular) const;
-  /// Lets those of these vertices that may move go half the way to Ideal, projected, one after the other, so many times.
+  /// Moves each of these vertices, as far as it may move, half the way to Ideal, projected, one
+  /// after the other, in this number of sweeps.
   void Relax(const std::vector<Index>& vertices, int times);
-  /// The least scaled Jacobian of the faces at a vertex. Triangles that face against the others count as negative.
+  /// The least scaled Jacobian of the faces at a vertex. Triangles whose normals oppose the others'
+  /// count as negative.
   double LeastQuality(Index v) const;
-  /// The distance of the middle of a face from the surface in wanted lengths of edges; those above 1 are 1.
+  /// The distance of the middle of a face from the surface, in wanted lengths of edges; at most 1.
   double Distance(Index f) const { return this->Distance(this->Cells.Face(f)); }
   double Distance(const Faces::Face& face) const;
   /// The largest one of the faces at a vertex.

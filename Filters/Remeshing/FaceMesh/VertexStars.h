@@ -10,8 +10,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Faces and which of them are at each vertex, while they are changed. Numbers stay: a face that is taken away has
-/// None for its first corner, until Compressed.
+/// Faces and the faces at each vertex, while they are edited. Numbers stay: a removed face has None
+/// for its first corner, until Compressed.
 class VertexStars
 {
 public:
@@ -36,26 +36,26 @@ public:
   const std::vector<Index>& LineEnds(Index v) const { return this->Lines[v]; }
   bool IsLineEdge(Index v, Index w) const;
 
-  /// A face as it was before a change. Without a face, a vertex of a line that has become one with the second corner,
-  /// the line having gone on to the third.
+  /// The state of a face before a change. Without a face: a vertex of a line that was merged with
+  /// the second corner, after which the line continues to the third.
   struct Change
   {
     Index Face;
     Faces::Face Corners;
     char IsRegular;
   };
-  /// What has been changed, in the order of time.
+  /// The changes in the order in which they were made.
   const std::vector<Change>& GetChanges() const { return this->Changes; }
-  /// The corners, ascending, of what was changed, as it was and as it is.
+  /// The corners, ascending, of all changed faces, before and after the changes.
   std::vector<Index> TouchedSince(std::size_t changes) const;
-  /// Puts other corners in the place of those of a face, which is no cell of the lattice from then on.
+  /// Replaces the corners of a face, which then is no cell of the grid any more.
   void Set(Index f, const Faces::Face& corners);
-  /// Adds a face, which is no cell of the lattice.
+  /// Adds a face, which is no cell of the grid.
   void Add(const Faces::Face& corners);
-  /// Lets a line that leads through a vertex go past it: from one of the two next vertices, which is to take its place,
-  /// straight to the other.
+  /// Takes a vertex out of the line through it: one of its two neighbours on the line replaces it,
+  /// and is joined with the other.
   void ShortenLine(Index goes, Index stays);
-  /// Takes changes back until so many are left.
+  /// Undoes changes until this number of them remains.
   void UndoTo(std::size_t changes);
   /// The faces that are there, in the same order.
   Faces Compressed() const;

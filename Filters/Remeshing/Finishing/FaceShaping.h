@@ -14,24 +14,24 @@ namespace DirectionFields::Internal
 {
 struct ShapingSettings
 {
-  /// Steps in which the vertices move; nothing is done for 0.
+  /// Steps in which the vertices move; 0 leaves the mesh unchanged.
   int Steps = 0;
   /// The field is of degree 4: faces may be changed.
   bool AreQuads = true;
-  /// Bad faces are mended.
+  /// Bad faces are repaired.
   bool Mends = true;
   /// Quads may become triangles where faces get better.
   bool MayMakeTriangles = false;
   /// Triangles are joined in pairs before anything else.
   bool JoinsTriangles = false;
-  /// The faces are to be split: they are edited, but only the vertices that edits concern move. To make large faces
-  /// regular would draw them away from thin parts of the surface.
+  /// The faces will be split: they are edited, but only the vertices of edited faces move. Making
+  /// large faces regular would draw them away from thin parts of the surface.
   bool IsDraft = false;
 };
 
-/// Moves the vertices of a mesh so that its faces become regular, turns edges where that leaves fewer irregular
-/// vertices, and mends bad faces. Steps before that tell which faces can become good; those after it bring the others
-/// into line. Throws Stopped.
+/// Moves the vertices of a mesh so that its faces become regular, turns edges where that leaves
+/// fewer irregular vertices, and repairs bad faces. The steps before the edits tell which faces can
+/// become good; the steps after them even out the others. Throws Stopped.
 /// @param surface    its triangles
 /// @param lines      the segments of each feature
 /// @param edgeLength wanted at each vertex

@@ -12,7 +12,7 @@
 
 namespace DirectionFields::Internal
 {
-/// How faces are made.
+/// Which faces the mesh may have, and how pure quads are made.
 enum class QuadPolicy : int
 {
   /// Quads and the triangles that are left among them, or triangles only.
@@ -23,19 +23,20 @@ enum class QuadPolicy : int
   Split
 };
 
-/// What a surface is to its mesh.
+/// The surface as the new mesh needs it.
 struct SurfaceContext
 {
   const Surface& Input;
   const PreparedSurface& Prepared;
   const ClosestPoints& Triangles;
   const std::vector<ClosestPoints>& Lines;
-  /// Of edges, wanted at each point of the input, relative to elsewhere; empty for the same everywhere.
+  /// Wanted length of the edges at each point of the input, relative to elsewhere; empty for the
+  /// same everywhere.
   const std::vector<double>& Sizes;
 };
 
-/// Makes faces regular, and quads of them all where that is wanted. Returns false where triangles are left then.
-/// Throws Stopped.
+/// Makes faces regular, and all of them quads if that is wanted. Returns false where triangles
+/// remain then. Throws Stopped.
 /// @param areQuads   the field is of degree 4
 /// @param steps      in which the vertices move
 /// @param edgeLength wanted, where the size is 1

@@ -12,8 +12,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Puts the faces of all components into one mesh, in which the sides of seams share their vertices.
-/// @param isTurn of each vertex of the surface's mesh, see FindTurns: corners of the map elsewhere are none here
+/// Puts the faces of all components into one mesh, in which the sides of seams share their
+/// vertices.
+/// @param isTurn of each vertex of the surface's mesh, see FindTurns. Other corners of the map are
+///               not corners of the mesh.
 /// @param open   gets the number of seams that stay open
 FaceMesh JoinFaces(const std::vector<ExtractedMesh>& components, const Seams& seams,
   const std::vector<char>& isTurn, Index& open);

@@ -10,9 +10,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Cuts quads that are folded, or concave, into two triangles each, along the diagonal that leaves them flatter:
-/// where the map is bad no smoothing may have unfolded them. The first triangle takes the place of the quad, the
-/// others come last. A diagonal that is an edge already is not taken. Returns how many quads were cut.
+/// Cuts folded and concave quads into two triangles each, along the diagonal that leaves them
+/// flatter: where the map is bad, smoothing may not have unfolded them. The first triangle takes
+/// the number of the quad, the others come last. A diagonal that is already an edge is not used.
+/// Returns the number of quads that were cut.
 Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points);
 }
 

@@ -14,22 +14,24 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr int Passes = 3;
-/// Faces that are looked at: so many, and one of so many. Where more are bad the surface is rough, or has no good map.
+/// Repair at most 16 + n/64 of the n faces. Above that the surface is rough, or has no good map.
 constexpr Index MostAnyway = 16;
 constexpr Index OneOf = 64;
-/// Faces of a scaled Jacobian below the first are mended; above the second they are as good as they need be.
+/// Faces with a scaled Jacobian below the first are repaired; above the second they are good
+/// enough.
 constexpr double Bad = 0.3;
 constexpr double GoodEnough = 0.4;
-/// What an irregular vertex, which counts 10, takes off how good the faces are.
+/// Quality lost per irregular vertex (weight 10).
 constexpr double PerGrowth = 0.004;
-/// What is gained at least.
+/// Smallest gain for which an edit is kept.
 constexpr double LeastGain = 0.03;
-/// Middles of faces are at most as far from the surface as this, in lengths of edges, unless they were.
+/// Centers of faces are at most this far from the surface, in lengths of edges, unless they were
+/// before.
 constexpr double FarthestMiddle = 0.35;
 /// First edits that are followed by a second one.
 constexpr std::size_t MostPairs = 6;
 constexpr int Moves = 6;
-/// Edits that look best after a few moves, which are looked at thoroughly.
+/// Number of edits that look best after a few moves and are tried thoroughly.
 constexpr std::size_t MostLooks = 12;
 
 class Mends
@@ -45,7 +47,7 @@ public:
   {
   }
 
-  /// Vertices that edits have made are away from hubs.
+  /// Vertices of edits are away from hubs.
   bool MayMend(Index f) const
   {
     const Faces::Face& face = this->Cells.Face(f);
@@ -135,7 +137,7 @@ private:
     return a.First == b.First && a.Second == b.Second && a.Way == b.Way;
   }
 
-  /// Tries each edit of faces at the vertices, after those that are done already.
+  /// Tries each edit of the faces at the vertices, after the edits that are already applied.
   void TryAll(const std::vector<Index>& vertices, const std::vector<FaceEdits::Edit>& done,
     std::size_t start, double least, std::vector<Trial>& trials)
   {
@@ -218,7 +220,7 @@ private:
     for (std::size_t k = start; k < changes.size(); ++k)
     {
       const VertexStars::Change& change = changes[k];
-      // Later changes of a face tell of what it was in between.
+      // Later changes of a face record its states in between.
       if (change.Face != None &&
         std::find(changed.begin(), changed.end(), change.Face) == changed.end())
       {
@@ -243,8 +245,9 @@ private:
     return around;
   }
 
-  /// What is gained by what was done, or nothing where it must not be or is too little. Everything stays where it is.
-  /// @param isThorough vertices look for better places, and the faces must be good enough
+  /// The gain of the applied edits, or nothing if they are not allowed or gain too little.
+  /// Everything stays in place.
+  /// @param isThorough vertices are moved to better places, and the faces must be good enough
   std::optional<Trial> Try(std::size_t start, int grown, double least, bool isThorough)
   {
     std::vector<Vector3>& points = this->Places.GetPoints();
@@ -325,7 +328,7 @@ private:
   FaceEdits Edits;
   std::vector<char> IsNearHub;
   bool MayMakeTriangles;
-  /// What the edits that are done already count.
+  /// The penalty of the edits that are already applied.
   int GrownBefore = 0;
 };
 }

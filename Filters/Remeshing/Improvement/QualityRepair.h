@@ -12,11 +12,12 @@
 
 namespace DirectionFields::Internal
 {
-/// Mends faces that no smoothing makes better (a scaled Jacobian below 0.3): all of their vertices are on features or
-/// the boundary, or there are too many or too few faces around them. Of all edits of the faces around one, and of some
-/// pairs of edits, the one is done that leaves the best faces, after their vertices have moved; irregular vertices and
-/// triangles count against it. Takes time in proportion to the bad faces, the worst of which are looked at where they
-/// are many. Throws Stopped.
+/// Repairs faces that smoothing cannot make better (with a scaled Jacobian below 0.3): all of their
+/// vertices are on features or the boundary, or they have too many or too few faces. Of all edits
+/// around such a face, and of some pairs of edits, it applies the one that leaves the best faces
+/// after their vertices have moved; irregular vertices and triangles count against an edit. Takes
+/// time in proportion to the bad faces; where there are many only the worst are treated. Throws
+/// Stopped.
 /// @param mayMakeTriangles whether quads may become triangles
 void RepairQuality(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles,

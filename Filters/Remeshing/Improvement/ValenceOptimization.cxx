@@ -12,10 +12,10 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr int Passes = 4;
-/// Edits that are looked for one after the other, and how much worse all but the last one may make things.
+/// Length of a sequence of edits, and the penalty that all but the last one may add.
 constexpr int MostEdits = 3;
 constexpr int Slack = 10;
-/// Edits that are tried for a vertex, and how often they are looked at in space.
+/// Number of edits tried for a vertex, and of sequences tried in space.
 constexpr int MostTried = 4000;
 constexpr int MostLooks = 16;
 /// Faces are as good as they need be from this scaled Jacobian on.
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  /// Tries edits at vertices, best first, the last ones of which must make things better than they were.
+  /// Tries edits at vertices, best first; the last edit of a sequence must lower the penalty.
   bool Search(const std::vector<Index>& vertices, int grown, int edits)
   {
     struct Candidate
@@ -130,8 +130,8 @@ private:
     return touched;
   }
 
-  /// Lets the vertices of changed faces move. Puts them back and returns false where the faces are not as good as they
-  /// were then.
+  /// Moves the vertices of changed faces. Puts them back and returns false if the faces are not as
+  /// good as before.
   bool Settle()
   {
     ++this->Looks;

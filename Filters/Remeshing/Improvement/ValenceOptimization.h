@@ -12,11 +12,12 @@
 
 namespace DirectionFields::Internal
 {
-/// Looks for a few edits of quads, one after the other, around each irregular vertex and triangle that leave fewer of
-/// them, and does them where the faces stay as good as they were, after their vertices have moved (the operations of
-/// M. Tarini, N. Pietroni, P. Cignoni, D. Panozzo, E. Puppo: Practical quad mesh simplification, 2010). Vertices and
-/// edges on features and the boundary stay, and so do vertices whose number of faces their singularity explains.
-/// Takes time in proportion to the irregular vertices. Throws Stopped.
+/// Searches, around each irregular vertex and triangle, for a short sequence of edits that leaves
+/// fewer of them, and applies it where the faces stay as good as before after their vertices have
+/// moved (the operations of M. Tarini, N. Pietroni, P. Cignoni, D. Panozzo, E. Puppo: Practical
+/// quad mesh simplification, 2010). Vertices and edges on features and the boundary stay, and so do
+/// vertices whose valence their singularity explains. Takes time in proportion to the irregular
+/// vertices. Throws Stopped.
 void OptimizeValences(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, const Progress& progress = {});
 }

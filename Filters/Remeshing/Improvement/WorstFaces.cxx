@@ -16,12 +16,13 @@ constexpr Index PieceSize = 256;
 constexpr int Rounds = 16;
 /// The places that are tried shrink towards the vertex by this factor from round to round.
 constexpr double Shrinking = 0.8;
-/// Faces of this scaled Jacobian, and of middles this near in lengths of edges, are left as they are.
+/// Faces with at least this scaled Jacobian, and with centers this near to the surface in lengths
+/// of edges, do not change.
 constexpr double GoodQuality = 0.5;
 constexpr double GoodDistance = 0.33;
 
-/// Below 1 where a face at a vertex is not regular enough; then the nearer the middles of its faces are the higher, up to
-/// 2, where all are good.
+/// Below 1 if a face at a vertex is not regular enough; else between 1 and 2, where all are good,
+/// and higher the nearer their centers are to the surface.
 constexpr double Best = 2.0;
 double Score(const MovableFaces& faces, Index v)
 {

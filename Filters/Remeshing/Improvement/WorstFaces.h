@@ -9,13 +9,15 @@
 
 namespace DirectionFields::Internal
 {
-/// Moves a vertex with a bad face to the best of places on two circles around it, whose radii are this many quarters
-/// of the wanted length of edges and less. Bad are faces that are far from regular (a scaled Jacobian below 0.5), and
-/// such whose middle is far from the surface (a third of an edge), where they cut off a ridge. No move makes the worst
-/// face at the vertex less regular, unless it stays good.
+/// Moves a vertex with a bad face to the best of the places on two circles around it; the larger
+/// radius is this number of quarters of the wanted length of edges. Faces are bad if they are far
+/// from regular (a scaled Jacobian below 0.5), or if their center is far from the surface (a third
+/// of an edge), where they cut off a ridge. No move makes the worst face at the vertex less
+/// regular, unless it stays good.
 void MoveToBetterPlace(MovableFaces& faces, Index v, double size);
 
-/// Does that for all vertices of bad faces, few as a rule, several times with ever smaller circles. Throws Stopped.
+/// Does that for all vertices of bad faces, usually few, several times with smaller and smaller
+/// circles. Throws Stopped.
 void ImproveWorstFaces(MovableFaces& faces, const Progress& progress = {});
 }
 

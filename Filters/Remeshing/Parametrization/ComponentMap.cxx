@@ -32,7 +32,7 @@ IntegerGridMap::Settings SettingsFor(const ParametrizationInput& input,
   return settings;
 }
 
-/// Drops features that a map spoils: there is a better one without them. The boundary stays. Returns
+/// Drops features that a map spoils, for a better map without them. The boundary stays. Returns
 /// whether there were any.
 bool DropFeatures(ParametrizationInput& input, const TriangleMesh::Component& component,
   const std::vector<Index>& edges)

@@ -34,7 +34,7 @@ struct ParametrizationInput
 struct ComponentMap
 {
   const TriangleMesh::Component& Component;
-  /// Kept by the component's cache.
+  /// Owned by the component's cache.
   const CutMesh& Mesh;
   IntegerGridMap Map;
 };

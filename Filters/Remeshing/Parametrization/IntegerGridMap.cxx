@@ -22,16 +22,16 @@ constexpr double LongestFolded = 8.0;
 constexpr double FoldedPart = 0.2;
 /// Rounding few integers may change the area a lot. Where triangles are so thin that no map of them
 /// is good, the targets may ask for, and the map may cover, many times the area of the surface.
-/// Beyond this difference, as a logarithm, the map is computed again for another length of edges: the
-/// number of faces should be the one asked for, and later work grows with the area covered.
+/// Beyond this difference, as a logarithm, the map is computed again for another length of edges:
+/// the number of faces should be the one asked for, and later work grows with the area covered.
 constexpr double MostOff = 0.1;
 constexpr int MostScalings = 4;
 /// The area of components with fewer cells than this is off by chance. It matters only beyond this
 /// many times their area plus a cell for each triangle.
 constexpr double FewCells = 16.0;
 constexpr double MostArea = 4.0;
-/// Features that are closer than an edge need more cells at any length of edges. Maps are used up to
-/// this many times more.
+/// Features that are closer than an edge need more cells at any length of edges. Maps are used up
+/// to this many times more.
 constexpr double MostBeyond = 16.0;
 /// More could not be numbered.
 constexpr double MostCells = 1e8;
@@ -90,7 +90,8 @@ public:
     }
   }
 
-  /// The factor for the targets with which the minimum over the reals covers this area; 1 if unknown.
+  /// The factor for the targets with which the minimum over the reals covers this area; 1 if
+  /// unknown.
   double ScaleForArea(double wanted)
   {
     const bool isKnown = this->Relaxed.size() > 0 && wanted > 0.0;

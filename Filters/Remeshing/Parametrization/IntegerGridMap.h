@@ -36,9 +36,9 @@ const char* Sentence(MapFailure failure);
 /// The integer-grid map of a component: coordinates for every corner of every triangle whose
 /// gradients follow the field, such that charts differ by symmetries of the integer grid, cones and
 /// corners are grid points, and features are lines of the grid (D. Bommes et al.: Integer-Grid Maps
-/// for Reliable Quad Meshing, 2013). Its energy is close to the least of all such maps: the sum over
-/// the triangles of the squared differences between the edges' coordinates and their targets, with
-/// cotangent weights.
+/// for Reliable Quad Meshing, 2013). Its energy is close to the least of all such maps: the sum
+/// over the triangles of the squared differences between the edges' coordinates and their targets,
+/// with cotangent weights.
 class IntegerGridMap
 {
 public:
@@ -65,8 +65,8 @@ public:
   const std::vector<Transition>& GetAcross() const { return this->Across; }
   /// The number of variables that were rounded to integers.
   Index GetNumberOfIntegers() const { return this->NumberOfIntegers; }
-  /// The feature edges of the surface that the map spoils as lines of a mesh: their ends came to the
-  /// same place or to the wrong order, or the feature is short and the map is folded beside it.
+  /// The feature edges of the surface that the map spoils as lines of a mesh: their ends came to
+  /// the same place or to the wrong order, or the feature is short and the map is folded beside it.
   const std::vector<Index>& GetCollapsedFeatures() const { return this->CollapsedFeatures; }
   /// The number of triangles that the map flips or flattens.
   Index CountFlipped() const;
@@ -74,8 +74,8 @@ public:
 private:
   void Solve(ParametrizationEnergy& energy, const Settings& settings, const Progress& progress);
   bool IsFlipped(Index t) const;
-  /// The area of the images of the triangles, in parallelograms of the grid. Flipped triangles count
-  /// as 0 with folds, else as negative.
+  /// The area of the images of the triangles, in parallelograms of the grid. Flipped triangles
+  /// count as 0 with folds, else as negative.
   double AreaCovered(bool withFolds) const;
   /// Sets the map to these values of the free variables.
   void Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free);

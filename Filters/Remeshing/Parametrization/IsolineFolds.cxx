@@ -10,7 +10,7 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Steps shorter than this part of what they should be count as folds.
+/// Edges shorter than this part of their target count as folds.
 constexpr double ShortestStep = 0.1;
 
 class Folds
@@ -35,7 +35,7 @@ public:
     return this->Plane.Turned(along, -edge.Axis).A;
   }
 
-  /// Returns whether the map goes forward along the stretch as a whole.
+  /// Returns whether the map goes forward along the isoline as a whole.
   bool Unfold(const FeatureIsoline& stretch)
   {
     const std::vector<FeatureIsoline::Step>& steps = stretch.Steps;

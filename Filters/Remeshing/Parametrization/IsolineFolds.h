@@ -11,11 +11,11 @@
 
 namespace DirectionFields::Internal
 {
-/// Where a map runs back and forth along a feature, spaces the feature's vertices anew between its lattice
-/// points, in proportion to the lengths of its edges. They move along the isoline, so that everything that a
-/// map has to satisfy still holds. Returns the stretches whose ends the map has put at the same place or in
-/// the wrong order: they stay as they are.
-/// @param own    from the chart of each corner's vertex to that of its triangle
+/// Where a map runs back and forth along a feature, spaces the feature's vertices anew between its
+/// grid points, in proportion to the lengths of its edges. They move along the isoline, so that
+/// every constraint of the map still holds. Returns the isolines whose ends the map has put at the
+/// same place or in the wrong order; they are left unchanged.
+/// @param own    from the chart of each corner's vertex to the chart of its triangle
 /// @param places of each vertex in its own chart
 std::vector<FeatureIsoline> UnfoldIsolines(const CutMesh& mesh, const std::vector<Transition>& own,
   const std::vector<FeatureIsoline>& stretches, std::vector<GridPoint>& places);

@@ -55,7 +55,7 @@ public:
   std::vector<Index> Edges;
 
 private:
-  /// A feature at a vertex: its direction in units of 2 pi / n, and its angle on the surface, both counted
+  /// A feature at a vertex: its direction in units of 2 pi / n, and its angle on the surface, both
   /// counter-clockwise.
   struct Spoke
   {

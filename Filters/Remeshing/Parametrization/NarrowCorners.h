@@ -11,10 +11,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Edges of features that leave a vertex along the same line of a map as another feature next to them: those
-/// that meet at an angle of less than half of 2 pi / n. A map would have no room between the two. Of the two the
-/// one on the shorter chain is named, the boundary never, from the vertex on to where there is room for an edge
-/// of the lattice.
+/// Feature edges that leave a vertex along the same line of a map as the neighbouring feature: the
+/// two meet at an angle of less than half of 2 pi / n, and a map would have no room between them.
+/// The feature of the shorter chain is named, never the boundary, from the vertex to where there is
+/// room for an edge of the grid.
 /// @param perLength 1 / h of each vertex of the mesh, h the wanted length of an edge
 std::vector<Index> EdgesInNarrowCorners(const SurfaceGeometry& geometry,
   const TriangleMesh::Component& component, const FieldMatching& charts,

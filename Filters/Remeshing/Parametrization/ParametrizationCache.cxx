@@ -9,11 +9,11 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Factors of up to so many values are kept, 24 megabytes. Those of large meshes would be much of the memory while faces are
-/// made, and making these takes most of the time there.
+/// Factors of up to this number of values are cached, 24 megabytes. Factors of large meshes would
+/// take much of the memory while faces are made, which takes most of the time there.
 constexpr std::size_t MostValues = 3000000;
-/// So are those of components with such a part of all triangles only: memory is short while one of many is factored, and
-/// would have to hold all the others.
+/// They are cached only for components with at least this part of all triangles: while one of many
+/// components is factored memory is short, and the factors of all others would stay in it.
 constexpr double LeastShare = 0.5;
 }
 

@@ -13,9 +13,9 @@
 
 namespace DirectionFields::Internal
 {
-/// What is needed to make the map of a component, kept from one wanted length of edges to the next: it is made anew only
-/// where the features have changed, or which stretches of them have a bound. That is decided before anything is
-/// made, so that there never is more than one.
+/// Cached cut mesh, energy and factor of one component, reused for other edge lengths. The mesh is
+/// set up again only if the features have changed, the energy also if other feature isolines need a
+/// bound. The old ones are released first, so that there are never two of them.
 class ParametrizationCache
 {
 public:
@@ -23,15 +23,15 @@ public:
   const CutMesh& MeshFor(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
     const FieldMatching& charts, const FeatureLines& features, const std::vector<char>& isFrameless,
     const std::vector<Complex>& section);
-  /// Of that mesh.
-  /// @param perLength 1 / h of each of its vertices, h the wanted length of an edge of the lattice
+  /// The energy on the mesh of the last MeshFor.
+  /// @param perLength 1 / h of each of its vertices, h the wanted length of an edge of the grid
   ParametrizationEnergy& EnergyFor(const std::vector<double>& perLength);
-  /// Releases what is too much to be kept. The mesh stays.
-  /// @param share of the component in the triangles of all
+  /// Releases the factor if it takes too much memory. The mesh stays.
+  /// @param share the component's part of all triangles
   void Shrink(double share);
 
 private:
-  /// What charts depend on besides the field.
+  /// The input of a cut mesh besides the field.
   struct Features
   {
     Features() = default;
@@ -43,7 +43,8 @@ private:
         this->Ends == other.Ends;
     }
 
-    /// The number, whether it is a feature, the line, the axis and the base of each edge that is, or was, a feature.
+    /// The number, whether it is a feature, the line, the axis and the base of each edge that is or
+    /// was a feature.
     std::vector<std::array<Index, 5>> Edges;
     std::vector<Index> Frameless;
     std::vector<Index> Ends;

@@ -12,19 +12,19 @@
 
 namespace DirectionFields::Internal
 {
-/// The energy of a map as a quadratic function of its free variables, those that are real before the integers. Only its
-/// linear part, and which stretches of features have a bound, depend on the wanted lengths of edges: the factor of
-/// its matrix is that of other lengths, too.
+/// The energy of a map as a quadratic function of its free variables, the real ones before the
+/// integers. Only its linear part, and the choice of feature isolines with a bound, depend on the
+/// wanted lengths of edges: the factor of its matrix serves other lengths, too.
 class ParametrizationEnergy
 {
 public:
-  /// The mesh must live as long.
-  /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the lattice
+  /// The mesh must live as long as this.
+  /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the grid
   ParametrizationEnergy(const CutMesh& mesh, const std::vector<double>& perLength);
   ParametrizationEnergy(const ParametrizationEnergy&) = delete;
   ParametrizationEnergy& operator=(const ParametrizationEnergy&) = delete;
 
-  /// Whether the same stretches of features have a bound for these lengths.
+  /// Whether the same feature isolines have a bound for these lengths.
   bool AreFor(const std::vector<double>& perLength) const
   {
     return this->IsShort == this->Unknowns.ShortStretches(perLength);
@@ -37,16 +37,17 @@ public:
   Eigen::VectorXd RightHandSide(const std::vector<double>& perLength) const;
   /// The least value of each integer.
   Eigen::VectorXd Least() const;
-  /// The area of the triangles' images, in unit cells' parallelograms.
+  /// The area of the triangles' images, in parallelograms of the grid.
   double AreaAt(const Eigen::VectorXd& x);
 
-  /// False where there are too many integers to be rounded with regard to each other: there is no system then.
+  /// False where there are too many integers to be rounded with regard to each other: there is no
+  /// system then.
   bool AreFactored() const;
   /// Factored when it is asked for.
   const SchurSystem& GetSystem();
   /// As that of the system.
   void Shrink(std::size_t mostValues);
-  /// As the function of this name, for equations without a system.
+  /// As SolveInRounds of IntegerRounding, for an energy without a system.
   Eigen::VectorXd SolveInRounds(const Eigen::VectorXd& rightHandSide) const;
 
 private:
@@ -70,8 +71,8 @@ private:
   std::vector<SchurSystem::Entry> Entries;
   std::optional<SchurSystem> System;
   std::vector<Edge> Edges;
-  /// The variables that the two coordinates of each edge are sums of, their factors, and where those of each coordinate
-  /// end.
+  /// The variables in the sums that are the two coordinates of each edge, their factors, and the
+  /// end of each coordinate's sum.
   std::vector<Index> Variables;
   std::vector<double> Factors;
   std::vector<std::size_t> Ends;

@@ -10,10 +10,10 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Stretches of features that are to be longer than this many edges do not need a bound.
+/// Feature isolines whose wanted length is more than this many edges do not need a bound.
 constexpr double LongestBounded = 4.0;
-/// Lengths that depend on more variables than this are not worth a bound: every sum that has one of them becomes
-/// as long.
+/// Lengths that depend on more variables than this get no bound: every sum with such a length
+/// becomes as long.
 constexpr std::size_t MostTerms = 64;
 
 void Append(IntegerSum& to, const IntegerSum& from, std::int64_t factor)
@@ -128,7 +128,7 @@ void ParametrizationVariables::BoundStretches(const std::vector<char>& isShort)
     length.emplace_back(this->Bounded.back(), -1);
     this->Solved.Require(length);
   }
-  // What had to be solved for in the end has no bound.
+  // Variables that had to be solved for in the end have no bound.
   this->Bounded.erase(std::remove_if(this->Bounded.begin(), this->Bounded.end(),
                         [&](Index variable) { return !this->Solved.IsFree(variable); }),
     this->Bounded.end());
@@ -167,7 +167,7 @@ std::vector<char> ParametrizationVariables::Flags()
   {
     this->IsPoint[cone.Vertex] = 1;
   }
-  // Where a feature ends there is a lattice point, too.
+  // The ends of features are grid points, too.
   for (std::size_t v = 0; v < this->Mesh.IsChainEnd.size(); ++v)
   {
     this->IsPoint[v] = this->IsPoint[v] != 0 || this->Mesh.IsChainEnd[v] != 0 ? 1 : 0;
@@ -196,7 +196,7 @@ std::vector<char> ParametrizationVariables::Flags()
   return flags;
 }
 
-/// Of all maps that differ by a translation takes one that has a lattice point in 0.
+/// Of all maps that differ by a translation takes one with a grid point in 0.
 void ParametrizationVariables::FixOrigin()
 {
   Index origin = this->Mesh.Cones.empty() ? None : this->Mesh.Cones.front().Vertex;

@@ -12,7 +12,7 @@
 
 namespace DirectionFields::Internal
 {
-/// A point of the lattice's plane whose coordinates are sums of variables.
+/// A point of the grid's plane whose coordinates are sums of variables.
 struct SymbolicGridPoint
 {
   IntegerSum A;
@@ -23,19 +23,20 @@ struct SymbolicGridPoint
   SymbolicGridPoint Turned(int turn, int degree) const;
 };
 
-/// The variables of a map: two coordinates of each vertex in its own chart, of each jump, one for each feature
-/// at a vertex, that across it, and the lengths of short features. Elimination leaves those that are free.
+/// The variables of a map: two coordinates of each vertex in its own chart, two of each jump, the
+/// coordinate across each feature at a vertex, and the lengths of short features. Elimination
+/// leaves the free ones.
 class ParametrizationVariables
 {
 public:
   /// The mesh must live as long.
   explicit ParametrizationVariables(const CutMesh& mesh);
 
-  /// Not 0 for each stretch that rounding could shorten to nothing.
-  /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the lattice
+  /// Not 0 for each feature isoline that rounding could shorten to nothing.
+  /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the grid
   std::vector<char> ShortStretches(const std::vector<double>& perLength) const;
-  /// From now on the lengths of these stretches of features are variables, as far as they can be free, so that
-  /// rounding can give each of them one edge at least.
+  /// From now on the lengths of these feature isolines are variables, as far as they can be free,
+  /// so that rounding can give each of them at least one edge.
   void BoundStretches(const std::vector<char>& isShort);
 
   /// The coordinates of a corner in the chart of its triangle.
@@ -44,7 +45,7 @@ public:
   const CutMesh& Mesh;
   int Degree;
   Index Vertices;
-  /// Vertices that are to be lattice points: cones, and those where a feature ends.
+  /// Vertices that have to be grid points: cones, and the ends of features.
   std::vector<char> IsPoint;
   /// The variable of a vertex and the turn that makes it the second coordinate.
   std::map<std::pair<Index, int>, Index> AcrossFeature;

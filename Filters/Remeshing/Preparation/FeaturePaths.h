@@ -17,7 +17,7 @@ class FeaturePaths
 {
 public:
   FeaturePaths() = default;
-  /// @param isFeature not 0 for edges that are features; those of the boundary count anyway
+  /// @param isFeature not 0 for edges that are features; boundary edges always count
   FeaturePaths(
     const TriangleMesh& mesh, const std::vector<char>& isFeature, const Decimation& decimation);
 
@@ -38,7 +38,8 @@ public:
   };
   /// The inner point of a path that is to be where an edge is split, or None.
   Index MiddleOf(Index p, Index q) const;
-  /// Makes two paths of each that is split. The middles take the place of the points that they come from.
+  /// Divides the path of each edge that is split into two. The points in the middle replace the
+  /// points of the path that they come from.
   void Halve(const std::vector<Split>& splits);
 
 private:

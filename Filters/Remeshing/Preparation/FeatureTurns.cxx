@@ -13,8 +13,8 @@ namespace
 /// A feature that turns by more than this has a corner.
 constexpr double LeastTurn = Pi / 6.0;
 
-/// The vertices of a chain, the first one again at the end of a closed one; and whether the edge after each is still a
-/// feature.
+/// The vertices of a chain, the first one again at the end of a closed one; and whether the edge
+/// after each is still a feature.
 struct Polyline
 {
   std::vector<Index> Vertices;
@@ -73,7 +73,7 @@ struct Polyline
     return place;
   }
 
-  /// The angle between what is before and what is behind each vertex, over a length.
+  /// The angle between the directions before and after each vertex, averaged over a length.
   std::vector<double> TurnsOf(
     const std::vector<Vector3>& positions, const std::vector<double>& length) const
   {
@@ -89,7 +89,8 @@ struct Polyline
     return turn;
   }
 
-  /// Whether no vertex within the length turns by more: those beside a corner see it, too.
+  /// Whether no vertex within the length turns by more: the neighbours of a corner seem to turn,
+  /// too.
   bool IsLargest(const std::vector<Vector3>& positions, const std::vector<double>& turn,
     std::size_t at, double length) const
   {

@@ -17,8 +17,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A prepared surface with a field on it: everything about a mesh that does not depend on the wanted
-/// length of its edges.
+/// A prepared surface with a field on it: everything about a mesh that does not depend on the
+/// wanted length of its edges.
 class PreparedField
 {
 public:

@@ -15,8 +15,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Which triangles of a mesh a surface is made of: all, but of a cover those of one side, such that the line that
-/// divides the two sides is short. That of the front may be jagged.
+/// Which triangles of a mesh a surface consists of: all, but of a double cover one side of each,
+/// chosen such that the line between the two sides is short. The front's own line may be jagged.
 std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3>& points)
 {
   constexpr int mostSweeps = 200;
@@ -307,8 +307,8 @@ struct SplitTriangle
     }
   }
 
-  /// Cuts it into triangles, none of them without area: the corners between two middles are cut off,
-  /// which leaves a triangle, or a quadrangle that starts at a middle.
+  /// Cuts it into triangles with area: the corners between two middles are cut off, which leaves a
+  /// triangle, or a quadrangle that starts at a middle.
   void Cut(std::vector<Triangle>& triangles) const
   {
     const std::size_t count = this->Points.size();

@@ -19,19 +19,20 @@
 
 namespace DirectionFields::Internal
 {
-/// A surface as it can be mapped: connected across seams, cut open where it has one side only, wound consistently, with a point in the middle
-/// of each edge both ends of which have no frame (FramelessVertices), and with fewer triangles where they are
-/// much smaller than the faces to come.
+/// A surface that can be mapped: connected across seams, one-sided components cut open, wound
+/// consistently, with a point in the middle of each edge whose two ends have no frame
+/// (FramelessVertices), and with fewer triangles where they are much smaller than the wanted faces.
 class PreparedSurface
 {
 public:
   /// Throws MeshError and Stopped.
-  /// @param edgeLength how long edges may become at each point of the input, in its unit; empty to keep all
+  /// @param edgeLength longest allowed edge at each point of the input, in its unit; empty to keep
+  ///                   all
   PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
     const std::vector<double>& edgeLength = {}, const Progress& progress = {});
 
-  /// Its points are the input's, then copies of those where a surface that has one side only was cut open, and the
-  /// middles.
+  /// Its points are the input's, then copies of points where a one-sided component was cut open,
+  /// then the middles of edges.
   const std::shared_ptr<const Surface>& GetSurface() const { return this->Prepared; }
   const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
   /// Of each of its points the one that it is a copy of, or itself.
@@ -40,7 +41,7 @@ public:
 
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
-  /// The points of the prepared surface that an edge of a feature or the boundary runs through, from end to end.
+  /// The points of the input along an edge of a feature or the boundary, from end to end.
   std::vector<Index> PathAlong(Index p, Index q) const;
 
   /// The segments of each feature, as triangles without area.

@@ -57,7 +57,7 @@ public:
   {
     std::vector<char> isSeen(this->Groups.size(), 0);
     std::vector<Seam> seams;
-    // From ends on, then those that are closed.
+    // From ends on, then closed ones.
     for (const bool fromEnds : { true, false })
     {
       for (std::size_t g = 0; g < this->Groups.size(); ++g)
@@ -212,7 +212,7 @@ public:
     }
   }
 
-  /// The vertices of the new mesh along a side, from its start on; empty where there is no such path.
+  /// The vertices of the new mesh along a side, from its start on; empty if there is no such path.
   std::vector<Index> Along(const Side& side) const
   {
     const Index start = this->ImageOf(side.IsReversed ? side.End : side.Start);
@@ -247,7 +247,7 @@ public:
   }
 
   std::vector<Index> First;
-  /// What follows on the boundary, the faces to the left, and the face there.
+  /// The next vertex on the boundary, the faces to the left, and the face there.
   std::vector<Index> Next;
   std::vector<Index> FaceAt;
 
@@ -316,8 +316,8 @@ std::vector<double> PlacesAlong(const std::vector<Index>& path, const std::vecto
   return place;
 }
 
-/// Which of the more places each of the fewer ones becomes: the nearest that leaves as many as are needed for
-/// the others. The ends stay.
+/// The place, among more places, for each of fewer vertices: the nearest one that leaves enough
+/// places for the others. The ends stay.
 std::vector<std::size_t> Matched(const std::vector<double>& fewer, const std::vector<double>& more)
 {
   std::vector<std::size_t> match(fewer.size(), 0);

@@ -11,9 +11,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Where sheets of a surface meet although its mesh has a boundary there: along edges of more than two triangles,
-/// and where a surface that has one side only was cut open. The sheets get their faces one by one; along the
-/// seams they are given the same vertices, which then become one.
+/// Where sheets of a surface meet although its mesh has a boundary there: along edges of more than
+/// two triangles, and where a one-sided surface was cut open. The sheets get their faces one by
+/// one; along the seams they are given vertices at the same places, which are then merged.
 class Seams
 {
 public:
@@ -26,11 +26,12 @@ public:
   /// V - E + F of the mesh, the sheets joined.
   int GetEulerCharacteristic() const { return this->EulerCharacteristic; }
 
-  /// Puts vertices on the sides of seams that have fewer of them than another one, and moves the others
-  /// to where that has them. A quad with one vertex more becomes a quad and a triangle.
+  /// Adds vertices on the sides of seams that have fewer of them than another side, and moves the
+  /// others to that side's places. A quad with one more vertex becomes a quad and a triangle.
   void Equalize(std::vector<ExtractedMesh>& components) const;
-  /// Which vertex stands for each one, the vertices of all components being numbered one after the other. Counts
-  /// the seams that stay open: where the faces on both sides are so few that they would become one.
+  /// The vertex that replaces each one, the vertices of all components being numbered
+  /// consecutively. Counts the seams that stay open: where both sides have so few faces that they
+  /// would become one.
   std::vector<Index> Joined(const std::vector<ExtractedMesh>& components, Index& open) const;
 
 private:

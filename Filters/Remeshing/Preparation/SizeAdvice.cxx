@@ -13,9 +13,11 @@ namespace
 {
 /// A component of fewer faces cannot show its shape: a cube has six.
 constexpr double FewestFaces = 8.0;
-/// A few vertices that are no points of the grid are normal: more than this part of all of them are not.
+/// A small part of vertices that are no grid points is normal; more than this part of all vertices
+/// is not.
 constexpr double MostKept = 0.01;
-/// Edges shorter than this part of the wanted ones have been drawn together, and tell nothing of the surface.
+/// Edges shorter than this part of the wanted length were shortened by smoothing, and say nothing
+/// about the surface.
 constexpr double LeastEdge = 0.1;
 
 std::string Text(double number)

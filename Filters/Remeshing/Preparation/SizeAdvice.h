@@ -13,7 +13,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Says where the faces asked for are too large for the surface, and which length of edges would do.
+/// Tells the user where the wanted faces are too large for the surface, and which length of edges
+/// would be short enough.
 class SizeAdvice
 {
 public:
@@ -25,12 +26,12 @@ public:
   {
   }
 
-  /// Tells that the length was made longer than the area asks for.
+  /// The length is longer than the one that the area gives.
   void Lengthen(double ofArea) { this->LengthOfArea = ofArea; }
   /// @param perLength 1 / h of each vertex, h the wanted length of edges there
   void AddComponent(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
     const std::vector<double>& perLength);
-  /// @param kept vertices that are there because the map is no grid around them
+  /// @param kept vertices that are no grid points but could not be removed
   void AddMesh(const std::vector<Vector3>& points, const Faces& faces, Index kept);
   std::vector<std::string> GetSentences() const;
 

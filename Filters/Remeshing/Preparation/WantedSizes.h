@@ -11,8 +11,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The wanted lengths of edges over a surface: a length times a size, which may differ from point to
-/// point.
+/// The wanted lengths of edges over a surface: a length times a size, which may differ from point
+/// to point.
 struct WantedSizes
 {
   /// The size at each point of the input, and at each vertex of the prepared mesh.
@@ -22,8 +22,8 @@ struct WantedSizes
   /// twice as long where its faces will be split.
   double EdgeLength = 0.0;
   double MapLength = 0.0;
-  /// The length that was asked for, or that the wanted number of faces gives for the area. EdgeLength
-  /// is longer on thin surfaces.
+  /// The length that was asked for, or that the wanted number of faces gives for the area.
+  /// EdgeLength is longer on thin surfaces.
   double LengthForArea = 0.0;
 
   /// 1 / h of each vertex, h the length of the map's edges there.
@@ -34,8 +34,8 @@ struct WantedSizes
   void LengthenFor(const SurfaceGeometry& geometry, Index faces);
 };
 
-/// The sizes that are asked for at each point, between 1/8 and 8. Where no positive number is given,
-/// and without any, the size is 1.
+/// The sizes that are asked for at each point, between 1/8 and 8. Where no positive number is
+/// given, and without any, the size is 1.
 std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t points);
 
 /// The area in units of the square of the size there. Coordinates that are not finite are refused
@@ -43,14 +43,14 @@ std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t 
 /// @param sizes one at each point, above 0
 double RelativeArea(const Surface& surface, const std::vector<double>& sizes);
 
-/// Longest allowed edge, at each point, of the decimated surface on which field and map are computed;
-/// empty where the triangles are few already. Wanted lengths within a factor of two share such a
-/// surface and everything computed on it.
+/// Longest allowed edge, at each point, of the decimated surface on which field and map are
+/// computed; empty where the triangles are few already. Wanted lengths within a factor of two share
+/// such a surface and everything computed on it.
 /// @param area as RelativeArea
 std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, double edgeLength);
 
-/// Shortest edge length that yields about `faces` faces on surfaces narrower than a face, whose faces
-/// all touch the boundary: its length counts there, not the area.
+/// Shortest edge length that yields about `faces` faces on surfaces narrower than a face, whose
+/// faces all touch the boundary: its length counts there, not the area.
 /// @param sizes one at each vertex, above 0
 double LeastEdgeLength(
   const SurfaceGeometry& geometry, const std::vector<double>& sizes, Index faces);

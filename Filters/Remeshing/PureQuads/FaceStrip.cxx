@@ -10,8 +10,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What a corner counts that is flat: its edges are parts of lines, and the cosine between them is above this. A quad whose
-/// scaled Jacobian is 0 counts 1.
+/// Penalty for a flat corner: its edges are parts of lines, and the cosine between them is above
+/// this. A quad whose scaled Jacobian is 0 has a penalty of 1.
 constexpr double Flat = 0.9;
 constexpr double PerFlatCorner = 50.0;
 }
@@ -124,7 +124,7 @@ std::vector<FaceStrip::Chord> FaceStrip::Shifted(bool isRight) const
   return chords;
 }
 
-/// Little for what is nearly a rectangle as it lies there, much for a corner that would stay flat.
+/// Small for a quad that already is nearly a rectangle, large for a corner that would stay flat.
 double FaceStrip::CostOf(const Faces::Face& quad, const std::vector<Vector3>& points) const
 {
   const double lacking = 1.0 - ScaledJacobian(points, quad);
@@ -143,7 +143,8 @@ double FaceStrip::CostOf(const Faces::Face& quad, const std::vector<Vector3>& po
   return cost;
 }
 
-/// By dynamic programming: each chord goes on from the one before it by two corners, on one side or both.
+/// By dynamic programming: each chord is two corners further than the one before it, on one side or
+/// one on both.
 std::vector<FaceStrip::Chord> FaceStrip::Cheapest(const std::vector<Vector3>& points) const
 {
   struct State

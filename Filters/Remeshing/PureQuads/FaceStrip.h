@@ -15,8 +15,9 @@ namespace DirectionFields::Internal
 /// Whether a face has an edge in this direction.
 bool HasEdge(const Faces::Face& face, Index tail, Index head);
 
-/// Faces in a row, each of which has an edge in common with the next one: two triangles and the quads between them. The
-/// polygon around two triangles and k quads has 2k + 4 corners, which k chords cut into k + 1 quads.
+/// A row of faces, each of which shares an edge with the next one: two triangles and the quads
+/// between them. The polygon around two triangles and k quads has 2k + 4 corners, which k chords
+/// cut into k + 1 quads.
 class FaceStrip
 {
 public:
@@ -28,22 +29,22 @@ public:
   /// Whether no vertex is twice in the polygon.
   bool IsSimple() const;
 
-  /// Two corners of the polygon, the one that comes first in it on the right of the way, the other on its left.
+  /// Two corners of the polygon, the first on the right of the strip, the second on its left.
   using Chord = std::array<std::size_t, 2>;
   /// The edges between the faces.
   const std::vector<Chord>& GetEdges() const { return this->Edges; }
-  /// What stands for the chord before the first one.
+  /// Stands for the chord before the first one.
   Chord Whole() const { return { 0, this->Polygon.size() - 1 }; }
   /// The quad between a chord and a later one.
   Faces::Face Between(const Chord& one, const Chord& other) const;
   /// The quad behind the last chord.
   Faces::Face Beyond(const Chord& last) const;
 
-  /// The chords that the edges but the last one become if each goes on to the next vertex on one side: vertices get other
-  /// numbers of faces only at the ends of the strip.
+  /// The chords that result if each edge but the last one is moved on to the next vertex on one
+  /// side: only the vertices at the ends of the strip get other valences.
   std::vector<Chord> Shifted(bool isRight) const;
-  /// Of all chords next to the edges those that leave quads which are most like rectangles, and no corners that are flat
-  /// on a line; none if edges would cross. Takes time in proportion to the faces.
+  /// Of all chords next to the edges, the ones whose quads are most like rectangles, with no flat
+  /// corners on a line; none if edges would cross. Takes time in proportion to the faces.
   std::vector<Chord> Cheapest(const std::vector<Vector3>& points) const;
 
 private:

@@ -8,8 +8,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Splits every face of k corners into k quads: with a vertex in the middle of each edge and one in the middle of
-/// the face. Edges between two vertices of one feature stay on it.
+/// Splits every face of k corners into k quads: with a vertex in the middle of each edge and one in
+/// the middle of the face. Edges between two vertices of one feature stay on it.
 void SplitIntoQuads(FaceMesh& mesh);
 }
 

@@ -18,13 +18,13 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The scaled Jacobian that faces are to have: first all triangles look for ways that leave it, then those that are left
-/// take what there is.
+/// The wanted scaled Jacobian of the faces: first all triangles search for strips that leave it,
+/// then the others take any strip.
 constexpr double Wanted[] = { 0.3, 0.1, -1.0 };
-/// Ways to other triangles that are looked at for each.
+/// Number of strips to other triangles that are tried for each.
 constexpr int MostWays = 6;
 constexpr int Moves = 6;
-/// Vertices that may be moved to see what becomes of them: so many, and so many for each face.
+/// Number of vertices that may be moved in trials: a constant, and a number for each face.
 constexpr std::size_t MostMovedAnyway = 5000;
 constexpr std::size_t MostMovedPerFace = 10;
 
@@ -45,8 +45,8 @@ public:
   {
   }
 
-  /// Lets a triangle first change places with parts of a quad beside it: where nothing is left for it but ways that are
-  /// too bad, it may be better off there.
+  /// Lets a triangle first change places with parts of a quad beside it: from there strips may be
+  /// better.
   bool JoinAfterMove(Index triangle, Index farthest, double wanted)
   {
     const std::size_t start = this->Cells.GetChanges().size();
@@ -70,8 +70,8 @@ public:
     return false;
   }
 
-  /// Joins a triangle with another one to which the way costs at most so much; returns whether it did. The cheapest ways are
-  /// tried first (Dijkstra), which reach others over each of their edges.
+  /// Joins a triangle with another one over a strip of at most this cost; returns whether it did.
+  /// The cheapest strips are tried first (Dijkstra), entering faces over each of their edges.
   bool JoinAsItIs(Index triangle, Index farthest, double wanted)
   {
     int partners = 0;
@@ -128,7 +128,8 @@ private:
     return cost;
   }
 
-  /// The face over an edge of no line, if it is wound alike; none at hubs, where looking for it takes long.
+  /// The face over an edge of no line, if it is wound alike; none at hubs, where the search takes
+  /// long.
   Index Beyond(Index f, Index tail, Index head) const
   {
     const bool isWall =
@@ -148,8 +149,8 @@ private:
     return way;
   }
 
-  /// Chords of a strip that cut it into quads. Or, where two triangles have an edge in common, which end of that becomes
-  /// one with the other.
+  /// Chords of a strip that cut it into quads. Or, where two triangles share an edge, the end of
+  /// that edge that is merged with the other one.
   struct Cut
   {
     std::vector<FaceStrip::Chord> Chords;
@@ -210,8 +211,8 @@ private:
     return cuts;
   }
 
-  /// Joins the triangles at the ends of a way by the first cut that leaves good faces, or else, where any will do, by
-  /// the one that leaves the best ones.
+  /// Joins the triangles at the ends of a strip by the first cut that leaves good faces, or else,
+  /// if any is allowed, by the one that leaves the best ones.
   bool Try(const std::vector<Index>& way, double wanted)
   {
     const FaceStrip strip(this->Cells, way);
@@ -284,7 +285,7 @@ private:
     return least;
   }
 
-  /// Puts quads in the place of the faces of a way; returns false where the mesh would not stay one.
+  /// Replaces the faces of a strip by quads; returns false if the mesh would not stay manifold.
   bool Do(const std::vector<Index>& way, const FaceStrip& strip, const Cut& cut)
   {
     if (cut.Goes != None)
@@ -311,7 +312,8 @@ private:
     return this->TakeOutDoublets(strip);
   }
 
-  /// Makes one quad of two that have two edges in common; returns false where a vertex has too few faces all the same.
+  /// Merges two quads that share two edges into one; returns false if a vertex has too few faces
+  /// nevertheless.
   bool TakeOutDoublets(const FaceStrip& strip)
   {
     std::vector<Index> vertices = strip.GetPolygon();
@@ -352,9 +354,11 @@ private:
   FaceEdits Edits;
   /// By how much irregularity may grow at most.
   int MostGrown;
-  /// How many vertices may still be moved. Where the faces are bad everywhere nothing is found.
+  /// The number of vertices that may still be moved. Where faces are bad everywhere no strip is
+  /// found.
   std::size_t MovesLeft;
-  /// The last search that has reached a face, the face before it on the way, and what the way costs.
+  /// The last search that reached a face, the face before it on the strip, and the cost of the
+  /// strip.
   std::vector<Index> Seen;
   std::vector<Index> From;
   std::vector<Index> Cost;

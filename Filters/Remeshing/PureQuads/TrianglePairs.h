@@ -12,12 +12,14 @@
 
 namespace DirectionFields::Internal
 {
-/// Joins triangles in pairs, the nearest ones first: two triangles and the k quads on a way between them, which crosses
-/// no line, become k + 1 quads. Often each edge on the way goes on to the next vertex on one side of it, which changes the
-/// number of faces of few vertices. Faces are to stay good. Takes time in proportion to the faces that are nearer to a
-/// triangle than the one it is joined with. Throws Stopped.
-/// @param atAnyPrice where no way leaves faces good they become as good as they can, and vertices may become irregular;
-///                   only triangles that find no other one stay. Otherwise all do that are no use joining.
+/// Joins triangles in pairs, the nearest ones first: two triangles and the k quads of a strip
+/// between them, which crosses no line, become k + 1 quads. Often each edge of the strip moves on
+/// to the next vertex on one side, which changes the valence of few vertices. Faces are to stay
+/// good. Takes time in proportion to the faces that are nearer to a triangle than the one it is
+/// joined with. Throws Stopped.
+/// @param atAnyPrice where no strip leaves faces good they become as good as they can, and vertices
+///                   may become irregular; only triangles that find no other one stay. Otherwise
+///                   triangles whose join gains nothing stay, too.
 void JoinTriangles(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, bool atAnyPrice, const Progress& progress = {});
 }

@@ -13,8 +13,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What cutting an edge costs, in faces of distance from a triangle, and what it costs more for each face whose parts are
-/// below a scaled Jacobian, or whose region has few faces, among which there is little room for triangles.
+/// Cost of splitting an edge, in faces of distance from a triangle, and the additional cost for
+/// each face whose parts are below a scaled Jacobian, or whose region has few faces and so little
+/// room for triangles.
 constexpr double PerWall = 40.0;
 constexpr double Good = 0.3;
 constexpr Index FewFaces = 8;
@@ -65,7 +66,8 @@ public:
 private:
   const Faces::Face& Face(Index f) const { return this->Mesh.Cells.Corners[f]; }
 
-  /// Finds the faces on the other side of each edge that is part of no line, and the edges of lines.
+  /// Finds the faces on the other side of each edge that belongs to no line, and the edges of
+  /// lines.
   void FindWalls()
   {
     struct Side
@@ -116,7 +118,7 @@ private:
     }
   }
 
-  /// Calls body for faces and those that are reached from them over edges of no line, breadth first.
+  /// Calls body for faces and for the faces reached from them over edges of no line, breadth first.
   template <typename Body>
   void Spread(std::vector<Index>&& front, const Body& body) const
   {
@@ -173,7 +175,7 @@ private:
       });
   }
 
-  /// The regions on both sides of a wall; the last number is for what is outside.
+  /// The regions on both sides of a wall; the last number is the outside.
   std::array<Index, 2> RegionsOf(const Wall& wall) const
   {
     return { this->Region[wall.Faces[0]],
@@ -181,7 +183,7 @@ private:
                             : static_cast<Index>(this->IsOdd.size()) };
   }
 
-  /// A way over a wall to a region, or from it.
+  /// A step over a wall to a region, or from it.
   struct Crossing
   {
     double Cost;
@@ -189,8 +191,8 @@ private:
     Index Wall;
   };
 
-  /// Leads odd regions along a tree of the cheapest ways to each from what is outside, or from the last region where
-  /// there is no way out.
+  /// Connects odd regions along a tree of the cheapest paths to each from the outside, or from the
+  /// last region if there is no path outside.
   bool ChooseWalls(std::vector<Index>& chosen) const
   {
     if (std::find(this->IsOdd.begin(), this->IsOdd.end(), 1) == this->IsOdd.end())
@@ -229,8 +231,8 @@ private:
     return true;
   }
 
-  /// The regions by what the cheapest way to them costs, from the last one of those that hang together (Dijkstra), and
-  /// over which wall that comes from which region.
+  /// The regions by the cost of the cheapest path to them, from the last one of a connected set
+  /// (Dijkstra), and the wall over which each is entered.
   static std::vector<Index> CheapestFirst(
     const std::vector<std::vector<Crossing>>& crossings, std::vector<Crossing>& entrance)
   {
@@ -238,7 +240,7 @@ private:
     std::vector<char> isReached(crossings.size(), 0);
     for (std::size_t root = crossings.size(); root-- > 0;)
     {
-      // What comes next: its cost, the region that it leads to, and how it is entered.
+      // The next step: its cost, the region it leads to, and its entry.
       using Arrival = std::tuple<double, Index, Index, Index>;
       std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue;
       queue.emplace(0.0, None, None, static_cast<Index>(root));
@@ -288,8 +290,8 @@ private:
     double Quality;
   };
 
-  /// How a face is cut from the middle of an edge so that the worse part is as good as possible. The middle is vertex
-  /// number Points.size().
+  /// The cut of a face from the middle of an edge whose worse part is as good as possible. The
+  /// middle is vertex number Points.size().
   Parts BestCut(
     const Faces::Face& face, const std::array<Index, 2>& ends, const Vector3& middle) const
   {
@@ -393,7 +395,7 @@ private:
   std::vector<char> IsOdd;
   /// The number of each region's faces.
   std::vector<Index> Size;
-  /// Faces that were cut, and what was cut off them.
+  /// Faces that were cut, and the parts cut off them.
   std::vector<std::pair<Index, Index>> PartsOf;
 };
 }

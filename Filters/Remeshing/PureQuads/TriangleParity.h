@@ -8,10 +8,11 @@
 
 namespace DirectionFields::Internal
 {
-/// Makes the number of triangles even in every region between lines, so that they can be joined in pairs: edges of lines
-/// are cut in two, which makes a triangle more of each face there, a quad becoming a triangle and a quad. The regions
-/// whose number is odd are led to each other, or to the boundary, over few lines and where the faces are good. Returns false where
-/// regions are odd that only meet others in edges of more than two faces; the mesh is as it was then.
+/// Makes the number of triangles even in every region between lines, so that they can be joined in
+/// pairs: edges of lines are split in two, which adds a triangle to each face there, a quad
+/// becoming a triangle and a quad. Odd regions are connected with each other, or with the boundary,
+/// over few lines and where the faces are good. Returns false, and leaves the mesh unchanged, if
+/// odd regions meet others only in edges of more than two faces.
 bool EvenOutTriangles(FaceMesh& mesh);
 }
 
