@@ -114,10 +114,10 @@ struct CutExample
 /// Twice the area of the images of all triangles of a mesh in parallelograms of the grid, exactly, in
 /// units of 1 / IntegerGrid::Unit^2. Flipped triangles count as negative.
 __extension__ using WideInteger = __int128;
-inline WideInteger TwiceAreaOf(const std::array<GridPoint, 3>& corners)
+inline WideInteger TwiceAreaOfTriangle(const GridPoint& p, const GridPoint& q, const GridPoint& r)
 {
-  const GridPoint u = corners[1] - corners[0];
-  const GridPoint v = corners[2] - corners[0];
+  const GridPoint u = q - p;
+  const GridPoint v = r - p;
   return static_cast<WideInteger>(u.A) * v.B - static_cast<WideInteger>(u.B) * v.A;
 }
 inline WideInteger TwiceAreaOf(const std::vector<GridPoint>& corners)
@@ -125,7 +125,7 @@ inline WideInteger TwiceAreaOf(const std::vector<GridPoint>& corners)
   WideInteger area = 0;
   for (std::size_t h = 0; h < corners.size(); h += 3)
   {
-    area += TwiceAreaOf({ corners[h], corners[h + 1], corners[h + 2] });
+    area += TwiceAreaOfTriangle(corners[h], corners[h + 1], corners[h + 2]);
   }
   return area;
 }
@@ -136,7 +136,7 @@ inline WideInteger TwiceAreaOf(const ExtractionMesh& mesh)
   {
     if (mesh.IsTriangle(t))
     {
-      area += TwiceAreaOf({ mesh.Place(3 * t), mesh.Place(3 * t + 1), mesh.Place(3 * t + 2) });
+      area += TwiceAreaOfTriangle(mesh.Place(3 * t), mesh.Place(3 * t + 1), mesh.Place(3 * t + 2));
     }
   }
   return area;

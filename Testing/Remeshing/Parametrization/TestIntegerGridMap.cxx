@@ -44,7 +44,7 @@ TEST(IntegerGridMap, AgreesAcrossEveryEdgeExactly)
     for (const int degree : { 4, 6 })
     {
       const CutExample example = CutExample::Random(surface, degree, 10);
-      const CutMesh\& mesh = example.Mesh;
+      const CutMesh& mesh = example.Mesh;
       const IntegerGridMap map(mesh, example.Settings(10.0));
       ASSERT_FALSE(map.GetFailure());
       const IntegerGrid plane(degree);
@@ -72,7 +72,7 @@ TEST(IntegerGridMap, ConesAreGridPointsAndFeaturesAreLinesOfTheGrid)
     for (const int degree : { 4, 6 })
     {
       const CutExample example = CutExample::Random(surface, degree, 11);
-      const CutMesh\& mesh = example.Mesh;
+      const CutMesh& mesh = example.Mesh;
       const IntegerGridMap map(mesh, example.Settings(10.0));
       std::vector<char> isCone(mesh.Positions.size(), 0);
       for (const CutMesh::Cone& cone : mesh.Cones)
