@@ -79,7 +79,7 @@ struct FewSums
   }
 };
 
-/// Adds up what body(v, sums) adds for each row.
+/// Sums the contributions of body(v, sums) over the rows.
 template <typename Body>
 Sums SumRows(Index rows, const Body& body)
 {

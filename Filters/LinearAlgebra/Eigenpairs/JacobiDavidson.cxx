@@ -25,7 +25,7 @@ constexpr Index PieceRows = CompactMatrix::PieceRows;
 /// How far one Jacobi-Davidson step solves its correction equation: with the eigenvalue that is in the
 /// equation, to go further is of no use. Besides its V-cycles each step takes as long as two of them.
 constexpr double InnerReduction = 0.001;
-/// Nor does a step go below this part of what the step before has left: near other eigenvalues steps gain
+/// Nor does a step go below this part of the residual of the step before: near other eigenvalues steps gain
 /// little, however far they go.
 constexpr double InnerPart = 0.1;
 /// How far it goes where all steps are kept: that space gains by each of them, so many short steps pay.
@@ -210,7 +210,7 @@ struct Figures
 class Iteration
 {
 public:
-  /// @param nested what the iteration begins with; its next pairs are deflated
+  /// @param nested the sections that the iteration begins with; its next pairs are deflated
   Iteration(const Operators& operators, const Hierarchy::Level& finest, const Cycle& cycle,
     const EigenpairSettings& settings, const Progress& progress, NestedPairs& nested)
     : Matrices(operators)
@@ -229,7 +229,7 @@ public:
     this->Cycles.Spend(nested.Work);
   }
 
-  /// The best pair, which is also put in place of the first one of those that the iteration began with.
+  /// The best pair, which is also put in place of the first section that the iteration began with.
   Eigenpair Run()
   {
     do
@@ -264,7 +264,7 @@ private:
         }
         return part;
       });
-    // A is positive semi-definite: what is less than zero is rounding.
+    // A is positive semi-definite: values below zero are rounding.
     const double value = std::max(0.0, figures.Energy / figures.Other);
     const double perLength = 1.0 / std::sqrt(figures.Other);
     const Figures squares = ParallelSum<Figures>(rows, PieceRows, {},

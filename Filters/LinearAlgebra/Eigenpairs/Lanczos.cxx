@@ -92,7 +92,7 @@ public:
     double norm = std::sqrt(std::max(0.0, w.dot(massW).real()));
     if (norm <= 1e-14 * size)
     {
-      // The space is invariant: what is left of w is rounding. The iteration continues in any other
+      // The space is invariant: the remainder of w is rounding. The iteration continues in any other
       // direction.
       norm = 0.0;
       for (Eigen::Index k = 0; k < w.size(); ++k)
@@ -117,7 +117,7 @@ public:
     this->Diagonalize();
   }
 
-  /// The part by which the last step has raised the largest Ritz value: 1 over what A + shift M has for its
+  /// The part by which the last step has raised the largest Ritz value: 1 over the value of A + shift M for its
   /// smallest eigenvalue, so far.
   double Rise() const { return (this->Largest - this->LargestBefore) / this->Largest; }
 
@@ -181,7 +181,7 @@ private:
 void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pair)
 {
   const ComplexVector massVector = mass * pair.Vector;
-  // A is positive semi-definite: what is less than zero is rounding.
+  // A is positive semi-definite: values below zero are rounding.
   pair.Value = std::max(0.0, RayleighQuotient(pair.Vector, energy * pair.Vector, massVector));
   pair.Vector /= std::sqrt(pair.Vector.dot(massVector).real());
   pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);

@@ -26,7 +26,7 @@ constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
 /// On the finest level each step costs as much as five V-cycles of the one section that is wanted in the
 /// end. There the steps end, too, once one has changed the smallest value by no more than a part of it:
-/// FirstChange for the first step, which takes away what interpolation had added, as a rule, then
+/// FirstChange for the first step, which as a rule removes the error of interpolation, then
 /// SettledChange.
 constexpr int MostStepsOnFinest = 4;
 constexpr double FirstChange = 0.25;
@@ -137,8 +137,8 @@ public:
     {
       return true;
     }
-    // Without a coarser level the first steps say nothing; and where the value rises, what the
-    // coarser level took for it was rounding.
+    // Without a coarser level the first steps say nothing; and where the value rises, that
+    // of the coarser level was rounding.
     const double after = this->Pairs.Values[first];
     isLast = isLast ||
       (level == 0 && !this->IsCoarsest &&
@@ -191,7 +191,7 @@ private:
     this->Take(RayleighRitz(energy, mass, Width));
   }
 
-  /// The sections become the Ritz vectors, and the last step what was added to them.
+  /// The sections become the Ritz vectors, and the last step the change of them.
   /// @param isLast no step follows that would need the last one
   void TakeRitzVectors(bool withMass, bool isLast)
   {

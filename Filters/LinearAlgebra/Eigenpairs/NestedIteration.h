@@ -17,7 +17,7 @@ struct NestedPairs
   SectionBlock Block;
   /// Ascending. Empty where the iteration broke down.
   Eigen::VectorXd Values;
-  /// What the iteration has taken (see WorkLimit).
+  /// Work of the iteration (see WorkLimit).
   double Work = 0.0;
 };
 

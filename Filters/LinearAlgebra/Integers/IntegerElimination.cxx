@@ -56,7 +56,7 @@ const IntegerSum& IntegerElimination::Resolve(Index variable)
     [&](const std::pair<Index, std::int64_t>& term) { return this->IsFree(term.first); });
   if (!isResolved)
   {
-    // What was eliminated later is in terms of what is free or was eliminated later still.
+    // Variables eliminated later are sums of free ones and of some eliminated later still.
     const IntegerSum sum = this->Sums[which];
     this->Sums[which] = this->Resolve(sum);
   }
@@ -97,7 +97,7 @@ void IntegerElimination::Require(IntegerSum sum)
     for (std::size_t i = 0; i < sum.size(); ++i)
     {
       sum[i].second /= divisor;
-      // The last one of the least rank: any that is no integer goes before those that are.
+      // The last one of the least rank: real variables go before integers.
       const bool isUnit = std::abs(sum[i].second) == 1;
       if (isUnit &&
         (pivot == sum.size() || this->Integers[sum[i].first] <= this->Integers[sum[pivot].first]))

@@ -43,7 +43,7 @@ public:
 private:
   void MakeDependent(Index variable, IntegerSum sum);
 
-  /// What each variable is: 0 for a real number, 1 for an integer, 2 for one that stays free if it can.
+  /// The kind of each variable: 0 for a real number, 1 for an integer, 2 for one that stays free if it can.
   std::vector<char> Integers;
   /// Which of the sums a variable is, or None.
   std::vector<Index> Dependent;

@@ -15,18 +15,18 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// How far it is to the nearest integer; what is below its bound comes before anything else.
+/// Distance to the nearest integer; values below their bound come before all others.
 double Rank(double x, double least)
 {
   return std::nearbyint(x) < least ? x - least : std::abs(x - std::nearbyint(x));
 }
 
-/// The variables to be rounded next, of those that are left.
+/// The variables to be rounded next among the remaining ones.
 std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& x,
   const Eigen::VectorXd& least, const std::vector<Eigen::Index>& left, Eigen::Index mostSingly)
 {
   const Eigen::Index count = static_cast<Eigen::Index>(left.size());
-  // The rank, the variable, and its place among those that are left.
+  // The rank, the variable, and its place among the remaining ones.
   std::vector<std::tuple<double, Eigen::Index, Eigen::Index>> order;
   for (Eigen::Index i = 0; i < count; ++i)
   {
@@ -36,7 +36,7 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
   {
     return { std::get<2>(*std::min_element(order.begin(), order.end())) };
   }
-  // Those that are so near that nothing else will change their integer, then what is independent of them.
+  // First the variables so near an integer that no other rounding changes it, then the ones independent of them.
   std::sort(order.begin(), order.end());
   constexpr double mostCorrelated = 0.1;
   constexpr std::size_t mostCompared = 256;
@@ -76,7 +76,7 @@ void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, const Eige
   }
   while (!left.empty())
   {
-    // The covariance of those that are left stands in its first rows and columns, in their order.
+    // The covariance of the remaining variables stands in the first rows and columns, in their order.
     std::vector<Eigen::Index> slots = NextOnes(covariance, x, bound, left, mostSingly);
     std::sort(slots.begin(), slots.end(), std::greater<>());
     for (const Eigen::Index k : slots)

@@ -42,7 +42,7 @@ Index Padded(Index count)
   return (count + Width - 1) / Width * Width;
 }
 
-/// How many entries of a row are in columns of its block before it, after it, and in those of other blocks.
+/// The numbers of entries of a row in columns of its block before it, after it, and in other blocks.
 std::array<Index, 3> CountParts(const GraphLaplacian& matrix, Index v, Index begin, Index end)
 {
   std::array<Index, 3> counts{};

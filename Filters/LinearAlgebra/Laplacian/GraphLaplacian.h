@@ -40,7 +40,7 @@ struct GraphLaplacian
 };
 
 /// The same as sweeps go through it. How many entries a row has is hard to predict, and a branch that goes wrong
-/// takes longer than a few products: what a loop goes through is filled up to a multiple of Width by entries of
+/// takes longer than a few products: each loop is filled up to a multiple of Width by entries of
 /// weight 0 in the row's own column.
 struct SweptLaplacian
 {

@@ -93,7 +93,7 @@ void LaplacianCycle::Factor(double shift)
   dense = (0.5 * (dense + dense.transpose())).eval();
   if (shift == 0.0)
   {
-    // Constants are left alone by the Laplacian: what is added for them keeps the matrix definite.
+    // Constants are in the kernel of the Laplacian: a term added for them keeps the matrix definite.
     dense.array() += dense.trace() / (static_cast<double>(n) * n);
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(dense);

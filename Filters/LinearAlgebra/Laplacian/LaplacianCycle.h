@@ -13,7 +13,7 @@ namespace DirectionFields::Internal
 /// A multigrid cycle B, nearly the inverse of L + shift M, up to constants where the shift is 0: one sweep down,
 /// the coarser level's cycle, one sweep up. From the third level on a level's cycle is applied again, to the
 /// residual that it leaves. Symmetric, and the same bytes for any number of threads. Sweeps are Gauss-Seidel within
-/// blocks of rows and Jacobi between them, with what couples a row with other blocks added to its diagonal (the l1
+/// blocks of rows and Jacobi between them, with the couplings of a row with other blocks added to its diagonal (the l1
 /// smoother of A. Baker et al., SIAM J. Sci. Comput. 33, 2011).
 class LaplacianCycle
 {
@@ -28,7 +28,7 @@ public:
   void Apply(const LargeArray<float>& b, LargeArray<float>& y);
 
 private:
-  /// What a cycle holds of one level.
+  /// The vectors of a cycle on one level.
   struct Storage
   {
     /// The diagonal, with the shift.
@@ -47,8 +47,8 @@ private:
   void Factor(double shift);
   void SolveCoarsest(const float* b, float* y) const;
   void Apply(std::size_t level, const float* b, float* y);
-  /// One sweep for L x = b by ascending rows, from zero, and what it leaves: r = b - L x. What the sweep has added
-  /// up of a row is not added up again, so that both take no longer than a product with the matrix.
+  /// One sweep for L x = b by ascending rows, from zero, and the residual r = b - L x. The part of a row that the sweep
+  /// has added up is not added up again, so that both take no longer than a product with the matrix.
   void SweepDown(std::size_t level, const float* b, float* x, float* r) const;
   /// One by descending rows.
   void SweepUp(std::size_t level, const float* b, float* x);

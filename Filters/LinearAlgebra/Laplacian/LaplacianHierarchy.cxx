@@ -89,7 +89,7 @@ LargeArray<Index> Aggregate(const GraphLaplacian& matrix, const Strengths& stren
     }
     ++count;
   }
-  // Two rounds: first only what belongs to a neighbourhood counts, so that aggregates do not grow in lines.
+  // Two rounds: first only members of a neighbourhood count, so that aggregates do not grow in lines.
   const auto strongest = [&](Index v, const LargeArray<Index>& of)
   {
     Index best = None;

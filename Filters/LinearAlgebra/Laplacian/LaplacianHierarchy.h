@@ -14,7 +14,7 @@ namespace DirectionFields::Internal
 struct NumberProlongator
 {
   /// The entries of row v are those from Begin[v] to End[v]; rows are filled up to a multiple of
-  /// SweptLaplacian::Width by zeros, as those of a SweptLaplacian are.
+  /// SweptLaplacian::Width by zeros, as in a SweptLaplacian.
   LargeArray<Index> Begin;
   LargeArray<Index> End;
   LargeArray<Index> Column;
@@ -44,7 +44,7 @@ public:
   struct Level
   {
     SweptLaplacian Matrix;
-    /// What of the whole mass belongs to each row.
+    /// The share of each row in the whole mass.
     LargeArray<float> Mass;
     /// Interpolates from the next coarser level; empty on the coarsest.
     NumberProlongator FromCoarser;

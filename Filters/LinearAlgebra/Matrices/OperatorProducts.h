@@ -18,10 +18,10 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
 /// a A + m M
 SparseMatrix LinearCombination(const Operators& operators, double a, double m);
 
-/// ‖|K| |u|‖: what the terms of K u add up to if none cancel. The rounding of K u is a part of it.
+/// ‖|K| |u|‖: the sum of the terms of K u if none cancel. The rounding of K u is a small part of it.
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
 
-/// A section and what energy and mass matrix make of it.
+/// A section and its products with energy and mass matrix.
 struct SectionProducts
 {
   ComplexVector Vector;

@@ -11,7 +11,7 @@ namespace DirectionFields
 /// Energy and mass matrix of one connected component, in units of the component's mean edge length. Row and
 /// column v belong to the vertex FirstVertex + v.
 ///
-/// What the solvers expect of them:
+/// The solvers expect:
 /// - Both are Hermitian, compressed and stored in full. The energy is positive semi-definite, the mass
 ///   matrix positive definite.
 /// - They have the same pattern: each has an entry at all places where one of them is not zero, its rows in

@@ -23,8 +23,8 @@ namespace DirectionFields::Internal
 /// sum itself. So there is none. A column's slot is its number modulo SlotCount; a slot says where in the row
 /// its latest column stands. If the row has another column there, the column is new: it gets the place at
 /// the end of the row, and the slot points to it. Else it gets the place that the slot says. Which of the two
-/// places is chosen by arithmetic. Slots need not be cleared between rows: what one says of an earlier row is
-/// another column or None, the column of all places from the end of the row on.
+/// places is chosen by arithmetic. Slots need not be cleared between rows: the entry that a slot of an
+/// earlier row points to has another column or None, the column of all places from the end of the row on.
 /// Two columns that share a slot and take turns get several places each; TakeSorted adds them up, and with
 /// SlotCount many times the columns of a row this is rare.
 template <typename Entry>
@@ -94,7 +94,7 @@ private:
 
   /// For each slot the place in this row, or an earlier one, of its latest column.
   std::array<std::uint32_t, SlotCount> Slots;
-  /// The row has End entries; the column of those that follow is None.
+  /// The row has End entries; the column of later entries is None.
   std::vector<std::pair<Index, Entry>> Row;
   std::uint32_t End = 0;
 };

@@ -13,7 +13,7 @@
 namespace DirectionFields::Internal
 {
 /// The chosen columns of a matrix, in the order in which they are chosen, on several threads.
-/// @param rows      of what is returned
+/// @param rows      of the result
 /// @param newNumber the number of a row among these; None leaves the row out
 template <typename NewNumber>
 SparseMatrix SelectedColumns(const SparseMatrix& matrix, const std::vector<Index>& chosen,

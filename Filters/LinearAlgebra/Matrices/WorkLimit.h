@@ -8,11 +8,11 @@
 
 #include <limits>
 
-// Work is counted, never measured, so that what depends on it is the same on any machine and any number of
-// threads. Its unit is what one thread of a common processor does in a nanosecond.
+// Work is counted, never measured, so that decisions that depend on it are the same on any machine and any number of
+// threads. Its unit is the work of one thread of a common processor in a nanosecond.
 namespace DirectionFields::Internal
 {
-/// What a sparse Cholesky factor costs, from its pattern after the fill-reducing ordering.
+/// The cost of a sparse Cholesky factor, from its pattern after the fill-reducing ordering.
 struct FactorWork
 {
   /// The number of rows, and of the factor's entries.
@@ -57,7 +57,7 @@ private:
 
 /// The work that is left until a residual has fallen to the one that is wanted, if it goes on falling as it has.
 /// Infinite where it does not fall.
-/// @param spent what has made the residual fall from before to now
+/// @param spent the work that has made the residual fall from before to now
 double RemainingWork(double spent, double before, double now, double wanted);
 }
 

@@ -32,7 +32,7 @@ struct Aggregates
   Index Count = 0;
 };
 
-/// What becomes of vertices that couple with no others strongly.
+/// The treatment of vertices without strong couplings.
 enum class LeftOver
 {
   /// Each becomes an aggregate: for eigenvectors a coarse level must be able to hold any section.

@@ -14,9 +14,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What pairs of sweeps are to leave of an error: levels above them correct the rest.
+/// The part of an error that pairs of sweeps may leave: the levels above correct the rest.
 constexpr double WantedPart = 0.3;
-/// Pairs of sweeps after which what one leaves of an error is near the worst.
+/// Pairs of sweeps after which the reduction of the error by one more is near the worst.
 constexpr int PairsToContract = 8;
 
 double Norm(const CompactSections& x)

@@ -15,7 +15,7 @@ namespace
 {
 /// A row is local where its couplings add up to more than this times the diagonal.
 constexpr float MostCouplings = 1.2f;
-/// No more than this part of all rows are local, besides those that they are coupled with.
+/// No more than this part of all rows are local, besides the rows that they are coupled with.
 constexpr double MostLocalRows = 0.01;
 }
 

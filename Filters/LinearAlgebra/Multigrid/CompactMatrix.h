@@ -43,7 +43,7 @@ struct CompactMatrix
     /// The row counted in the boundary, or None.
     Index Boundary;
   };
-  /// Rows whose couplings add up to much more than the diagonal, as at slivers, and what they are
+  /// Rows whose couplings add up to much more than the diagonal, as at slivers, and the rows that they are
   /// coupled with, ascending: coarser levels correct them badly. Empty before FindLocalRows.
   std::vector<LocalRow> Local;
 
@@ -54,7 +54,7 @@ struct CompactMatrix
   /// Brings the entries of rows with ascending columns in order, and fills in Inside and Boundary.
   /// @param other has the same pattern, and gets the same order
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
-  /// Fills in what only sweeps need: ColumnInBlock and the couplings of the boundary.
+  /// Fills in the parts that only sweeps need: ColumnInBlock and the couplings of the boundary.
   void PrepareSweeps();
   /// Fills in Local. Where many rows are like that, only the worst ones are taken: more of them would take
   /// longer than they save.

@@ -18,7 +18,7 @@ constexpr std::size_t FirstTwice = 2;
 constexpr double MostRepeatedPart = 0.3;
 
 /// The work of a cycle for each entry that it comes by (see WorkLimit): a sweep down, the residual, a sweep up
-/// and what takes sections from level to level.
+/// and the prolongators between the levels.
 constexpr double WorkPerEntry = 4.3;
 
 /// The number of entries, the diagonal's among them.

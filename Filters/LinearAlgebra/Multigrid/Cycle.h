@@ -50,7 +50,7 @@ private:
     CompactSections Up;
     CompactSections Once;
   };
-  /// Corrects the Up of the level by what it leaves of its Right, which is overwritten.
+  /// Corrects the Up of the level by its residual for Right, which is overwritten.
   template <int B>
   void ApplyAgain(std::size_t level) const;
 

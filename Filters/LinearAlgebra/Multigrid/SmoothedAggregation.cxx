@@ -81,7 +81,7 @@ void LowerEnergy(const CompactMatrix& energy, const Couplings& couplings,
           std::copy_n(values + first, count, to + first);
           continue;
         }
-        // What of row i of A P is within the pattern of P.
+        // The entries of row i of A P within the pattern of P.
         phases.resize(count);
         CompactComplex along = 0.0f;
         for (Index at = 0; at < count; at += FewColumns::Count)

@@ -19,7 +19,7 @@ namespace DirectionFields::Internal
 ///
 /// The transport is the phase of the mass matrix' entries: unlike the energy's, they do not change sign where
 /// a cotangent weight is negative.
-/// @param level 0 for the finest: what counts as strong gets weaker from level to level
+/// @param level 0 for the finest: the threshold of strong couplings falls from level to level
 Prolongator MakeProlongator(const LevelMatrices& matrices, int level, LeftOver leftOver);
 }
 

@@ -44,8 +44,8 @@ constexpr Index BlockRows = CompactMatrix::BlockRows;
 /// This many products are added up in single precision, their sums in double precision.
 constexpr Index FewNumbers = 512;
 
-/// The arrays of a matrix. Loops take copies of the pointers: the compiler knows that what a loop writes
-/// does not change its own copies.
+/// The arrays of a matrix. Loops take copies of the pointers, so that the compiler knows that writing
+/// values does not change them.
 struct Entries
 {
   explicit Entries(const CompactMatrix& matrix)
@@ -60,7 +60,7 @@ struct Entries
   const std::uint16_t* ColumnInBlock;
   const CompactComplex* Value;
 
-  /// Adds what row v gets from its own block.
+  /// Adds the terms of row v from its own block.
   /// @param x begins with the block
   template <int B>
   void AddInside(Index v, const float* x, CompactValues<B>& sum) const
@@ -175,7 +175,7 @@ struct Relaxation
     , Kept(1.0f - diagonal.Relaxation)
   {
   }
-  /// @param sum what the row gets from other blocks
+  /// @param sum the terms of the row from other blocks
   void operator()(Index v, CompactValues<B> sum) const
   {
     this->AddRest(v, sum);
@@ -205,7 +205,7 @@ private:
   float Kept;
 };
 
-/// Calls body(j, v, sum) for the rows v of the boundary with what they get from other blocks.
+/// Calls body(j, v, sum) for the rows v of the boundary with their terms from other blocks.
 /// @param x the sections at the rows of the boundary
 template <int B, typename Body>
 void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
@@ -225,7 +225,7 @@ void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
     });
 }
 
-/// Stores the residual of a block that has been swept, without what other blocks contribute, and the block's
+/// Stores the residual of a block that has been swept, without the terms of other blocks, and the block's
 /// rows of the boundary.
 /// @param x begins with the block
 template <int B>

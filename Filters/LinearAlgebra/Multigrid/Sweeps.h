@@ -7,7 +7,7 @@
 #include "Multigrid/CompactMatrix.h"
 
 // The smoother of multigrid. Sweeps are Gauss-Seidel within blocks of rows and Jacobi between them, so
-// that blocks run at once and results do not depend on the number of threads. What couples a row with
+// that blocks run at once and results do not depend on the number of threads. The coupling of a row with
 // other blocks is added to its diagonal, which keeps the sweep convergent (the l1 smoother of
 // A. Baker et al., SIAM J. Sci. Comput. 33, 2011). The local rows of each block are swept a few times
 // more, by themselves (local relaxation: A. Brandt, Multigrid Techniques, 1984).
@@ -16,7 +16,7 @@ namespace DirectionFields::Internal
 /// How often local rows are swept besides the sweep of all rows.
 constexpr int LocalSweeps = 4;
 
-/// What sweeps need of the matrix A + shift m besides the entries of A, where m is a diagonal.
+/// The diagonal data that sweeps need for the matrix A + shift m besides the entries of A, where m is a diagonal.
 struct SweepDiagonal
 {
   SweepDiagonal() = default;

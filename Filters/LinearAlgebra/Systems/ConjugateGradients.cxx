@@ -18,7 +18,7 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// After so many steps the iteration also looks at how far rounding lets the residual fall.
+/// Number of steps after which the iteration also estimates how far rounding lets the residual fall.
 constexpr int ManySteps = 16;
 /// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by that part.
 constexpr double RoundingScale = 1e-6;
@@ -62,7 +62,7 @@ double Update(double step, CompactVector& q, CompactVector& r)
   return std::sqrt(squares);
 }
 
-/// What the residual of u, of the given norm, is to be measured by: ‖b‖, or a part of what the terms
+/// The scale of the residual of u, which has the given norm: ‖b‖, or a part of what the terms
 /// of K u add up to where rounding allows no better.
 double SizeOf(const ShiftedSystem& system, const ComplexVector& u, double rest, double norm)
 {
@@ -300,12 +300,12 @@ private:
   /// The steps of earlier starts, and the work of each (see WorkLimit).
   const int FirstStep;
   const double StepWork;
-  /// u, without what Pending still adds to it, and K u of the last time that the residual was computed
+  /// u, without the terms that Pending still adds to it, and K u of the last time that the residual was computed
   ComplexVector Solution;
   ComplexVector Product;
   /// Residual and direction are kept over this.
   const double Unit;
-  /// What the residual is measured by.
+  /// The scale of the residual.
   double Size;
   CompactVector Residual;
   /// z

@@ -18,7 +18,7 @@ constexpr double ResidualMargin = 0.9;
 constexpr int MostSteps = 300;
 constexpr int MostRestarts = 4;
 
-/// Solves K u = b by conjugate gradients, preconditioned by V-cycles and what they lack of the inverse on
+/// Solves K u = b by conjugate gradients, preconditioned by V-cycles and a correction towards the inverse on
 /// the lowest sections, in time linear in the vertices. Returns zero with the residual 1 where there are
 /// no V-cycles.
 /// @param lowest approximations of the smallest eigenvectors of A, orthonormal in M, which K may nearly

@@ -12,7 +12,7 @@ namespace DirectionFields::Internal
 /// A section in single precision.
 using CompactVector = LargeArray<CompactComplex>;
 
-/// z = B r, where B is a V-cycle in single precision and what it lacks of the inverse on the lowest sections.
+/// z = B r, where B is a V-cycle in single precision and a correction towards the inverse on the lowest sections.
 class CyclePreconditioner
 {
 public:
@@ -58,7 +58,7 @@ private:
   Cycle Cycles;
   /// The vectors of the lowest sections; null where V-cycles lack little.
   const float* Lowest = nullptr;
-  /// What is added for each of the lowest sections.
+  /// The correction for each of the lowest sections.
   Eigen::ArrayXd PerValue;
   CompactVector Corrected;
 };

@@ -65,7 +65,7 @@ void Factor(const SparseMatrix& matrix, const Progress& progress, Factorization&
   throw NotPositiveDefinite();
 }
 
-/// Solves by a factor and refines the solution with the matrix itself, which restores what the factor loses
+/// Solves by a factor and refines the solution with the matrix itself, which restores the digits that the factor loses
 /// to rounding or to regularization.
 SystemSolution SolveByFactor(
   const SparseMatrix& matrix, const ComplexVector& b, const Progress& progress)
@@ -188,7 +188,7 @@ private:
 };
 
 /// Minimizes ‖K_f u - b‖ by conjugate gradients with the factor of K_ff. Starting again from the true
-/// residual takes back what rounding adds up in their recursions.
+/// residual removes the rounding that their recursions accumulate.
 SystemSolution SolveByFactoredSquare(
   const FreeColumns& matrix, const ComplexVector& b, const Progress& progress)
 {

@@ -11,9 +11,9 @@
 
 namespace DirectionFields::Internal
 {
-/// The matrix K = a A + m M of one component, a >= 0, and how far systems with it are to be solved. What
-/// the iterative solvers return may have a Residual above the Tolerance where V-cycles do not help. They
-/// throw Stopped.
+/// The matrix K = a A + m M of one component, a >= 0, and the residual to which systems with it are to be
+/// solved. Solutions of the iterative solvers may have a Residual above the Tolerance where V-cycles do not help.
+/// The solvers throw Stopped.
 struct ShiftedSystem
 {
   const Operators& Matrices;
