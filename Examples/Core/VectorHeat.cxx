@@ -10,6 +10,8 @@
 // direction of the carried vector. On a plane and on a sphere the answer is known, and by symmetry it
 // is the same for any t.
 
+#include "Surfaces.h"
+
 #include <DirectionFields/Geometry/SurfaceGeometry.h>
 #include <DirectionFields/Sections/Assembly.h>
 
@@ -20,7 +22,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -82,48 +83,6 @@ Surface Square(Index n)
     }
   }
   return square;
-}
-
-/// The unit sphere: the eight faces of an octahedron of 8 n^2 triangles, blown up.
-Surface Sphere(Index n)
-{
-  Surface sphere;
-  std::map<std::array<Index, 3>, Index> ids;
-  for (const Index x : { -1, 1 })
-  {
-    for (const Index y : { -1, 1 })
-    {
-      for (const Index z : { -1, 1 })
-      {
-        const auto point = [&](Index i, Index j)
-        {
-          const std::array<Index, 3> place = { x * i, y * j, z * (n - i - j) };
-          const auto [found, isNew] =
-            ids.try_emplace(place, static_cast<Index>(sphere.Points.size()));
-          if (isNew)
-          {
-            sphere.Points.push_back(Vector3(place[0], place[1], place[2]).normalized());
-          }
-          return found->second;
-        };
-        const auto add = [&](Index a, Index b, Index c) {
-          sphere.Triangles.push_back({ a, x * y * z > 0 ? b : c, x * y * z > 0 ? c : b });
-        };
-        for (Index i = 0; i < n; ++i)
-        {
-          for (Index j = 0; i + j < n; ++j)
-          {
-            add(point(i, j), point(i + 1, j), point(i, j + 1));
-            if (i + j + 1 < n)
-            {
-              add(point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
-            }
-          }
-        }
-      }
-    }
-  }
-  return sphere;
 }
 
 /// The largest error on the square, where vectors stay what they are. In degrees.
