@@ -17,7 +17,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// What looks like a mistake in the surface or the options.
+/// Notes on likely mistakes in the surface or the options.
 std::vector<std::string> Hints(Stages& stages, const Options& options)
 {
   std::vector<std::string> notes;

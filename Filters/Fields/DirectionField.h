@@ -22,16 +22,17 @@ class Stages;
 /// The globally optimal direction field of a triangle mesh: for every connected component the
 /// eigenvector to the smallest eigenvalue of the smoothness energy of
 ///
-/// F. Knöppel, K. Crane, U. Pinkall, P. Schröder: Globally Optimal Direction Fields.
-/// ACM Transactions on Graphics 32(4), 2013 (KCPS13),
+/// F. Knöppel, K. Crane, U. Pinkall, P. Schröder: Globally Optimal Direction Fields. ACM
+/// Transactions on Graphics 32(4), 2013 (KCPS13),
 ///
 /// or the field of least energy that is drawn to a guidance, or that satisfies constraints after
 ///
 /// B. Pellenard, G. Orbay, J. Chen, S. Sohan, W. Kwok, J. R. Tristano: QMCF: QMorph Cross
 /// Field-driven Quad-dominant Meshing Algorithm. Procedia Engineering 82, 2014 (POC14).
 ///
-/// Mesh, matrices, smallest eigenpairs and curvature are kept for the next call of Compute; each is made
-/// anew only when the options change that it depends on. Two threads may not use one object at once.
+/// Mesh, matrices, smallest eigenpairs and curvature are kept for the next call of Compute; each is
+/// made anew only when the options change that it depends on. Two threads may not use one object at
+/// once.
 class DirectionField
 {
 public:
@@ -47,16 +48,16 @@ public:
   /// guidance of the wrong size.
   Result Compute(
     const Options& options, const Guidance& guidance = {}, const ProgressFunction& progress = {}) &;
-  /// The same field, from an object that is not to compute another one: it does without what prepares
-  /// for other strengths of the alignment.
+  /// The same field, from an object that is not to compute another one: it prepares nothing for
+  /// other strengths of the alignment.
   Result Compute(const Options& options, const Guidance& guidance = {},
     const ProgressFunction& progress = {}) &&;
 
   /// From the next call of Compute on, the one rotation of each component that the smoothest field
-  /// leaves open is such that it is closest to these directions on average, as those of the surface a
-  /// moment ago; without any, closest to the x axis.
-  /// @param directions one a point of the surface, its length the weight: any of the directions of a
-  ///                   field, in space. Ignored where they are not one a point.
+  /// leaves open is such that it is closest to these directions on average, as those of the surface
+  /// a moment ago; without any, closest to the x axis.
+  /// @param directions one a point of the surface, its length the weight: any of the directions of
+  ///                   a field, in space. Ignored where they are not one a point.
   /// @param degree     of that field; fields of other degrees ignore it
   void SetPhaseReference(std::vector<Vector3> directions, int degree);
 

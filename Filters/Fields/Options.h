@@ -11,7 +11,7 @@
 
 namespace DirectionFields
 {
-/// What the field is drawn to.
+/// The guidance that a field is drawn to.
 enum class Alignment
 {
   /// Nothing, which gives the smoothest field.
@@ -28,8 +28,8 @@ enum class CurvatureDirection
   /// The direction of the larger signed curvature, which is positive where the surface is convex.
   Maximum = 0,
   Minimum = 1,
-  /// The direction in which the surface is bent least: of the curvature of smaller modulus. Guidance
-  /// fades where the two have the same modulus.
+  /// The direction in which the surface is bent least: of the curvature of smaller modulus.
+  /// Guidance fades where the two have the same modulus.
   LeastBent = 2,
   /// That of larger modulus.
   MostBent = 3
@@ -38,15 +38,15 @@ enum class CurvatureDirection
 /// How constraints enter.
 enum class ConstraintSolver
 {
-  /// The residual of the whole system A u = b is minimized over the free vertices (POC14). It needs a
-  /// sparse factor: components of more than MostLeastSquaresVertices are refused.
+  /// The residual of the whole system A u = b is minimized over the free vertices (POC14). It needs
+  /// a sparse factor: components of more than MostLeastSquaresVertices are refused.
   LeastSquares = 0,
   /// The smoothness energy is minimized over the free vertices, in time linear in them.
   Energy = 1
 };
 
-/// Most vertices of a connected component that least squares solve for: at 165 000 they take up to 17 s
-/// and 1 GB, and both grow faster than the component; by energy it takes half a second.
+/// Most vertices of a connected component that least squares solve for: at 165 000 they take up to
+/// 17 s and 1 GB, and both grow faster than the component; by energy it takes half a second.
 constexpr Index MostLeastSquaresVertices = 250000;
 
 /// Which points of exactly the same coordinates are one for the computation.
@@ -56,8 +56,8 @@ enum class MergePoints
   Off = 0,
   /// All.
   On = 1,
-  /// Those at the ends of boundary edges that coincide with exactly one other boundary edge: seams of
-  /// textures, facets of STL files, patches side by side. What only touches stays apart.
+  /// The ends of boundary edges that coincide with exactly one other boundary edge: seams of
+  /// textures, facets of STL files, patches side by side. Surfaces that only touch stay apart.
   Automatic = 2
 };
 
@@ -73,7 +73,7 @@ enum class Solver
   Direct = 2
 };
 
-/// What the user asks for. The defaults stand here and nowhere else.
+/// The user's options. The defaults stand here and nowhere else.
 struct Options
 {
   /// Degree n of the rotational symmetry: the field has n directions at each point, 2 pi / n
@@ -82,45 +82,48 @@ struct Options
   /// s in the energy (1+s) E_holomorphic + (1-s) E_antiholomorphic. Range -1 to 1; 0 is the
   /// Dirichlet energy.
   double EnergyBias = 0.0;
-  /// A solution of the eigenvalue problem counts as converged up to this relative residual
-  /// |A u - lambda M u| / |A u|, one of an aligned or constrained system up to this or 1e-8, whichever is
-  /// larger. Range 1e-12 to 0.1.
+  /// A solution of the eigenvalue problem counts as converged up to this relative residual |A
+  /// u - lambda M u| / |A u|, one of an aligned or constrained system up to this or 1e-8, whichever
+  /// is larger. Range 1e-12 to 0.1.
   double Tolerance = 1e-6;
   /// Most solves with the factored matrix, or V-cycles, that a connected component may take for its
   /// smallest eigenpair. Range 1 to 10000.
   int MaximumIterations = 200;
   DirectionFields::Solver Solver = DirectionFields::Solver::Automatic;
-  /// Take the energy on the intrinsic Delaunay triangulation of the surface's vertices, which is the
-  /// same surface with better triangles. The eigenvalue problem and the linear systems use it; the
-  /// curvature, the constraints and the singularity indices stay with the surface's own triangles.
+  /// Take the energy on the intrinsic Delaunay triangulation of the surface's vertices, which is
+  /// the same surface with better triangles. The eigenvalue problem and the linear systems use it;
+  /// the curvature, the constraints and the singularity indices stay with the surface's own
+  /// triangles.
   bool IntrinsicDelaunay = false;
-  /// Go on from the smoothest, aligned or constrained field to one whose representation vectors all have the
-  /// length 1, and whose energy is less than that of the first field's directions: by diffusion, descent in the
-  /// phases, and singularities that cancel each other. It is a local minimum, no global one.
+  /// Go on from the smoothest, aligned or constrained field to one whose representation vectors all
+  /// have the length 1, and whose energy is less than that of the first field's directions: by
+  /// diffusion, descent in the phases, and singularities that cancel each other. It is a local
+  /// minimum, no global one.
   bool UnitLength = false;
-  /// What a singularity of index 1/n costs a field of unit length, in units of 2 pi ln 2, which is what one adds to
-  /// the energy on a mesh that is once more subdivided: the more, the fewer remain. Range 0 to 4.
+  /// The cost of a singularity of index 1/n to a field of unit length, in units of 2 pi ln 2, the
+  /// energy that one gains each time the mesh is subdivided: the more, the fewer remain. Range 0 to
+  /// 4.
   double SingularityCost = 0.0;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;
 
-  /// Points of exactly the same coordinates become one for the computation, which connects triangles
-  /// that share places but no points; the result is the same at each of them. Their guidance is that
-  /// of the first of them that has any.
+  /// Points of exactly the same coordinates become one for the computation, which connects
+  /// triangles that share places but no points; the result is the same at each of them. Their
+  /// guidance is that of the first of them that has any.
   DirectionFields::MergePoints MergePoints = DirectionFields::MergePoints::Automatic;
 
   DirectionFields::Alignment Alignment = DirectionFields::Alignment::None;
   DirectionFields::CurvatureDirection CurvatureDirection =
     DirectionFields::CurvatureDirection::Maximum;
-  /// Radius of the surroundings of a vertex that its curvature is averaged over, in edges. 0 finds it
-  /// for each vertex, by how much of the curvature is noise; the larger, the smoother the directions on
-  /// scans. Range 0 to 32. Below about 2 nothing is averaged.
+  /// Radius of the surroundings of a vertex that its curvature is averaged over, in edges. 0 finds
+  /// it for each vertex, by how much of the curvature is noise; the larger, the smoother the
+  /// directions on scans. Range 0 to 32. Below about 2 nothing is averaged.
   double CurvatureScale = 0.0;
   /// tau, free of units, range 0 to 1: lambda_t = lambda_1 - sigma tau / (1 - tau) with
-  /// sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the guidance
-  /// itself; 0.5 is lambda_t = 0 where lambda_1 is the larger of the two, as on most closed curved surfaces:
-  /// the start that KCPS13 recommends.
+  /// sigma = max(lambda_1, 2 pi n / area of the component). 0 is the smoothest field, 1 the
+  /// guidance itself; 0.5 is lambda_t = 0 where lambda_1 is the larger of the two, as on most
+  /// closed curved surfaces: the start that KCPS13 recommends.
   double AlignmentStrength = 0.5;
   /// Take Shift instead of AlignmentStrength.
   bool UseShift = false;
@@ -134,9 +137,9 @@ struct Options
   /// Angle between the normals of the two triangles of an edge above which it is sharp, degrees.
   /// Range 0 to 180.
   double FeatureAngle = 30.0;
-  /// Chains of sharp edges are dropped as noise where they are shorter than this, in parts of the square
-  /// root of the component's area, and stand out little from the edges around: less than four times as
-  /// sharp, or eight times where they end freely. At least 0, which keeps all.
+  /// Chains of sharp edges are dropped as noise where they are shorter than this, in parts of the
+  /// square root of the component's area, and stand out little from the edges around: less than
+  /// four times as sharp, or eight times where they end freely. At least 0, which keeps all.
   double MinimumFeatureLength = 0.1;
   /// Constrain the vertices of high curvature to their principal directions; degrees 2 and 4 only.
   bool ConstrainCurvature = false;
@@ -144,8 +147,8 @@ struct Options
   /// the area of the component. A sphere has 1 everywhere. At least 0.
   double CurvatureTolerance = 2.0;
   /// A curvature constraint is dropped where it differs by more than this from a neighbouring
-  /// constraint, in degrees, after transport and modulo 2 pi / n, and where fewer than two neighbours
-  /// are constrained. Range 0 to 180.
+  /// constraint, in degrees, after transport and modulo 2 pi / n, and where fewer than two
+  /// neighbours are constrained. Range 0 to 180.
   double ConsistencyAngle = 30.0;
   /// Drop the curvature constraints of triangles around which the constraints wind (POC14).
   bool DropConstraintsAtSingularities = false;
@@ -154,8 +157,8 @@ struct Options
   DirectionFields::ConstraintSolver ConstraintSolver = DirectionFields::ConstraintSolver::Energy;
 };
 
-/// Largest relative residual at which an aligned or constrained system counts as solved: Tolerance, but
-/// not less than 1e-8. The eigenvalue problem may ask for less, as far as rounding allows.
+/// Largest relative residual at which an aligned or constrained system counts as solved: Tolerance,
+/// but not less than 1e-8. The eigenvalue problem may ask for less, as far as rounding allows.
 inline double SystemTolerance(const Options& options)
 {
   return std::max(1e-8, options.Tolerance);

@@ -13,9 +13,9 @@
 
 namespace DirectionFields
 {
-/// Figures of one connected component. Where there are ghosts of other pieces (Surface::Ghost), counts
-/// and sums are those of the part that belongs to this piece; eigenvalue and field are those of the whole
-/// component.
+/// Figures of one connected component. Where there are ghosts of other pieces (Surface::Ghost),
+/// counts and sums are those of the part that belongs to this piece; eigenvalue and field are those
+/// of the whole component.
 struct ComponentReport
 {
   /// The smallest lambda of A u = lambda M u, in 1 / length^2 of the input.
@@ -23,8 +23,9 @@ struct ComponentReport
   /// Relative residual reached, |A u - lambda M u| / |A u|; where lambda vanishes up to
   /// rounding, relative to 1e-7 ||A||u||, or 0 if it is no more than rounding.
   double Residual = 0.0;
-  /// What Residual has to be: Options::Tolerance, or less where that would not tell the smallest eigenvalue from the
-  /// next ones: at most 1e-5 by multigrid, by the direct solver where it has found another one first.
+  /// The bound on Residual: Options::Tolerance, or less where that would not tell the smallest
+  /// eigenvalue from the next ones: at most 1e-5 by multigrid, by the direct solver where it has
+  /// found another one first.
   double RequiredResidual = 0.0;
   /// Solves with the factored matrix, or V-cycles after the nested iteration; 0 where that was
   /// enough or the component small enough for a dense solver.
@@ -46,9 +47,9 @@ struct ComponentReport
   /// Relative residual of the linear system that gave the aligned or constrained field, 0 for the
   /// smoothest field. For least squares it is the residual of the normal equations.
   double SystemResidual = 0.0;
-  /// With Options::UnitLength: the energy of the directions before and after, which has no unit (see
-  /// UnitEnergyMatrix; with an alignment what the deviation from it costs is added); the pairs of singularities that
-  /// were cancelled; and the steps taken.
+  /// With Options::UnitLength: the energy of the directions before and after, which has no unit
+  /// (see UnitEnergyMatrix; with an alignment the cost of the deviation from it is added); the
+  /// pairs of singularities that were cancelled; and the steps taken.
   double UnitEnergyBefore = 0.0;
   double UnitEnergyAfter = 0.0;
   int CancelledPairs = 0;
@@ -63,8 +64,8 @@ struct ComponentReport
   bool Converged = false;
 };
 
-/// Why the direction of a point is given. Given has priority over Boundary and NonManifold, these over
-/// SharpEdge, and that over Curvature.
+/// Why the direction of a point is given. Given has priority over Boundary and NonManifold, these
+/// over SharpEdge, and that over Curvature.
 enum class ConstraintKind : signed char
 {
   None = 0,
@@ -81,8 +82,8 @@ enum class ConstraintKind : signed char
 };
 
 /// Curvature of the surface, over the output points. It depends on the surface,
-/// Options::MergePoints and Options::CurvatureScale only. What is wound inside out is taken as seen
-/// from outside.
+/// Options::MergePoints and Options::CurvatureScale only. Closed surfaces that are wound inside out
+/// are seen from outside.
 struct CurvatureReport
 {
   /// Unit tangent vectors of the larger and of the smaller signed curvature; zero where the two
@@ -95,8 +96,8 @@ struct CurvatureReport
   std::vector<double> Gaussian;
 };
 
-/// The field and its diagnostics. Arrays over points follow the input's points, then the points that
-/// were split off where the surface is no manifold; arrays over triangles follow the input's.
+/// The field and its diagnostics. Arrays over points follow the input's points, then the points
+/// that were split off where the surface is no manifold; arrays over triangles follow the input's.
 struct Result
 {
   /// Degree n of the field.
@@ -109,11 +110,12 @@ struct Result
   std::vector<Triangle> SplitTriangles;
   /// Representation vector u of each point: with u = |u| exp(i phi) the n directions stand at the
   /// angles (phi + 2 pi k) / n, counter-clockwise from XAxis about Normal. Its modulus is 1 in the
-  /// mean square over each component, and 1 everywhere with Options::UnitLength. Zero at points that no triangle uses.
+  /// mean square over each component, and 1 everywhere with Options::UnitLength. Zero at points
+  /// that no triangle uses.
   std::vector<Complex> Representation;
-  /// How much the directions turn around each point, however long Representation is: the square of the gradient of
-  /// the n-th power of the unit direction, in 1 / length^2. Large near singularities; zero at points that no triangle
-  /// uses.
+  /// How much the directions turn around each point, however long Representation is: the square of
+  /// the gradient of the n-th power of the unit direction, in 1 / length^2. Large near
+  /// singularities; zero at points that no triangle uses.
   std::vector<double> EnergyDensity;
   /// Unit normal of each point, weighted by angle; zero at points that no triangle uses.
   std::vector<Vector3> Normal;
@@ -124,8 +126,8 @@ struct Result
   std::vector<ConstraintKind> Constraint;
   std::vector<Vector3> ConstraintDirection;
   /// Curvature of the surface; null where neither alignment nor constraints use it. All results of
-  /// one DirectionField share it as long as Options::MergePoints and Options::CurvatureScale stay the
-  /// same.
+  /// one DirectionField share it as long as Options::MergePoints and Options::CurvatureScale stay
+  /// the same.
   std::shared_ptr<const CurvatureReport> Curvature;
   /// Singularity index of each triangle, in units of 1/n.
   std::vector<int> SingularityIndex;
@@ -133,7 +135,7 @@ struct Result
   std::vector<Index> Component;
   std::vector<ComponentReport> Components;
   Repairs Repaired;
-  /// Sentences for the user: options that changed nothing, and why; and what looks like a mistake.
+  /// Sentences for the user: options that changed nothing, and why; and likely mistakes.
   std::vector<std::string> Notes;
   /// The computation was stopped by its progress callback; all arrays are empty.
   bool Aborted = false;

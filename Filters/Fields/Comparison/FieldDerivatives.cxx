@@ -15,7 +15,8 @@ namespace DirectionFields
 {
 namespace
 {
-/// The directions at the corners of a triangle as angles in the vertices' cones. Returns false where there are none.
+/// The directions at the corners of a triangle as angles in the vertices' cones. Returns false
+/// where there are none.
 bool CornerAngles(const GivenField& field, Index triangle, std::array<double, 3>& angles)
 {
   const SurfaceGeometry& geometry = field.GetGeometry();
@@ -94,7 +95,8 @@ FieldDerivatives::FieldDerivatives(const GivenField& field)
           {
             const int next = (k + 1) % 3;
             curl += FlowAlong(geometry, 3 * t + k, angles[k], angles[next], 0.0);
-            // What flows out to the right of a half-edge is what a quarter turn to the left lays along it.
+            // The flow out of a triangle across a half-edge is the component of the field's left
+            // quarter turn along it.
             divergence += FlowAlong(geometry, 3 * t + k, angles[k], angles[next], 0.5 * Pi);
           }
           const double scale = 1.0 / (geometry.Lengths.Area[t] * unit);

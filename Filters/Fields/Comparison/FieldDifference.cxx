@@ -52,7 +52,8 @@ std::size_t ComponentOf(const TriangleMesh& mesh, Index triangle)
   return static_cast<std::size_t>(after - components.begin()) - 1;
 }
 
-/// A third of the triangles at each point of the surface, ghosts left out, in the square of its unit.
+/// A third of the triangles at each point of the surface, ghosts left out, in the square of its
+/// unit.
 std::vector<double> AreasOfPoints(const GivenField& field)
 {
   const Surface& surface = field.GetSurface();
@@ -150,7 +151,7 @@ std::vector<Neighbour> Nearest(const IntrinsicGeometry& geometry, const Singular
   {
     const MeshPlace& place = all.Places[from[k]];
     nearest[k].Distance = distance.At(geometry, place, nearest[k].Number);
-    // In one triangle the way does not lead over its corners.
+    // Within one triangle the shortest path is straight and avoids the corners.
     const auto range = within.equal_range(place.Triangle);
     for (auto i = range.first; i != range.second; ++i)
     {
@@ -165,7 +166,8 @@ std::vector<Neighbour> Nearest(const IntrinsicGeometry& geometry, const Singular
   return nearest;
 }
 
-/// Matches those of the left that are nearest to each other, and takes them out. Returns whether there were any.
+/// Matches those of the left that are nearest to each other, and takes them out. Returns whether
+/// there were any.
 bool MatchRound(
   const SurfaceGeometry& geometry, Singularities& all, std::array<std::vector<Index>, 2>& left)
 {
@@ -176,7 +178,8 @@ bool MatchRound(
   {
     nearestOf[left[1][k]] = back[k].Number;
   }
-  // The two nearest of all match even if the distances there and back, which differ a little, do not agree on it.
+  // The two nearest of all match even if the distances there and back, which differ a little, do
+  // not agree on it.
   std::size_t best = 0;
   for (std::size_t k = 0; k < there.size(); ++k)
   {

@@ -14,11 +14,12 @@ namespace DirectionFields
 /// How far the directions of two fields of the same degree n on one surface are apart.
 struct FieldDifference
 {
-  /// Angle in degrees from a direction of the one field to the nearest of the other, 0 to 180/n, at each point of the surface. Not a
-  /// number where one of them has no direction, zero at points that no triangle uses.
+  /// Angle in degrees from a direction of the one field to the nearest of the other, 0 to 180/n, at
+  /// each point of the surface. Not a number where one of them has no direction, zero at points
+  /// that no triangle uses.
   std::vector<double> Angle;
-  /// Of the points where both have directions: the mean, weighted by area, and the maximum. Ghosts do not count. 0
-  /// where there are none.
+  /// Of the points where both have directions: the mean, weighted by area, and the maximum. Ghosts
+  /// do not count. 0 where there are none.
   double Mean = 0.0;
   double Maximum = 0.0;
 };
@@ -44,10 +45,11 @@ struct ComparedSingularity
   double Distance;
 };
 
-/// The singularities of two fields on one surface, those of the first one first, by triangles. Singularities of the same index are
-/// matched in pairs: of all that are left the two that are nearest to each other along the surface, again and
-/// again. Takes time n log n for each round, in which all pairs that are nearest to each other match, and a few
-/// rounds; what MostRounds leave is not matched. Throws Stopped.
+/// The singularities of two fields on one surface, those of the first one first, by triangles.
+/// Singularities of the same index are matched in pairs: again and again the two unmatched ones
+/// that are nearest to each other along the surface. Takes a few rounds of time n log n each; a
+/// round matches all pairs of mutual nearest neighbours. After MostRounds the rest stays unmatched.
+/// Throws Stopped.
 std::vector<ComparedSingularity> MatchSingularities(
   const GivenField& one, const GivenField& other, const Progress& progress = {});
 

@@ -18,14 +18,14 @@ struct ComponentFields
 {
   /// The section, over the vertices of the mesh.
   std::vector<Complex> Section;
-  /// What the solvers say of each component; the counts are not filled in.
+  /// The solvers' part of each component's report; the counts are not filled in.
   std::vector<ComponentReport> Reports;
 };
 
 /// Solves for one component after the other. Throws Stopped.
 /// @param energy         of the same stages
-/// @param phaseReference a section that smoothest fields are turned towards, which leave one rotation
-///                       of each component open; empty where they stay as they are
+/// @param phaseReference a section that smoothest fields are turned towards, which leave one
+///                       rotation of each component open; empty where they stay as they are
 /// @param othersFollow   as in ComponentStage
 ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
   const std::vector<Complex>& phaseReference, const Options& options, bool othersFollow,

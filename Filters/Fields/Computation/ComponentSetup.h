@@ -16,8 +16,8 @@ namespace DirectionFields::Internal
 /// The order of magnitude of the smallest eigenvalue of a component, in 1 / unit^2.
 double SmallestScale(const SurfaceGeometry& geometry, std::size_t component, int degree);
 
-/// Assembles the matrices of a component and finds its smallest eigenpair, in the phase that follows from its shape
-/// alone. Throws Stopped.
+/// Assembles the matrices of a component and finds its smallest eigenpair, in the phase that
+/// follows from its shape alone. Throws Stopped.
 /// @param triangulation of the same vertices, which the matrices are assembled on
 ComponentStage SetUpComponent(const SurfaceGeometry& geometry, std::size_t component,
   const IntrinsicGeometry& triangulation, const Options& options, const Progress& progress);

@@ -17,30 +17,29 @@
 
 namespace DirectionFields::Internal
 {
-/// One component: its matrices and smallest eigenpairs, and what fields that were solved for leave for
-/// the next ones. All matrices and vectors are over the component's vertices.
+/// One component: its matrices and smallest eigenpairs, and the factors and bases that earlier
+/// solves leave for the next ones. All matrices and vectors are over the component's vertices.
 class ComponentStage
 {
 public:
-  /// @param scale the order of magnitude of the smallest eigenvalue, in 1 / unit^2: with the smallest
-  ///              eigenvalue it makes the sigma of Options::AlignmentStrength
+  /// @param scale the order of magnitude of the smallest eigenvalue, in 1 / unit^2: with the
+  ///              smallest eigenvalue it makes the sigma of Options::AlignmentStrength
   /// @param unit  Metric::Unit of the component
   ComponentStage(Operators matrices, SmallestPairs smoothest, double scale, double unit);
 
   const Operators& GetMatrices() const { return this->Matrices; }
 
-  /// Whether fields of other strengths are likely to follow. The first aligned one then takes a twentieth
-  /// longer, and the next ones a fifth less; none of them changes.
+  /// Whether fields of other strengths are likely to follow. The first aligned one then takes a
+  /// twentieth longer, and the next ones a fifth less; none of them changes.
   void SetOthersFollow(bool follow) { this->OthersFollow = follow; }
 
   /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained
   /// vertices and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where
-  /// alpha is 1: u tends to q where lambda_t tends to minus infinity, and guidance and constraints are
-  /// of one size. lambda_t = 0 where there are constraints only. Without either the smoothest field.
-  /// Where lambda_1 was overestimated, as by a section that has not converged, lambda_t is as much
-  /// less as makes the system definite.
-  /// The field is scaled to modulus 1 in the mean square over the component.
-  /// Throws Stopped and NotPositiveDefinite.
+  /// alpha is 1: u tends to q where lambda_t tends to minus infinity, and guidance and constraints
+  /// are of one size. lambda_t = 0 where there are constraints only. Without either the smoothest
+  /// field. Where lambda_1 was overestimated, as by a section that has not converged, lambda_t is
+  /// as much less as makes the system definite. The field is scaled to modulus 1 in the mean square
+  /// over the component. Throws Stopped and NotPositiveDefinite.
   /// @param report   Eigenvalue, Residual, Iterations, Lambda, SmoothnessEnergy, SystemResidual,
   ///                 SolverUsed and Converged are filled in
   /// @param progress asked before each step of an iterative solver
@@ -49,22 +48,22 @@ public:
 
   /// The hierarchy of the matrices, made if there was none.
   const Hierarchy& GetHierarchy();
-  /// The system of the vertices whose values are not given, kept from one call to the next with the same ones.
+  /// The system of the vertices whose values are not given, kept from one call to the next with the
+  /// same ones.
   FreeSystem& FreeSystemOf(const GivenValues& given);
   /// A value in 1 / unit^2 in 1 / length^2 of the input.
   double PerArea(double value) const;
   /// sigma of Options::AlignmentStrength, in 1 / unit^2.
   double Sigma() const;
-  /// lambda_1 - lambda_t, 0 to infinity. It is no less than the error of lambda_1, since A - lambda_t M
-  /// could be indefinite otherwise.
+  /// lambda_1 - lambda_t, 0 to infinity. It is no less than the error of lambda_1, since
+  /// A - lambda_t M could be indefinite otherwise.
   /// @param share of the strength, 0 to 1
   double Gap(const Options& options, double share) const;
 
 private:
   /// The terms of the guide, made anew where it has changed.
   const GuidanceTerms& TermsOf(const ComponentGuide& guide);
-  /// Gaps below this leave the smoothest field: what the guidance still changes there is below
-  /// rounding.
+  /// Smaller gaps give the smoothest field: the guidance's part would be below rounding.
   double SmallestGap() const;
   /// The smoothest field, in the phase that is closest to the guidance.
   ComplexVector SmoothestTowards(const GuidanceTerms& terms) const;

@@ -17,8 +17,9 @@ namespace DirectionFields::Internal
 Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
   std::vector<std::string> notes);
 
-/// What follows from a section alone, wherever it comes from: the arrays over points and triangles, and of each
-/// component's report, which are made where they are not there, the counts and the sum of the indices.
+/// Fills in everything that follows from a section alone, wherever it comes from: the arrays over
+/// points and triangles, and in each component's report the counts and the sum of the indices.
+/// Makes the reports if there are none.
 /// @param result whose Degree is set
 void AddSection(const SurfaceGeometry& geometry, const Surface& surface, const OutputPoints& points,
   const std::vector<Complex>& section, Result& result);

@@ -70,8 +70,8 @@ double Bend(const SurfaceGeometry& geometry, const std::vector<Complex>& hopf, s
   return std::sqrt(squares);
 }
 
-/// The share of the strength that a component has of which almost nothing is curved beside others that are:
-/// all of it down to a fiftieth of the most curved one, below that by the square.
+/// The share of the strength that a component has of which almost nothing is curved beside others
+/// that are: all of it down to a fiftieth of the most curved one, below that by the square.
 std::vector<double> CurvatureShares(
   const SurfaceGeometry& geometry, const std::vector<Complex>& hopf)
 {

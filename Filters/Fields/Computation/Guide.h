@@ -15,8 +15,8 @@ namespace DirectionFields::Internal
 {
 class Stages;
 
-/// What the options ask a field to follow: the guidance that it is drawn to, and its constraints. All
-/// arrays are over the vertices of the mesh.
+/// The guidance that the options draw a field to, and its constraints. All arrays are over the
+/// vertices of the mesh.
 class Guide
 {
 public:
@@ -35,14 +35,15 @@ private:
   /// The user's vectors as a section of the field's degree; empty where no option asks for them.
   std::vector<Complex> Given;
   Constraints Constrained;
-  /// What the field is drawn to; empty for nothing.
+  /// The guidance that the field is drawn to; empty for none.
   std::vector<Complex> Drawn;
   /// The share of the strength of each component; empty for all of it.
   std::vector<double> Shares;
 };
 
 /// The part of one component.
-/// @param drawn       what the field is drawn to, over the vertices of the mesh; empty for nothing
+/// @param drawn       the guidance that the field is drawn to, over the vertices of the mesh; empty
+///                    for none
 /// @param kind, value as in Constraints
 ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t component,
   const std::vector<Complex>& drawn, const std::vector<ConstraintKind>& kind,

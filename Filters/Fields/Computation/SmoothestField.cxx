@@ -12,10 +12,11 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Automatic takes the direct solver up to this number of rows, where it is about as fast as multigrid.
+/// Automatic takes the direct solver up to this number of rows, where it is about as fast as
+/// multigrid.
 constexpr Eigen::Index DirectRows = 3000;
-/// The solves that the direct solver needs as a rule, and its work by the row and solve besides those with the
-/// factor (see WorkLimit).
+/// The solves that the direct solver needs as a rule, and its work by the row and solve besides
+/// those with the factor (see WorkLimit).
 constexpr int TypicalSolves = 20;
 constexpr double WorkOfSolve = 150.0;
 }

@@ -14,15 +14,16 @@
 
 namespace DirectionFields::Internal
 {
-/// What the smallest eigenpair of a component leaves for other systems with its matrices.
+/// Hierarchy and eigenvalue that a component's smallest eigenpair leaves for other systems with its
+/// matrices.
 struct SmallestPairs
 {
   Eigenpair First;
   Solver SolverUsed = Solver::Direct;
   /// Null unless SolverUsed is Multigrid.
   std::unique_ptr<DirectionFields::Hierarchy> Hierarchy;
-  /// Approximations of the smallest eigenvectors, orthonormal in M to some digits; the first of them is that
-  /// of First, apart from its phase. Empty where there is no hierarchy.
+  /// Approximations of the smallest eigenvectors, orthonormal in M to some digits; the first of
+  /// them is that of First, apart from its phase. Empty where there is no hierarchy.
   LowestSections Lowest;
 };
 

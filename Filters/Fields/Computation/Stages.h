@@ -24,13 +24,13 @@ struct EnergyStage
 {
   Options MadeFor;
   std::vector<ComponentStage> Components;
-  /// What fields of unit length need, made when the first one is asked for.
+  /// The data of fields of unit length, made for the first one.
   std::optional<IntrinsicTriangulation> Delaunay;
   std::vector<std::unique_ptr<UnitStage>> Units;
 };
 
-/// What is kept between calls of DirectionField::Compute. What depends on the surface alone is kept for
-/// good, everything else until the options change that it depends on.
+/// Stages that DirectionField::Compute keeps for its next call. Those that depend on the surface
+/// alone are kept for good, each other one until an option changes that it depends on.
 class Stages
 {
 public:
@@ -43,8 +43,8 @@ public:
   /// The surface as it came in.
   const Surface& GetInput() const { return *this->Input; }
   MergePoints GetMergePoints() const { return this->Merges; }
-  /// For each point of the input the one that stands for it in the mesh; empty where each stands for
-  /// itself.
+  /// For each point of the input the one that stands for it in the mesh; empty where each stands
+  /// for itself.
   const std::vector<Index>& GetFirstPoints() const { return this->FirstPoint; }
   const SurfaceGeometry& GetGeometry() const { return this->Geometry; }
   const TriangleMesh& GetMesh() const { return this->Geometry.Mesh; }
@@ -54,13 +54,15 @@ public:
   /// Throws Stopped.
   EnergyStage& GetEnergy(const Options& options, const Progress& progress);
   const BoundaryPoints& GetBoundaryPoints();
-  /// What a component's fields of unit length need, kept with the energy, which must be that of the options.
+  /// The data of a component's fields of unit length, kept with the energy, which must be that of
+  /// the options.
   UnitStage& GetUnit(EnergyStage& energy, std::size_t component, const Options& options) const;
   const std::vector<double>& GetDihedralAngles();
   /// @param scale as Options::CurvatureScale
   const Curvature& GetCurvature(double scale = 0.0);
   const OutputPoints& GetOutputPoints();
-  /// The curvature at the output points, in the units of the input. All results of one scale share it.
+  /// The curvature at the output points, in the units of the input. All results of one scale share
+  /// it.
   const std::shared_ptr<const CurvatureReport>& GetCurvatureReport(double scale = 0.0);
 
 private:

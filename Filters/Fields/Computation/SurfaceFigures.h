@@ -11,8 +11,8 @@
 
 namespace DirectionFields
 {
-/// How large a surface is and how many singularities it has; ghosts are left out. What is in pieces has the
-/// figures of all pieces together.
+/// The size of a surface and the number of its singularities, without ghosts. The figures of a
+/// surface in pieces are the sums over the pieces.
 struct SurfaceFigures
 {
   /// The box around the points of the triangles.

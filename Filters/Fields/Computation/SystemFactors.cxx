@@ -17,8 +17,8 @@ constexpr double SmallestRelativeGap = 1e-8;
 constexpr double GapGrowth = 8.0;
 
 /// A bound of the error of the computed lambda_1, over sigma: the square of its residual over the
-/// distance to the next eigenvalue, which is assumed to be a hundredth of sigma, or the residual where
-/// that is less.
+/// distance to the next eigenvalue, which is assumed to be a hundredth of sigma, or the residual
+/// where that is less.
 double EigenvalueError(double residual)
 {
   constexpr double nearness = 100.0;

@@ -14,11 +14,12 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The weight of a guidance over sigma at which fields of unit length are about as far from it as the linear systems'
-/// are at the same strength, for degrees 1 and 2 and for all others; found by trial on scans and parts.
+/// The weight of a guidance over sigma at which fields of unit length are about as far from it as
+/// the linear systems' are at the same strength, for degrees 1 and 2 and for all others; found by
+/// trial on scans and parts.
 constexpr double PullOfFewDirections = 12.0;
 constexpr double PullOfManyDirections = 6.0;
-/// Stronger pulls change nothing but what is computed with.
+/// Stronger pulls only make the numbers larger, not the field another one.
 constexpr double MostPull = 1e3;
 }
 

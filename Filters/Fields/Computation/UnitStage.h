@@ -9,7 +9,7 @@
 
 namespace DirectionFields::Internal
 {
-/// What fields of unit length over one component need besides the matrices, kept between them.
+/// Data that the fields of unit length over one component share, besides the matrices.
 class UnitStage
 {
 public:

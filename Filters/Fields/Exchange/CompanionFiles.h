@@ -30,16 +30,17 @@ struct SingularElement
   int SingularityIndex;
 };
 
-/// What the mesh files that WriteObj makes begin with, so that they can be told from others.
+/// The first line of the mesh files that WriteObj makes, which tells them from others.
 extern const std::string_view ObjMark;
 
-/// The text of an .obj file with all points and triangles in their order, on which the rows of a file with a
-/// field count.
+/// The text of an .obj file with all points and triangles in their order, on which the rows of a
+/// file with a field count.
 std::string WriteObj(const Surface& surface);
-/// The text of a .sharp file (QuadWild): the number of rows, and rows of 1 for convex or 0 for concave, triangle
-/// and corner, separated by commas.
+/// The text of a .sharp file (QuadWild): the number of rows, and rows of 1 for convex or 0 for
+/// concave, triangle and corner, separated by commas.
 std::string WriteSharp(const std::vector<SharpEdge>& edges);
-/// The text of a .sing file (Directional): degree and number of rows, and rows of element and index.
+/// The text of a .sing file (Directional): degree and number of rows, and rows of element and
+/// index.
 std::string WriteSingularities(int degree, const std::vector<SingularElement>& elements);
 }
 

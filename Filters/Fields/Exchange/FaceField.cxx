@@ -13,7 +13,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// What is left of vectors that cancel.
+/// Sums of vectors below this cancel.
 constexpr double LeastPower = 1e-9;
 
 Complex Unit(const Complex& z, const Complex& otherwise)
@@ -119,7 +119,8 @@ std::vector<int> FaceSingularityIndices(const IntrinsicGeometry& geometry, const
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const auto powerOf = [&](Index t) { return Unit(faces.Power[t], 1.0); };
-  // The least rotation from the triangle of each edge's half-edge to that of its twin, once for both of its ends.
+  // The least rotation from the triangle of each edge's half-edge to that of its twin, once for
+  // both of its ends.
   std::vector<double> rotation(mesh.GetNumberOfEdges(), 0.0);
   ParallelFor(mesh.GetNumberOfEdges(), HeavyPiece,
     [&](Index begin, Index end)
@@ -183,7 +184,7 @@ std::vector<Complex> ToVertices(const SurfaceGeometry& geometry, const FaceField
         const std::array<double, 3> angles = geometry.Lengths.CornerAngles(mesh, t);
         for (int c = 0; c < 3; ++c)
         {
-          // What stands at the angle 0 in the cone is at this angle on the flat triangle.
+          // The direction at angle 0 in the cone has this angle on the flat triangle.
           const double zero = triangle.AngleInFlat(c, 0.0, middle);
           parts[3 * t + c] = angles[c] * faces.Power[t] * std::polar(1.0, -faces.Degree * zero);
         }

@@ -76,7 +76,8 @@ bool IsTurned(const GivenField& field, Index meshTriangle)
   return (field.MeshCorner(meshTriangle, 0) + 1) % 3 != field.MeshCorner(meshTriangle, 1);
 }
 
-/// Puts direction k = 0 ... n-1 of a row in its place: the other way around on what is turned.
+/// Puts direction k = 0 ... n-1 of a row in its place: in reverse order on triangles that were
+/// turned.
 void SetDirection(FieldFile& file, std::size_t row, int k, bool isTurned, const Vector3& direction)
 {
   const int at = isTurned && k > 0 ? file.Degree - k : k;

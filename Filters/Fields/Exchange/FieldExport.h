@@ -32,24 +32,27 @@ struct ExportedFile
   std::string Text;
 };
 
-/// The files that other programs need of a field. The first one has the directions, or singularities for .sing;
-/// then come
-/// - .obj: the mesh with the same points and triangles in the same order. Where points across seams became one, each
-///   is there once;
-/// - .sharp beside .rosy: the features, which QuadWild does not look for in a mesh that comes with a field;
+/// The files that other programs need of a field. The first one has the directions, or
+/// singularities for .sing; then come
+/// - .obj: the mesh with the same points and triangles in the same order. Where points across seams
+///   became one, each is there once;
+/// - .sharp beside .rosy: the features, which QuadWild does not look for in a mesh that comes with
+///   a field;
 /// - .sing beside .rawfield.
 ///
-/// Directions of a row go counter-clockwise as seen from where its triangle's corners do. Singularities are
-/// vertices where rows are for triangles (FaceSingularityIndices), and triangles where rows are for points.
+/// Directions of a row go counter-clockwise as seen from where its triangle's corners do.
+/// Singularities are vertices where rows are for triangles (FaceSingularityIndices), and triangles
+/// where rows are for points.
 ///
 /// Throws FileError where the format does not have such a field.
-/// @param given the directions of the triangles, if these are to be written and not those of the points; else null
+/// @param given the directions of the triangles, if these are to be written and not those of the
+///              points; else null
 std::vector<ExportedFile> ExportField(
   const GivenField& field, const FaceField* given = nullptr, const ExportOptions& options = {});
 
-/// Writes the first of the files under its name, and the others beside it, with their own endings. Throws FileError
-/// where a file cannot be written, and where one of the others is there already and was not written here, as the mesh
-/// beside it says.
+/// Writes the first of the files under its name, and the others beside it, with their own endings.
+/// Throws FileError where a file cannot be written, and where one of the others is there already
+/// and was not written here, as the mesh beside it says.
 /// @param fileName with the ending of the first file
 /// @param files    of ExportField; at least one
 void WriteFiles(const std::string& fileName, const std::vector<ExportedFile>& files);

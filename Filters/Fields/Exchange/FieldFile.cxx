@@ -154,8 +154,8 @@ FieldFile ReadRawField(std::string_view text)
   return field;
 }
 
-/// Reads the comment of a line whose first word begins with #: a number of directions or a direction. Prose, even
-/// that which explains these very comments, is left out.
+/// Reads the comment of a line whose first word begins with #: a number of directions or a
+/// direction. Prose, even that which explains these very comments, is left out.
 void ReadObjComment(TextReader& reader, std::string_view word, FieldFile& field)
 {
   if (word == "#")

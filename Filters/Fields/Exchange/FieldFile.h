@@ -17,18 +17,19 @@ namespace DirectionFields
 /// How other programs keep direction fields.
 enum class FieldFormat
 {
-  /// .rosy: the number of rows, the degree, and one direction a row (Palacios and Zhang 2011; QuadWild and others
-  /// that use vcglib, which take degree 4 only).
+  /// .rosy: the number of rows, the degree, and one direction a row (Palacios and Zhang 2011;
+  /// QuadWild and others that use vcglib, which take degree 4 only).
   Rosy,
-  /// .ffield: a comment, `target frame`, the number of rows, a line of names, and rows of two lengths, the second
-  /// and the first direction of a cross (vcglib).
+  /// .ffield: a comment, `target frame`, the number of rows, a line of names, and rows of two
+  /// lengths, the second and the first direction of a cross (vcglib).
   FrameField,
-  /// .rawfield: the degree, the number of rows, and all directions of an element in each row, counter-clockwise
-  /// (Directional).
+  /// .rawfield: the degree, the number of rows, and all directions of an element in each row,
+  /// counter-clockwise (Directional).
   RawField,
   /// .sing: the degree, the number of rows, and an element and its index in each row (Directional).
   Singularities,
-  /// .obj with comments `#degree n` and `#field i x y z` for the vertices, counted from 1 (fieldgen).
+  /// .obj with comments `#degree n` and `#field i x y z` for the vertices, counted from 1
+  /// (fieldgen).
   ObjComments
 };
 
@@ -38,7 +39,8 @@ constexpr int LargestDegree = 16;
 /// The format that a file's name ends with. Throws FileError where that is none of these.
 FieldFormat FormatOf(std::string_view fileName);
 
-/// The directions in a file: rows for the faces or the vertices of a mesh, which the file does not know.
+/// The directions in a file: rows for the faces or the vertices of a mesh, which the file does not
+/// know.
 struct FieldFile
 {
   int Degree = 0;
@@ -60,16 +62,18 @@ struct FieldFile
   }
 };
 
-/// Reads the text of a file, as tolerant about blanks and ends of lines as the programs that the formats come from.
-/// Throws FileError where that is broken, has a number that is not finite, or a format without directions. Takes time
-/// and memory linear in the text, whatever numbers of rows it promises.
+/// Reads the text of a file, as tolerant about blanks and ends of lines as the programs that the
+/// formats come from. Throws FileError where that is broken, has a number that is not finite, or a
+/// format without directions. Takes time and memory linear in the text, whatever numbers of rows it
+/// promises.
 FieldFile ReadField(std::string_view text, FieldFormat format);
 
 /// The same for a file, whose format its name tells. Throws FileError where it cannot be read, too.
 FieldFile ReadFieldFile(const std::string& fileName);
 
-/// The text of a .rosy, .ffield or .rawfield file. Rosy takes the first direction of each row, FrameField the first
-/// two, RawField all. Throws FileError for another format, and for a FrameField of another degree than 4.
+/// The text of a .rosy, .ffield or .rawfield file. Rosy takes the first direction of each row,
+/// FrameField the first two, RawField all. Throws FileError for another format, and for a
+/// FrameField of another degree than 4.
 std::string WriteField(const FieldFile& field, FieldFormat format);
 }
 

@@ -22,8 +22,8 @@ namespace DirectionFields
 {
 namespace
 {
-/// Directions of a row whose n-th powers agree less than this do not stand at equal angles, by about five degrees
-/// for crosses.
+/// Directions of a row whose n-th powers agree less than this do not stand at equal angles, by
+/// about five degrees for crosses.
 constexpr double LeastAgreement = 0.99;
 constexpr double LeastTangential = 1e-6;
 
@@ -129,7 +129,7 @@ std::string Counted(std::size_t count, const char* things)
     ". Give the very mesh that the file belongs to, its points and faces in the same order.");
 }
 
-/// What the rows are for: FieldOn::Cells or Points. Throws FileError.
+/// Whether the rows are for the triangles (FieldOn::Cells) or the points. Throws FileError.
 FieldOn Decide(const FieldFile& file, const Surface& surface, FieldOn on, bool facesAreTriangles)
 {
   const bool fitsCells = facesAreTriangles && file.Rows() == surface.Triangles.size();

@@ -14,7 +14,7 @@
 
 namespace DirectionFields
 {
-/// What the rows of a file with directions are for.
+/// The elements that the rows of a file with directions belong to.
 enum class FieldOn
 {
   /// The triangles, if there are as many, else the points.
@@ -23,24 +23,26 @@ enum class FieldOn
   Points = 2
 };
 
-/// A field that was read, as if it had been computed: with true indices, everything over the points that
-/// Direction Field would have.
+/// A field that was read, as if it had been computed: with true indices, everything over the points
+/// that Direction Field would have.
 struct ImportedField
 {
   DirectionFields::Result Field;
-  /// Sentences for the user on what the file has that a field of one degree has not, and the other way around.
+  /// Sentences for the user on contents of the file that a field of one degree cannot have, and the
+  /// other way around.
   std::vector<std::string> Warnings;
 };
 
-/// Lays the directions of a file on the surface that they belong to. Directions of faces are carried to the vertices
-/// (ToVertices). RepresentationMagnitude is how much the directions around a vertex agree, 1 for directions of
-/// vertices. A vertex that has no direction gets one from its neighbours. Points at the same place across seams
-/// become one, as Direction Field does it. Rows of an .obj file belong to the points at their places, where there are
-/// not as many points as rows.
+/// Lays the directions of a file on the surface that they belong to. Directions of faces are
+/// carried to the vertices (ToVertices). RepresentationMagnitude is how much the directions around
+/// a vertex agree, 1 for directions of vertices. A vertex that has no direction gets one from its
+/// neighbours. Points at the same place across seams become one, as Direction Field does it. Rows
+/// of an .obj file belong to the points at their places, where there are not as many points as
+/// rows.
 ///
 /// Throws FileError where the numbers do not match, MeshError, and Stopped. Takes linear time.
-/// @param facesAreTriangles whether each face of the input is one triangle of the surface: only then rows can be for
-///                          faces
+/// @param facesAreTriangles whether each face of the input is one triangle of the surface: only
+///                          then rows can be for faces
 ImportedField ImportField(const FieldFile& file, const Surface& surface, FieldOn on,
   bool facesAreTriangles, const Progress& progress = {});
 }

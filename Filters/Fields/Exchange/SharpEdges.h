@@ -11,9 +11,10 @@
 
 namespace DirectionFields::Internal
 {
-/// The features of a surface as QuadWild lists them: every edge that Options::ConstrainSharpEdges takes for a feature,
-/// from both of its triangles, convex or concave; and every edge of one triangle or of more than two, which count as
-/// convex. Points at the same place stay apart, as QuadWild reads the mesh.
+/// The features of a surface as QuadWild lists them: every edge that Options::ConstrainSharpEdges
+/// takes for a feature, from both of its triangles, convex or concave; and every edge of one
+/// triangle or of more than two, which count as convex. Points at the same place stay apart, as
+/// QuadWild reads the mesh.
 ///
 /// Throws MeshError.
 /// @param featureAngle  as Options::FeatureAngle, degrees

@@ -13,8 +13,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Takes words and numbers out of a text one after the other. Numbers are those of the C locale, whatever the
-/// program's locale is. Blanks, tabs and ends of lines, those of any system, separate words.
+/// Takes words and numbers out of a text one after the other. Numbers are those of the C locale,
+/// whatever the program's locale is. Blanks, tabs and ends of lines, those of any system, separate
+/// words.
 class TextReader
 {
 public:
@@ -25,11 +26,11 @@ public:
   bool IsAtEnd();
   /// Whether nothing but blanks is left of this line.
   bool IsAtEndOfLine();
-  /// What comes next on this line, up to a blank; empty at the end of the line.
+  /// The next word on this line, up to a blank; empty at the end of the line.
   std::string_view Word();
-  /// The next word of the text, on whatever line, as a number. Throws FileError where it is none, or not
-  /// finite.
-  /// @param what it is, for the sentence
+  /// The next word of the text, on whatever line, as a number. Throws FileError where it is none,
+  /// or not finite.
+  /// @param what the number's name, for the sentence
   double Number(const char* what);
   /// The same for an integer in a range.
   std::int64_t Integer(const char* what, std::int64_t least, std::int64_t most);

@@ -12,8 +12,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Makes a text of words and numbers in the C locale, whatever the program's locale is. Numbers have as many
-/// digits as it takes to read them back to the last bit, 17 at most.
+/// Makes a text of words and numbers in the C locale, whatever the program's locale is. Numbers
+/// have as many digits as it takes to read them back to the last bit, 17 at most.
 class TextWriter
 {
 public:

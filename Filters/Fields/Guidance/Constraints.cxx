@@ -25,14 +25,15 @@ constexpr double EqualSharpness = 1e-9;
 constexpr double Cancelled = 0.6;
 /// The anisotropy |k_max - k_min| l below which a vertex has no principal directions.
 constexpr double Umbilic = 1e-6;
-/// A curvature constraint stays where so many neighbours are constrained, too, and in as many rounds.
+/// A curvature constraint stays where at least this many neighbours are constrained, too; also the
+/// number of rounds.
 constexpr Index FewestNeighbours = 2;
 constexpr int LonelyRounds = 2;
 /// Angles of a triangle that differ by less than this are equal up to rounding.
 constexpr double EqualAngles = 1e-9;
 
-/// Which of two neighbours of a vertex ties go to. Neither winding nor numbering may matter, for the pieces of a
-/// surface on several processes are numbered in another way than the whole.
+/// Which of two neighbours of a vertex ties go to. Neither winding nor numbering may matter, for
+/// the pieces of a surface on several processes are numbered in another way than the whole.
 bool ComesFirst(const SurfaceGeometry& geometry, Index one, Index other)
 {
   const Vector3& here = geometry.Positions[one];
@@ -41,8 +42,8 @@ bool ComesFirst(const SurfaceGeometry& geometry, Index one, Index other)
                        : ComesFirstInGrids(here, there);
 }
 
-/// Whether the edge that leaves a boundary vertex weighs more in the energy than the one that arrives: its
-/// cotangent is that of the angle opposite of it.
+/// Whether the edge that leaves a boundary vertex weighs more in the energy than the one that
+/// arrives: its cotangent is that of the angle opposite of it.
 bool WeighsMore(const SurfaceGeometry& geometry, Index leaving, Index arriving)
 {
   const TriangleMesh& mesh = geometry.Mesh;
@@ -83,7 +84,7 @@ Constraints::Constraints(
       notes.emplace_back(what);
     }
   };
-  // The kinds come by falling priority: what is set stays.
+  // The kinds come by falling priority: earlier constraints stay.
   if (options.ConstrainGuidance)
   {
     this->AddGiven(input);
@@ -198,8 +199,8 @@ void Constraints::AddBoundary(const Input& input, const Options& options)
   }
 }
 
-/// The boundary of a cover comes in pairs of loops, each with the directions of its own orientation:
-/// one loop of each pair decides for both.
+/// The boundary of a cover comes in pairs of loops, each with the directions of its own
+/// orientation: one loop of each pair decides for both.
 void Constraints::MirrorBoundary(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;
@@ -223,8 +224,8 @@ void Constraints::MirrorBoundary(const Input& input, const Options& options)
   }
 }
 
-/// Makes all other constraints of a cover equal on both of its sides, where rounding may have made a
-/// difference.
+/// Makes all other constraints of a cover equal on both of its sides, where rounding may have made
+/// a difference.
 void Constraints::MirrorInterior(const Input& input, const Options& options)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;
@@ -272,8 +273,8 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
     {
       const Vector3& here = input.Geometry.Positions[v];
       const Vector3& there = input.Geometry.Positions[mesh.Head(sharpest)];
-      // The angle is that of the edge's projection, not that in the tangent cone: the field is to follow
-      // the edge in space, and where the edge is sharp the two differ by some degrees.
+      // The angle is that of the edge's projection, not that in the tangent cone: the field is to
+      // follow the edge in space, and where the edge is sharp the two differ by some degrees.
       const Vector3 edge = (there - here).stableNormalized();
       const Complex projected = input.Geometry.Frames.Tangential(v, edge);
       const double angle = std::abs(projected) > 1e-9
@@ -337,8 +338,8 @@ void Constraints::DropInconsistent(const Input& input, const Options& options)
   this->DropCurvature(drop);
 }
 
-/// Neighbours that disagree are gone by now, so that those which are constrained agree. What stands alone,
-/// or at the end of a line, is noise more often than not.
+/// Neighbours that disagree are gone by now, so that the constrained ones agree. A constraint that
+/// stands alone, or at the end of a line, is noise more often than not.
 void Constraints::DropLonely(const Input& input)
 {
   const TriangleMesh& mesh = input.Geometry.Mesh;

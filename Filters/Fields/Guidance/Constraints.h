@@ -14,9 +14,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Which vertices are constrained, and to what. The rules are those of POC14, section 3, with what the
-/// thesis of C. Clemenz (TU Wien 2019) settled. Vertices of a non-manifold edge are always constrained
-/// to it.
+/// The constrained vertices and their directions, by the rules of POC14, section 3, with the
+/// details settled in the thesis of C. Clemenz (TU Wien 2019). Vertices of a non-manifold edge are
+/// always constrained to it.
 struct Constraints
 {
   struct Input
@@ -39,7 +39,8 @@ struct Constraints
 
   /// The kind of each vertex; empty, as Value is, where no vertex is constrained.
   std::vector<ConstraintKind> Kind;
-  /// The representation vector of each vertex: its modulus is 1 where the vertex is constrained, else 0.
+  /// The representation vector of each vertex: its modulus is 1 where the vertex is constrained,
+  /// else 0.
   std::vector<Complex> Value;
   Index Count = 0;
 

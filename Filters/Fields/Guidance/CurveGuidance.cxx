@@ -84,7 +84,7 @@ double MeanEdge(const SurfaceGeometry& geometry)
   return count > 0.0 ? sum / count : 0.0;
 }
 
-/// What curves ask for at the vertices of a mesh.
+/// The directions that curves ask for at the vertices of a mesh.
 class Strokes
 {
 public:
@@ -115,7 +115,8 @@ public:
     }
   }
 
-  /// Carries the directions on to all vertices within a radius, and weights them by their distances.
+  /// Carries the directions on to all vertices within a radius, and weights them by their
+  /// distances.
   /// @return the value of each vertex: the n-th power of its direction, of the length of its weight
   std::vector<Complex> Spread(double radius, double falloff) const;
 
@@ -125,7 +126,7 @@ private:
   /// The mean of the neighbours that are known.
   Complex FromNeighbours(
     Index vertex, const std::vector<Complex>& values, const std::vector<char>& isKnown) const;
-  /// What is left where the directions cancel is no direction.
+  /// A remainder of directions that cancel is no direction.
   static Complex Coherent(const Complex& value)
   {
     return std::abs(value) < CurveGuidance::LeastCoherence ? Complex(0.0) : value;

@@ -15,21 +15,23 @@ struct CurveGuidanceOptions
 {
   /// n of the field that is to be guided, 1 to 16.
   int Degree = 4;
-  /// How far from the curves vertices are guided, along the surface, in its unit of length. 0: only the corners of the
-  /// triangles that curves run through.
+  /// How far from the curves vertices are guided, along the surface, in its unit of length. 0: only
+  /// the corners of the triangles that curves run through.
   double Radius = 0.0;
-  /// The standard deviation of the Gaussian by which the weight falls with the distance, in parts of Radius, greater than 0.
+  /// The standard deviation of the Gaussian by which the weight falls with the distance, in parts
+  /// of Radius, greater than 0.
   double Falloff = 0.5;
-  /// Parts of curves that are farther from the surface do not count, in its unit of length. 0: all count.
+  /// Parts of curves that are farther from the surface do not count, in its unit of length. 0: all
+  /// count.
   double MaximumDistance = 0.0;
 };
 
 /// Directions that curves ask for.
 struct CurveGuidance
 {
-  /// Over the points of the surface: one of the n directions, of the length of its weight, and the weight: 1 on a
-  /// curve, falling with the distance from it, and less where curves do not agree. Zero elsewhere, and where less than
-  /// LeastCoherence is left of directions that cancel.
+  /// Over the points of the surface: one of the n directions, of the length of its weight, and the
+  /// weight: 1 on a curve, falling with the distance from it, and less where curves do not agree.
+  /// Zero elsewhere, and where less than LeastCoherence is left of directions that cancel.
   std::vector<Vector3> Vectors;
   std::vector<double> Weights;
   /// Samples taken of the curves, and those of them that are too far from the surface.
@@ -39,12 +41,14 @@ struct CurveGuidance
   static constexpr double LeastCoherence = 0.1;
 };
 
-/// Tangents of poly lines as guidance for a field of degree n. They are sampled every half edge length and laid into
-/// the nearest triangles, carried along straight lines to the corners, and added up as n-th powers, weighted by length
-/// and nearness: so opposite senses agree for even n, and curves that cross at right angles agree for n = 4 and
-/// cancel for n = 2. Farther vertices get the mean of what their nearer neighbours have, carried along the edges.
+/// Tangents of poly lines as guidance for a field of degree n. They are sampled every half edge
+/// length and laid into the nearest triangles, carried along straight lines to the corners, and
+/// added up as n-th powers, weighted by length and nearness: so opposite senses agree for even n,
+/// and curves that cross at right angles agree for n = 4 and cancel for n = 2. Farther vertices get
+/// the mean of their nearer neighbours' values, carried along the edges.
 ///
-/// Throws std::invalid_argument for options out of their ranges, MeshError and Stopped. Takes n log n time.
+/// Throws std::invalid_argument for options out of their ranges, MeshError and Stopped. Takes n log
+/// n time.
 /// @param curves poly lines; places that are not finite break them
 CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vector<Vector3>>& curves,
   const CurveGuidanceOptions& options, const Progress& progress = {});

@@ -15,11 +15,11 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Agreements that differ by less than this are ties, which the numbers of points decide: rounding in
-/// another coordinate frame must not.
+/// Agreements that differ by less than this are ties, which the numbers of points decide: rounding
+/// in another coordinate frame must not.
 constexpr double Tie = 1e-6;
-/// Neighbours agree or disagree clearly from here on: corners, where a chain turns, are left to what lies
-/// between the chains.
+/// Neighbours agree or disagree clearly from here on: corners, where a chain turns, are decided by
+/// the surface between the chains.
 constexpr double Clear = 0.5;
 
 /// Vertices whose signs are known relative to each other.
@@ -42,7 +42,7 @@ public:
       turned = turned != (this->Turned[root] != 0);
       root = this->Parent[root];
     }
-    // Shortens the way for the next time.
+    // Shortens the path for the next call.
     bool rest = turned;
     while (v != root)
     {
@@ -295,7 +295,7 @@ private:
     this->Grown[v] = size > Tie ? best.second / size : Complex(0.0);
   }
 
-  /// How well sets agree where they meet; what is far from both counts less.
+  /// How well sets agree where they meet; places far from both count less.
   std::vector<Link> Meetings(const TriangleMesh::Component& component) const
   {
     std::map<std::pair<Index, Index>, double> meetings;
@@ -331,7 +331,7 @@ private:
         continue;
       }
       const auto [root, turned] = this->Sets.Find(v);
-      // What is given goes before what may be turned.
+      // Given directions come before those that may be turned.
       const auto rank = [this](Index w)
       { return std::pair(this->IsSharp(w), this->Mesh.Point(w)); };
       if (lowest[root] == None || rank(v) < rank(lowest[root]))
@@ -356,8 +356,8 @@ private:
   const std::vector<ConstraintKind>& Kind;
   std::vector<Complex>& Value;
   SignedSets Sets;
-  /// Of the vertices that sets have grown to: how far away these are, the vertex that stands for the set,
-  /// and the value that it has here, of modulus 1, or 0 where it cancels.
+  /// Of the vertices that sets have grown to: how far away these are, the vertex that stands for
+  /// the set, and the value that it has here, of modulus 1, or 0 where it cancels.
   std::vector<Index> Layer;
   std::vector<Index> Source;
   std::vector<Complex> Grown;

@@ -11,13 +11,14 @@
 
 namespace DirectionFields::Internal
 {
-/// A sharp edge has two opposite directions, which are different ones where the degree is odd: chooses the
-/// sign of each vertex of a sharp edge so that neighbours agree after transport. Those whose directions
-/// agree or disagree most come first (a spanning forest, J. Kruskal 1956), so that a sign is carried along
-/// chains. Chains that are apart grow over the surface, layer by layer, until they meet, and take the signs
-/// that agree best there. Constraints of other kinds keep theirs. What is left, one sign for all chains of a
-/// component without such constraints, is that of the vertex with the lowest point. All that decides are
-/// transports and the numbers of points: the coordinate frame does not matter, nor the winding.
+/// A sharp edge has two opposite directions, which are different ones where the degree is odd:
+/// chooses the sign of each vertex of a sharp edge so that neighbours agree after transport.
+/// Neighbours whose directions agree or disagree most come first (a spanning forest, J. Kruskal
+/// 1956), so that a sign is carried along chains. Chains that are apart grow over the surface,
+/// layer by layer, until they meet, and take the signs that agree best there. Constraints of other
+/// kinds keep theirs. A component without such constraints has one sign left for all its chains:
+/// that of the vertex with the lowest point. Only transports and the numbers of points decide, so
+/// that neither the coordinate frame nor the winding matters.
 /// @param degree odd
 /// @param kind   of each vertex
 /// @param value  of each vertex, of modulus 1 where it has a kind

@@ -106,7 +106,7 @@ std::vector<Complex> CurvatureSection(
 void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section)
 {
   constexpr double decay = 0.1;
-  // What is less than this is no longer made smaller, lest it be rounded to zero.
+  // Weights below this are not reduced further, lest they be rounded to zero.
   constexpr double least = 1e-100;
   const TriangleMesh& mesh = geometry.Mesh;
   std::vector<char> isKnown(section.size());

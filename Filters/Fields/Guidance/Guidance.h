@@ -17,8 +17,8 @@ namespace DirectionFields::Internal
 std::vector<Complex> GuidanceSection(
   const SurfaceGeometry& geometry, const Guidance& guidance, int degree);
 
-/// The largest component of the finite vectors, and the largest finite weight: only ratios to them count, so that
-/// squares and products neither overflow nor underflow.
+/// The largest component of the finite vectors, and the largest finite weight: only ratios to them
+/// count, so that squares and products neither overflow nor underflow.
 struct GuidanceScale
 {
   double Longest = 0.0;
@@ -29,22 +29,23 @@ GuidanceScale ScaleOf(const Guidance& guidance);
 std::vector<Complex> GuidanceSection(const SurfaceGeometry& geometry, const Guidance& guidance,
   int degree, const GuidanceScale& scale);
 
-/// What a field of degree 2 or 4 follows at a vertex: q for the larger curvature, -q for the smaller;
-/// e^(2 i theta) (|k_max| - |k_min|) / 2 for the one of larger modulus, which does not depend on the side
-/// that the surface is seen from, and its negative for the other. For degree 4 it is q^2 / |q|.
+/// The guidance of a field of degree 2 or 4 at a vertex: q for the larger curvature, -q for the
+/// smaller; e^(2 i theta) (|k_max| - |k_min|) / 2 for the one of larger modulus, which does not
+/// depend on the side that the surface is seen from, and its negative for the other. For degree 4
+/// it is q^2 / |q|.
 Complex CurvatureValue(
   const Curvature& curvature, Index vertex, int degree, CurvatureDirection direction);
 
-/// Whether what a field follows changes with the side that the surface is seen from.
+/// Whether the guidance depends on the side that the surface is seen from.
 bool DependsOnSide(int degree, CurvatureDirection direction);
 
 /// These values of all vertices.
 std::vector<Complex> CurvatureSection(
   const Curvature& curvature, int degree, CurvatureDirection direction);
 
-/// Continues a section to vertices of its components where it is zero: each of them has a tenth of the
-/// mean of those neighbours that are nearer to where it is not. That is next to nothing for a field that is
-/// drawn to it, but gives the section itself directions.
+/// Continues a section to vertices of its components where it is zero: each of them has a tenth of
+/// the mean of those neighbours that are nearer to where it is not. That is next to nothing for a
+/// field that is drawn to it, but gives the section itself directions.
 void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section);
 
 /// Sets a section to zero on components that cannot be oriented.

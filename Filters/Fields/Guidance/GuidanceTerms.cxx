@@ -14,7 +14,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Calls set(v) at the given vertices and their neighbours, which are the rows that given values enter.
+/// Calls set(v) at the given vertices and their neighbours, which are the rows that given values
+/// enter.
 template <typename Set>
 void ForEachNear(const std::vector<Index>& given, const SparseMatrix& mass, const Set& set)
 {
@@ -90,7 +91,8 @@ ComplexVector Normalized(ComplexVector guidance, const Eigen::VectorXd& areas)
   {
     return {};
   }
-  // Real and imaginary part are divided one by one: a quotient of complex numbers squares the divisor.
+  // Real and imaginary part are divided one by one: a quotient of complex numbers squares the
+  // divisor.
   ForRows(guidance,
     [&](Index begin, Index end)
     {

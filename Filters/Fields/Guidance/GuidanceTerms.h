@@ -11,7 +11,7 @@
 
 namespace DirectionFields::Internal
 {
-/// What the field of one component follows. All is counted from the component's first vertex.
+/// Guidance and constraints of one component, counted from its first vertex.
 struct ComponentGuide
 {
   /// The section that the field is drawn to, one value for each vertex; empty for nothing.
@@ -22,17 +22,18 @@ struct ComponentGuide
   double Share = 1.0;
 };
 
-/// A third of the area of the triangles at each vertex: each triangle adds a sixth of its area to the
-/// diagonal of the mass matrix at its three corners.
+/// A third of the area of the triangles at each vertex: each triangle adds a sixth of its area to
+/// the diagonal of the mass matrix at its three corners.
 Eigen::VectorXd VertexAreas(const SparseMatrix& mass);
-/// Sets the areas of the given vertices and of their neighbours to 0: there guidance does not count.
+/// Sets the areas of the given vertices and of their neighbours to 0: there guidance does not
+/// count.
 void ClearNear(const std::vector<Index>& given, const SparseMatrix& mass, Eigen::VectorXd& areas);
 /// The largest real or imaginary part, in modulus, at the vertices whose area is not 0.
 double LargestPart(const ComplexVector& guidance, const Eigen::VectorXd& areas);
 
-/// What a guide contributes to the linear systems of its component, for any strength: M q of the
-/// guidance q, which is scaled to modulus 1 in the mean square over all vertices that are neither
-/// constrained nor next to a constrained one. There the guidance is as large as the constraints.
+/// A guide's terms in the linear systems of its component, for any strength: M q of the guidance q,
+/// which is scaled to modulus 1 in the mean square over all vertices that are neither constrained
+/// nor next to a constrained one. There the guidance is as large as the constraints.
 class GuidanceTerms
 {
 public:
@@ -45,7 +46,8 @@ public:
   bool Any() const { return this->MassTimes.size() > 0; }
   /// M q; empty where nothing is left of the guidance.
   const ComplexVector& GetMassTimes() const { return this->MassTimes; }
-  /// The factor times M q, zero at constrained vertices and their neighbours. Zero without guidance.
+  /// The factor times M q, zero at constrained vertices and their neighbours. Zero without
+  /// guidance.
   ComplexVector RightHandSide(const Operators& operators, double factor) const;
   /// Area of the component, in unit^2.
   double GetArea() const { return this->Area; }

@@ -11,8 +11,8 @@
 
 namespace DirectionFields::Internal
 {
-/// A triangle laid flat, its corners as complex numbers in the unit of its component: corner 0 at 0,
-/// corner 1 on the positive real axis, corner 2 above that.
+/// A triangle laid flat, its corners as complex numbers in the unit of its component: corner 0 at
+/// 0, corner 1 on the positive real axis, corner 2 above that.
 class FlatTriangle
 {
 public:
@@ -50,24 +50,24 @@ private:
   double Area_;
 };
 
-/// A section of degree n on a triangle, not only at its corners: the n-th power q(z) of the directions
-/// at each place z of the triangle laid flat, whose n directions stand at the angles
+/// A section of degree n on a triangle, not only at its corners: the n-th power q(z) of the
+/// directions at each place z of the triangle laid flat, whose n directions stand at the angles
 /// (arg q(z) + 2 pi k) / n from the edge from corner 0 to corner 1.
 ///
-/// It is the section that the operators of the field mean, that of KCPS13, section 6.1 (hat functions
-/// times the corners' vectors carried along straight rays), with the rays of the cones at the corners
-/// laid onto those of the flat triangle:
+/// It is the section that the operators of the field mean, that of KCPS13, section 6.1 (hat
+/// functions times the corners' vectors carried along straight rays), with the rays of the cones at
+/// the corners laid onto those of the flat triangle:
 ///
 ///     q(z) = sum over corners c of b_c(z) u_c exp(i n (E_c - theta_c + (1 - s_c) g_c(z)))
 ///
-/// with barycentric coordinates b, the corner's vector u, the angles E and theta of the half-edge that
-/// starts there in the flat triangle and in the vertex's cone, the vertex's scale s and the angle
-/// g_c(z) from that half-edge to z. What follows from that:
+/// with barycentric coordinates b, the corner's vector u, the angles E and theta of the half-edge
+/// that starts there in the flat triangle and in the vertex's cone, the vertex's scale s and the
+/// angle g_c(z) from that half-edge to z. Consequences:
 /// - at a corner, q is u, whatever ray leads there;
-/// - on an edge, measured against the edge, q is the linear blend of its ends, hence the same from both
-///   triangles: lines of the field go on across edges without a bend;
-/// - around the triangle, q winds as often as Singularities.h says, if the turns n (s - 1) alpha at the
-///   corners are counted: its zeros, counted with their signs, add up to the triangle's index;
+/// - on an edge, measured against the edge, q is the linear blend of its ends, hence the same from
+///   both triangles: lines of the field go on across edges without a bend;
+/// - around the triangle, q winds as often as Singularities.h says, if the turns n (s - 1) alpha at
+///   the corners are counted: its zeros, counted with their signs, add up to the triangle's index;
 /// - it depends on lengths only, and not on numbers, position or scale.
 class FieldInterpolant
 {
@@ -97,8 +97,8 @@ public:
   /// Not at a corner.
   Jet JetAt(const Complex& place) const;
 
-  /// The directions' angle at a corner: where the direction that has an angle in the cone of the vertex
-  /// stands, on the ray to a place, in the flat triangle.
+  /// The directions' angle at a corner: where the direction that has an angle in the cone of the
+  /// vertex stands, on the ray to a place, in the flat triangle.
   double AngleInFlat(int corner, double angleInCone, const Complex& place) const;
 
 private:
@@ -113,7 +113,8 @@ private:
   std::array<double, 3> Excess, ConeAngle;
 };
 
-/// exp(i angle). Small angles, which are almost all there are on fine meshes, take a third of the time.
+/// exp(i angle). Small angles, which are almost all there are on fine meshes, take a third of the
+/// time.
 inline Complex UnitNumber(double angle)
 {
   constexpr double small = 0.25;
@@ -121,7 +122,7 @@ inline Complex UnitNumber(double angle)
   {
     return { std::cos(angle), std::sin(angle) };
   }
-  // Taylor series; what is left out is less than rounding.
+  // Taylor series; the omitted terms are below rounding.
   const double x = angle * angle;
   const double cosine = 1.0 +
     x *

@@ -26,9 +26,9 @@ struct DirectionsAt
   Vector3 Turned(int k, int degree) const;
 };
 
-/// A direction field between the points where it is given: that of FieldInterpolant, which lines follow, too.
-/// It is continuous across edges, equals the given one at the points, turns with the surface, and does not
-/// depend on which of the directions comes first.
+/// A direction field between the points where it is given: that of FieldInterpolant, which lines
+/// follow, too. It is continuous across edges, equals the given one at the points, turns with the
+/// surface, and does not depend on which of the directions comes first.
 class FieldInterpolation
 {
 public:
@@ -37,9 +37,10 @@ public:
   FieldInterpolation(
     const SurfaceIncidence& surface, const GivenField& given, const PointDirections& field);
 
-  /// The directions at a place, in the triangle's plane. Point is the nearest corner of the triangle, and
-  /// direction k is the one nearest to direction k of that. The normal is that of most triangles of the
-  /// component, or the opposite one where the directions count the other way around.
+  /// The directions at a place, in the triangle's plane. Point is the nearest corner of the
+  /// triangle, and direction k is the one nearest to direction k of that. The normal is that of
+  /// most triangles of the component, or the opposite one where the directions count the other way
+  /// around.
   DirectionsAt At(const SurfacePoint& place) const;
   /// The directions that are given at a point, in its tangent plane.
   DirectionsAt AtPoint(Index point) const;

@@ -44,7 +44,8 @@ bool AllAreFinite(const Surface& surface)
            }) == 0;
 }
 
-/// The surface with triangles collapsed that cannot be computed on, so that the others keep their numbers.
+/// The surface with triangles collapsed that cannot be computed on, so that the others keep their
+/// numbers.
 Surface WithoutUnsound(const Surface& surface)
 {
   Surface sound = surface;

@@ -15,8 +15,8 @@
 
 namespace DirectionFields
 {
-/// n directions at each point of a surface, as they are given: by arrays that a computation or a file
-/// left.
+/// n directions at each point of a surface, as they are given: by arrays that a computation or a
+/// file left.
 struct PointDirections
 {
   /// n.
@@ -30,20 +30,22 @@ struct PointDirections
 /// The directions of a field that was computed, which must outlive them. Magnitude is |u|.
 PointDirections DirectionsOf(const Result& field);
 
-/// The directions of an array, which must outlive them. Magnitude is 1; vectors that are zero or not finite are no
-/// directions. Throws std::invalid_argument where the number of vectors is no multiple of the degree.
+/// The directions of an array, which must outlive them. Magnitude is 1; vectors that are zero or
+/// not finite are no directions. Throws std::invalid_argument where the number of vectors is no
+/// multiple of the degree.
 /// @param degree  n, at least 1
-/// @param vectors n for each point, one point after the other, in space, of any length; counter-clockwise about the
-///                normal, 2 pi / n apart
+/// @param vectors n for each point, one point after the other, in space, of any length;
+///                counter-clockwise about the normal, 2 pi / n apart
 PointDirections DirectionsOf(int degree, const std::vector<Vector3>& vectors);
 
-/// How a triangle lies in space, for what is computed on the triangle laid flat.
+/// The position of a triangle in space, for results that are computed on the triangle laid flat.
 struct TriangleInSpace
 {
   /// Of the mesh's corners 0, 1, 2.
   std::array<Vector3, 3> Corners;
-  /// Unit vectors: along the edge from corner 0 to corner 1, to its left, and upright on both. The normal
-  /// is that of the mesh's winding. A triangle without area has those of the first corner that has any.
+  /// Unit vectors: along the edge from corner 0 to corner 1, to its left, and upright on both. The
+  /// normal is that of the mesh's winding. A triangle without area has those of the first corner
+  /// that has any.
   Vector3 X, Y, Normal;
 
   Vector3 Position(const std::array<double, 3>& weights) const
@@ -56,9 +58,10 @@ struct TriangleInSpace
 };
 TriangleInSpace InSpace(const SurfaceGeometry& geometry, Index meshTriangle);
 
-/// A surface as the computation of a field sees it, whatever the field: the mesh with its geometry, and how it
-/// belongs to the surface's own triangles. Points across seams are one, as for Direction Field by default.
-/// Triangles with ids of no point or with coordinates that are not finite are left out.
+/// A surface as the computation of a field sees it, whatever the field: the mesh with its geometry,
+/// and how it belongs to the surface's own triangles. Points across seams are one, as for Direction
+/// Field by default. Triangles with ids of no point or with coordinates that are not finite are
+/// left out.
 struct FieldSurface
 {
   /// Takes linear time, on the threads of the scope.
@@ -72,13 +75,13 @@ struct FieldSurface
   std::vector<Index> MeshTriangle;
 };
 
-/// A direction field read back from what is given at the points of a surface: the mesh that the field
-/// was computed on with its geometry, and the representation vector of each vertex. All that follows a
-/// field or looks at it between the points starts from here, and hence sees the same field, be it our
-/// own or one that came with a file.
+/// A direction field read back from directions at the points of a surface: the mesh that the field
+/// was computed on with its geometry, and the representation vector of each vertex. Every algorithm
+/// that follows or compares fields starts from here, and hence sees the same field, be it computed
+/// here or read from a file.
 ///
-/// Points across seams become one where the directions at them are the same; else the seams stay, as for a
-/// field that was computed with MergePoints off.
+/// Points across seams become one where the directions at them are the same; else the seams stay,
+/// as for a field that was computed with MergePoints off.
 class GivenField
 {
 public:

@@ -16,7 +16,7 @@ constexpr int MostHalvings = 30;
 /// |q| that passes for 0, as a part of the largest at the corners.
 constexpr double Vanishing = 1e-13;
 
-/// The nearest weights that are large enough, roughly: what is too small is raised at the cost of the
+/// The nearest weights that are large enough, roughly: small ones are raised at the cost of the
 /// others.
 std::array<double, 3> KeptInside(std::array<double, 3> weights)
 {
@@ -25,7 +25,7 @@ std::array<double, 3> KeptInside(std::array<double, 3> weights)
     weight = std::max(weight, InterpolantZero::LeastWeight);
   }
   const double sum = weights[0] + weights[1] + weights[2];
-  // What is above the least is shared out in proportion.
+  // The excess over the least is shared out in proportion.
   const double rest =
     (1.0 - 3.0 * InterpolantZero::LeastWeight) / (sum - 3.0 * InterpolantZero::LeastWeight);
   for (double& weight : weights)
@@ -96,7 +96,8 @@ InterpolantZero FindZero(const FieldInterpolant& power, int sign)
   constexpr double near = 0.98;
   constexpr double far = 0.01;
   constexpr double half = 0.495;
-  // The centroid, the middle between it and the corners, close to the edges' midpoints and to the corners.
+  // The centroid, the middle between it and the corners, close to the edges' midpoints and to the
+  // corners.
   constexpr std::array<std::array<double, 3>, 10> starts = { { { third, third, third },
     { 0.66, 0.17, 0.17 }, { 0.17, 0.66, 0.17 }, { 0.17, 0.17, 0.66 }, { half, half, far },
     { far, half, half }, { half, far, half }, { near, far, far }, { far, near, far },

@@ -15,8 +15,8 @@ struct InterpolantZero
   Complex Place;
   /// Of the section there.
   FieldInterpolant::Jet Jet;
-  /// Whether the section is 0 there, up to rounding. Else the place is where it was found smallest: a
-  /// zero on the rim of the triangle.
+  /// Whether the section is 0 there, up to rounding. Else the place is where it was found smallest:
+  /// a zero on the rim of the triangle.
   bool Converged = false;
 
   /// +1 where the directions turn like a vector from the zero, -1 where they turn against it: the

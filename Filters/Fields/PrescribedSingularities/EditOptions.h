@@ -12,8 +12,8 @@ namespace DirectionFields
 /// A singularity that is asked for.
 struct WantedSingularity
 {
-  /// In space, in the surface's unit of length; the singularity comes to the nearest point of the surface. Where it is
-  /// not finite, SingularityEditor::Edit throws.
+  /// In space, in the surface's unit of length; the singularity comes to the nearest point of the
+  /// surface. Where it is not finite, SingularityEditor::Edit throws.
   Vector3 Position;
   /// In units of 1/n, of either sign; 0 is ignored.
   int Index = 1;
@@ -22,15 +22,16 @@ struct WantedSingularity
 /// How singularities of a field are edited. The defaults stand here and nowhere else.
 struct EditOptions
 {
-  /// The singularities are added to those of the given field; else they replace these in all connected components that
-  /// have one.
+  /// The singularities are added to those of the given field; else they replace these in all
+  /// connected components that have one.
   bool AddsToBase = false;
   RotationObjective Objective = RotationObjective::Smoothest;
-  /// Adds the singularities that are missing where indices do not add up to n times the Euler characteristic (or, on
-  /// regions enclosed by directions that are kept, to the number that these ask for). Else Edit throws there.
+  /// Adds the singularities that are missing where indices do not add up to n times the Euler
+  /// characteristic (or, on regions enclosed by directions that are kept, to the number that these
+  /// ask for). Else Edit throws there.
   bool Balances = false;
-  /// tau, free of units, 0 to less than 1, as Options::AlignmentStrength: the field is drawn to the guidance without
-  /// any change of its singularities. 0 for not at all.
+  /// tau, free of units, 0 to less than 1, as Options::AlignmentStrength: the field is drawn to the
+  /// guidance without any change of its singularities. 0 for not at all.
   double AlignmentStrength = 0.0;
 };
 }

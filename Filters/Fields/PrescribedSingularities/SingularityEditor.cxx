@@ -22,7 +22,7 @@ namespace
 constexpr double LeastTangential = 1e-6;
 }
 
-/// The given field, and what the edits of each component share.
+/// The given field, and the data that the edits of each component share.
 class SingularityEditor::Components
 {
 public:
@@ -251,7 +251,8 @@ void SingularityEditor::Components::SetSection(std::size_t component, const Rota
   {
     return;
   }
-  // Moduli grow with the distance from a singularity in the triangle, so that interpolation vanishes there.
+  // Moduli grow with the distance from a singularity in the triangle, so that interpolation
+  // vanishes there.
   for (const MeshPlace& place : target.Places)
   {
     if (target.Indices[place.Triangle - part.FirstTriangle] == 0)

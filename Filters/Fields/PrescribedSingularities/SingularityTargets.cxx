@@ -14,7 +14,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// So many triangles, spread over the component, are looked at for places of singularities that are missing.
+/// The number of triangles, spread over the component, that are candidates for missing
+/// singularities.
 constexpr Index MostCandidates = 4096;
 
 /// A target in the making. Of a cover it has the front side only, until it is finished.
@@ -92,7 +93,7 @@ private:
     }
   }
 
-  /// Compares the sums of closed regions with those of the base, which is what they need whatever the field.
+  /// Compares the sums of closed regions with the base's, which hold for any field.
   void CheckSums(bool balances, std::vector<std::string>& notes)
   {
     const TreeCotree& forest = this->Rotation.GetForest();
@@ -145,8 +146,8 @@ private:
       ", or turn KeepConstraints off.");
   }
 
-  /// Puts what is missing where the base has such singularities, those first that are farthest from all others; then
-  /// to other triangles, farthest first.
+  /// Puts missing singularities where the base has such, first those that are farthest from all
+  /// others; then into other triangles, farthest first.
   void Balance(Index region, int missing)
   {
     const int sign = missing > 0 ? 1 : -1;
@@ -187,7 +188,7 @@ private:
     }
   }
 
-  /// @return how many are left over
+  /// @return the number that is left over
   int TakeFarthest(
     const std::vector<Index>& candidates, int sign, int count, std::vector<Vector3>& taken)
   {
@@ -219,7 +220,7 @@ private:
     return count;
   }
 
-  /// Moves what triangles cannot carry to others.
+  /// Moves indices that triangles cannot have to others.
   void SpreadAll(std::vector<std::string>& notes)
   {
     int moved = 0;
@@ -263,14 +264,14 @@ private:
     }
     left = this->TakeNearest(from, sign, left, true);
     left = this->TakeNearest(from, sign, left, false);
-    // What no triangle takes stays where it is, and will be told of.
+    // Indices that no triangle takes stay here; the note on wrong triangles mentions them.
     index += sign * left;
     return moved - left;
   }
 
   /// Gives the triangles that are nearest over edges an index each.
   /// @param apart whether to keep a ring of triangles between singularities
-  /// @return how many are left over
+  /// @return the number that is left over
   int TakeNearest(Index from, int sign, int count, bool apart)
   {
     std::vector<char> isSeen(this->Component.Triangles(), 0);
@@ -372,7 +373,8 @@ private:
   const TrivialConnection& Rotation;
   const std::vector<Vector3>& Positions;
   RotationTarget Target;
-  /// The vertices that no triangle may have which gets a singularity; empty as long as nothing is moved.
+  /// The vertices that no triangle may have which gets a singularity; empty as long as nothing is
+  /// moved.
   std::vector<char> Blocked;
 };
 }

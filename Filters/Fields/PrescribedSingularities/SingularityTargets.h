@@ -21,11 +21,12 @@ struct PrescribedSingularity
   int Index;
 };
 
-/// The target of a component with singularities in it. Where a triangle is asked for a larger index than it can have,
-/// the rest goes to the nearest triangles with one ring of others between them. Throws std::invalid_argument, with
-/// a sentence for the user, where the indices do not add up to what a region needs, or the mesh is too coarse.
+/// The target of a component with singularities in it. Where a triangle is asked for a larger index
+/// than it can have, the rest goes to the nearest triangles with one ring of others between them.
+/// Throws std::invalid_argument, with a sentence for the user, where the indices of a closed region
+/// do not add up to its base's, or the mesh is too coarse.
 /// @param positions of the vertices of the mesh
-/// @param notes     gets a sentence for what was added or moved
+/// @param notes     gets a sentence for singularities that were added or moved
 RotationTarget MakeTarget(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const TrivialConnection& rotation,
   const std::vector<Vector3>& positions, const std::vector<PrescribedSingularity>& singularities,

@@ -12,8 +12,8 @@
 
 namespace DirectionFields
 {
-/// A surface with some of its triangles split in four at the middles of their edges, and those next to them in two, three or
-/// four, so that no corner lies within an edge.
+/// A surface with some of its triangles split in four at the middles of their edges, and those next
+/// to them in two, three or four, so that no corner lies within an edge.
 struct SurfaceRefinement
 {
   /// @param isSplit not 0 for triangles that are split in four
@@ -27,13 +27,16 @@ struct SurfaceRefinement
   std::vector<Index> Parent;
 };
 
-/// The directions at the middles of edges: on an edge the interpolated field is the mean of the vectors at its ends.
+/// The directions at the middles of edges: on an edge the interpolated field is the mean of the
+/// vectors at its ends.
 /// @param refinement of the surface of the editor's base
-/// @return           n directions for each new point, one after the other; zero where the base has none
+/// @return           n directions for each new point, one after the other; zero where the base has
+///                   none
 std::vector<Vector3> DirectionsAtMiddles(
   const GivenField& base, const SurfaceRefinement& refinement);
 
-/// The triangles of the surface that are wrong in an edited field, with those that share a point with them.
+/// The triangles of the surface that are wrong in an edited field, with those that share a point
+/// with them.
 std::vector<char> TrianglesToSplit(const GivenField& base, const EditedField& edited);
 }
 

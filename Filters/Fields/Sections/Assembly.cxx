@@ -78,7 +78,8 @@ public:
       }
       if (place.Row == vertex - this->Given.Component.FirstVertex)
       {
-        // The two ends of an edge that joins a vertex to itself add up to a real number, up to rounding.
+        // The two ends of an edge that joins a vertex to itself add up to a real number, up to
+        // rounding.
         energy[at] = energy[at].real();
         mass[at] = mass[at].real();
       }
@@ -199,7 +200,7 @@ Operators AssembleOperators(const IntrinsicGeometry& geometry,
   }
   Operators operators;
   SparseMatrix* const matrices[2] = { &operators.Energy, &operators.Mass };
-  // Eigen fills what it allocates with zeros. That takes long in a large matrix, so both matrices are
+  // Eigen fills new memory with zeros. That takes long in a large matrix, so both matrices are
   // allocated at once.
   ParallelFor(2, n > HeavyPiece ? 1 : 2,
     [&](Index first, Index end)

@@ -21,15 +21,15 @@ public:
   DoubleCover(
     const IntrinsicGeometry& geometry, const TriangleMesh::Component& component, int degree);
 
-  /// What a value at a vertex of the mesh is at the mirror vertex.
+  /// A value at a vertex of the mesh as seen at the mirror vertex.
   Complex Mirrored(Index vertex, const Complex& value) const;
 
-  /// The mean of a section over the component's vertices and its mirror image: the same on both sides
-  /// to the last bit.
+  /// The mean of a section over the component's vertices and its mirror image: the same on both
+  /// sides to the last bit.
   void Symmetrize(ComplexVector& u) const;
 
-  /// Turns a section by that global phase, of at most a quarter turn, which makes it as symmetric as
-  /// can be, symmetrizes it, and scales it to u^* M u = 1. An eigenvector stays one.
+  /// Turns a section by that global phase, of at most a quarter turn, which makes it as symmetric
+  /// as can be, symmetrizes it, and scales it to u^* M u = 1. An eigenvector stays one.
   void MakeSymmetric(ComplexVector& u, const SparseMatrix& mass) const;
 
 private:

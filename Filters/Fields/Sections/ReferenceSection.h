@@ -8,9 +8,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Sections that follow from the geometry of a component alone, not from any numbering: the start of
-/// the eigensolver, and what fixes the global phase that the eigenvector leaves open. All arrays are
-/// over the vertices of the component.
+/// Sections that follow from the geometry of a component alone, not from any numbering: the start
+/// of the eigensolver, and the reference that fixes the global phase of the eigenvector. All arrays
+/// are over the vertices of the component.
 class ReferenceSection
 {
 public:
@@ -24,9 +24,9 @@ public:
   /// to the y or z axis, or at one vertex, where that leaves the phase open.
   void FixPhase(ComplexVector& u) const;
 
-  /// What FixPhase sums up over the vertices, so that a component in pieces gets the phase of the whole: the
-  /// overlaps of the pieces add up, the first axis whose overlap decides gives the phase, and where none does the
-  /// piece with the largest candidate.
+  /// The sums of FixPhase over the vertices, by which a component in pieces gets the phase of the
+  /// whole: the overlaps of the pieces add up, the first axis whose overlap decides gives the
+  /// phase, and where none does the piece with the largest candidate.
   struct Overlap
   {
     Complex Sum = 0.0;
@@ -37,7 +37,7 @@ public:
       this->Sum += other.Sum;
       this->Size += other.Size;
     }
-    /// Whether it is more than what a symmetry leaves.
+    /// Whether it is larger than the rounding that a symmetry leaves.
     bool Decides() const;
   };
   /// @param counts for each vertex whether it is summed up; empty for all
@@ -69,8 +69,8 @@ private:
   double HalfSize;
 };
 
-/// Turns a section by one global phase towards another one; a symmetric section over a cover by half a
-/// turn or not at all. Nothing is done where the two have nothing in common.
+/// Turns a section by one global phase towards another one; a symmetric section over a cover by
+/// half a turn or not at all. Nothing is done where the two have nothing in common.
 void TurnTowards(const ComplexVector& reference, bool isCover, ComplexVector& u);
 }
 

@@ -10,8 +10,8 @@
 
 namespace DirectionFields::Internal
 {
-/// One of the n directions of a section of degree n at each vertex, as a unit tangent vector in space;
-/// zero where the section is 0.
+/// One of the n directions of a section of degree n at each vertex, as a unit tangent vector in
+/// space; zero where the section is 0.
 std::vector<Vector3> DirectionsOf(
   const std::vector<Complex>& section, const TangentFrames& frames, int degree);
 }

@@ -8,12 +8,12 @@
 
 namespace DirectionFields::Internal
 {
-/// The functions of the holonomy Omega of a triangle in the integrals of two hat sections, which are
-/// transported radially from their vertices over a triangle of constant curvature (KCPS13,
+/// The functions of the holonomy Omega of a triangle in the integrals of two hat sections, which
+/// are transported radially from their vertices over a triangle of constant curvature (KCPS13,
 /// appendix D). With z = i Omega:
 ///
-/// E4 = (exp(z) - 1 - z - z^2/2 - z^3/6) / z^4,
-/// F1, F2: the coefficients of |p_ij|^2 + |p_ki|^2 and <p_ij, p_ik> in the Dirichlet energy.
+/// E4 = (exp(z) - 1 - z - z^2/2 - z^3/6) / z^4, F1, F2: the coefficients of |p_ij|^2 + |p_ki|^2 and
+/// <p_ij, p_ik> in the Dirichlet energy.
 struct SectionIntegrals
 {
   Complex E4;

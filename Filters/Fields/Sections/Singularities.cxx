@@ -14,7 +14,8 @@ namespace DirectionFields
 {
 namespace
 {
-/// The nearest integer of a number of modulus below 2^51. The compiler can do this for several at once.
+/// The nearest integer of a number of modulus below 2^51. The compiler can do this for several at
+/// once.
 double Nearest(double x)
 {
   constexpr double unitIsLastBit = 6755399441055744.0;
@@ -62,8 +63,8 @@ std::vector<int> SingularityIndices(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const Complex* field)
 {
   const TriangleMesh& mesh = geometry.Mesh;
-  // omega is computed once, in the direction of the edge, for both its triangles, and on one side where
-  // the edge is seen from two: rounding must not break a tie between pi and -pi in two ways.
+  // omega is computed once, in the direction of the edge, for both its triangles, and on one side
+  // where the edge is seen from two: rounding must not break a tie between pi and -pi in two ways.
   const LargeArray<double> omega = PhaseDifferences(geometry, component, degree, field);
   const auto along = [&](Index side)
   {

@@ -10,9 +10,10 @@
 
 namespace DirectionFields::Internal
 {
-/// The vertices of a component whose directions are given, in groups: those that edges between given vertices
-/// join. Along such an edge the field turns as the given directions say, and no singularity gets across. What is
-/// still open of a group is one number, hence a group is one unknown; each other vertex is one, too.
+/// The vertices of a component whose directions are given, in sets that edges between given
+/// vertices connect. Along such an edge the field turns as the given directions say, and no
+/// singularity crosses it. A set has one degree of freedom, hence it is one unknown; so is each
+/// other vertex.
 struct ConstrainedSets
 {
   /// @param isGiven of each vertex of the mesh; empty for none
@@ -22,7 +23,7 @@ struct ConstrainedSets
   /// The unknown of each vertex of the component; empty where each vertex is its own.
   std::vector<Index> Unknown;
   Index NumberOfUnknowns;
-  /// The unknowns that are groups, ascending.
+  /// The unknowns that are sets of given vertices, ascending.
   std::vector<Index> Groups;
   /// Whether both ends of an edge of the component are given; empty for none.
   std::vector<char> FixedEdge;

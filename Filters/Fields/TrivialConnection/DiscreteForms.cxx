@@ -63,7 +63,8 @@ double DiscreteForms::Product(const EdgeForm& a, const EdgeForm& b) const
 
 Eigen::VectorXd DiscreteForms::Inflow(const EdgeForm& form) const
 {
-  // A pass over the edges takes a quarter of the time of one around each vertex, so that few threads are no faster.
+  // A pass over the edges takes a quarter of the time of one around each vertex, so that few
+  // threads are no faster.
   Eigen::VectorXd inflow = Eigen::VectorXd::Zero(this->Component.Vertices());
   for (Index e = 0; e < this->Component.Edges(); ++e)
   {

@@ -11,11 +11,13 @@
 
 namespace DirectionFields::Internal
 {
-/// A number for each edge of a component in the edge's direction: how much something turns or rises along it.
+/// A number for each edge of a component in the edge's direction: how much something turns or rises
+/// along it.
 using EdgeForm = LargeArray<double>;
 
-/// Sums and scalar products of the edge forms of one component (discrete exterior calculus, A. Hirani 2003). The weight
-/// of an edge is half the sum of the cotangents of the angles opposite of it.
+/// Sums and scalar products of the edge forms of one component (discrete exterior calculus, A.
+/// Hirani 2003). The weight of an edge is half the sum of the cotangents of the angles opposite of
+/// it.
 class DiscreteForms
 {
 public:
@@ -50,7 +52,8 @@ public:
   /// A third of the area of the triangles at each vertex, in unit^2.
   Eigen::VectorXd VertexAreas() const;
   double Product(const EdgeForm& a, const EdgeForm& b) const;
-  /// What flows into each vertex: the sum over its edges of weight times form, along those that end in it.
+  /// The inflow of each vertex (minus the codifferential): the sum over its edges of weight times
+  /// form, taken in the direction towards the vertex.
   Eigen::VectorXd Inflow(const EdgeForm& form) const;
   /// form -= the rise of the values of the vertices along each edge.
   void SubtractRise(const Eigen::VectorXd& values, EdgeForm& form) const;

@@ -13,7 +13,7 @@ namespace
 {
 /// Steps of a descent that could only go on by rounding.
 constexpr int MostSteps = 10000;
-/// What makes the sum smaller by less is rounding.
+/// Smaller gains are rounding.
 constexpr double LeastGain = 1e-9;
 
 /// The angle of an edge in the cone of the vertex at one of its ends.

@@ -10,19 +10,22 @@
 
 namespace DirectionFields::Internal
 {
-/// Unknowns that are joined by given differences of their values: each set of them has one number that is open.
+/// Unknowns that are merged by given differences of their values: each set of them has one degree
+/// of freedom.
 class MergedUnknowns
 {
 public:
   explicit MergedUnknowns(Index unknowns);
 
   bool AreJoined(Index a, Index b) { return this->Find(a) == this->Find(b); }
-  /// Lets the value of b be that of a and the difference. Nothing is done where the two are joined already.
+  /// Lets the value of b be that of a and the difference. Nothing is done where the two are joined
+  /// already.
   void Join(Index a, Index b, double difference);
   /// Lists the sets; nothing is joined after that.
   void Close();
 
-  /// Changes the values of each set, as little as may be in the mean square, such that they differ as given.
+  /// Changes the values of each set, as little as may be in the mean square, such that they differ
+  /// as given.
   void Satisfy(Eigen::VectorXd& values) const;
   /// Makes the values of each set the same: their mean.
   void Average(Eigen::Ref<Eigen::VectorXd> values) const;

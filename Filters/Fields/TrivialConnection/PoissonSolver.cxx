@@ -17,7 +17,7 @@ namespace
 {
 constexpr int MostSteps = 400;
 
-/// The vertices of a group are one row.
+/// The vertices of a set are one row.
 GraphLaplacian LaplacianOf(const DiscreteForms& forms, const ConstrainedSets& groups)
 {
   const TriangleMesh& mesh = forms.GetMesh();
@@ -63,9 +63,9 @@ PoissonSolver::PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& 
 {
 }
 
-/// Conjugate gradients among the values that the sets leave open. Residuals are projected to them before and after
-/// the V-cycle: the few conditions cost a few more steps, and the hierarchy stays the same whatever they are. The cycle is
-/// in single precision, all else in double precision.
+/// Conjugate gradients among the values that the sets leave open. Residuals are projected to them
+/// before and after the V-cycle: the few conditions cost a few more steps, and the hierarchy stays
+/// the same whatever they are. The cycle is in single precision, all else in double precision.
 class PoissonSolver::Iteration
 {
 public:
@@ -205,7 +205,7 @@ private:
   LaplacianCycle Cycles;
   Eigen::VectorXd Residual;
   Eigen::VectorXd Direction;
-  /// The residual over its length, and what a V-cycle makes of it.
+  /// The residual over its length, and the result of a V-cycle on it.
   LargeArray<float> Unit;
   LargeArray<float> Corrected;
   /// The product of matrix and direction.

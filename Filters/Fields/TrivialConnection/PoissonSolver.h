@@ -14,8 +14,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Numbers over the unknowns of one component (see ConstrainedSets), and the Laplacian of the edges' weights on them,
-/// whose hierarchy is made once for all right-hand sides.
+/// Numbers over the unknowns of one component (see ConstrainedSets), and the Laplacian of the
+/// edges' weights on them, whose hierarchy is made once for all right-hand sides.
 class PoissonSolver
 {
 public:
@@ -27,8 +27,8 @@ public:
     const Eigen::VectorXd& RightHandSide;
     /// Unknowns that are joined; null for none.
     const MergedUnknowns* Rigid = nullptr;
-    /// What is added to the diagonal, at least 0; null for nothing. Without it the values are open by a common
-    /// constant, and the right-hand side has to add up to 0.
+    /// D, at least 0, which is added to the diagonal; null for 0. Without it the values are
+    /// determined up to a common constant, and the right-hand side has to add up to 0.
     const Eigen::VectorXd* Diagonal = nullptr;
     /// Unknowns whose value stays that of the guess; null for none.
     const std::vector<Index>* Held = nullptr;
@@ -36,8 +36,9 @@ public:
     double Tolerance = 1e-8;
     DirectionFields::Progress Progress = {};
   };
-  /// Minimizes x^T (L + D) x / 2 - b^T x by conjugate gradients with V-cycles. Joined unknowns keep the differences
-  /// that they have in the guess. Returns the relative residual that is left. Throws Stopped.
+  /// Minimizes x^T (L + D) x / 2 - b^T x by conjugate gradients with V-cycles. Joined unknowns keep
+  /// the differences that they have in the guess. Returns the relative residual that is left.
+  /// Throws Stopped.
   double Solve(const Problem& problem, Eigen::VectorXd& values) const;
 
   Index NumberOfUnknowns() const { return static_cast<Index>(this->Areas.size()); }
@@ -45,7 +46,8 @@ public:
   const Eigen::VectorXd& GetAreas() const { return this->Areas; }
   double GetArea() const { return this->Area; }
 
-  /// The sums of vertices' values over the unknowns, and the vertices' values from those of the unknowns.
+  /// The sums of vertices' values over the unknowns, and the vertices' values from those of the
+  /// unknowns.
   Eigen::VectorXd Gathered(const Eigen::VectorXd& vertices) const;
   Eigen::VectorXd Spread(const Eigen::VectorXd& unknowns) const;
 

@@ -8,11 +8,12 @@
 
 namespace DirectionFields::Internal
 {
-/// Turns a field towards a guidance q of degree n without any change of its indices. What is minimized is the energy of
-/// the rotation plus strength times the integral of |q| times the square of the difference of the phases, which is
-/// wrapped anew a few times. Where that would let an index go elsewhere, the strength is halved until none does; where
-/// it never stops, the field stays as it is.
-/// @param guidance q of each vertex of the component; its modulus is 1 in the mean square, after scaling
+/// Turns a field towards a guidance q of degree n without any change of its indices. Minimizes the
+/// energy of the rotation plus strength times the integral of |q| times the square of the
+/// difference of the phases, which is wrapped anew a few times. Where that would move an index, the
+/// strength is halved until none moves; where ten halvings do not help, the field stays as it is.
+/// @param guidance q of each vertex of the component; its modulus is 1 in the mean square, after
+///                 scaling
 /// @param strength in 1 / unit^2
 /// @return the part of the strength that was taken
 double AlignField(TrivialConnection& rotation, const RotationTarget& target,

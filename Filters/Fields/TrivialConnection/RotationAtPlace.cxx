@@ -38,7 +38,8 @@ std::optional<std::array<double, 3>> RotationAround(
   const Complex place = triangle.Place(WithinTriangle(weights));
   std::array<double, 3> rotation;
   const double even = (2.0 * Pi * index - holonomy) / 3.0;
-  // The part of the way to even rotations, which are small enough, that makes all of them small enough.
+  // Even rotations are small enough: the least fraction of the step towards them that makes all of
+  // them so.
   double part = 0.0;
   for (int c = 0; c < 3; ++c)
   {

@@ -6,8 +6,8 @@
 
 namespace DirectionFields
 {
-/// Which of the fields with the prescribed singularities is taken: the one whose sum over the edges of weight times
-/// the square of an angle is least.
+/// Which of the fields with the prescribed singularities is taken: the one whose sum over the edges
+/// of weight times the square of an angle is least.
 enum class RotationObjective
 {
   /// The angle is the field's rotation along the edge: the smoothest field.

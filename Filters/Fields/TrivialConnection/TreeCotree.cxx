@@ -26,8 +26,8 @@ void TreeCotree::GrowTrees(const ConstrainedSets& groups)
   this->Region.assign(triangles, None);
   this->Order.reserve(triangles);
   const auto isFree = [&](Index h) { return !groups.IsFixed(this->Forms.LocalEdge(h)); };
-  // What begins outside comes first, so that paths to there are short; which region a triangle is in is found in
-  // a second pass, since several trees of an open region may meet.
+  // Trees that begin outside come first, so that paths to the boundary are short. Several of them
+  // may meet, so that all of these are one open region.
   for (Index t = 0; t < triangles; ++t)
   {
     const Index first = 3 * (component.FirstTriangle + t);
@@ -204,7 +204,8 @@ std::vector<TreeCotree::Term> TreeCotree::FormOf(std::size_t generator) const
   const Index edge = this->Generators[generator];
   const Index h = mesh.HalfEdge(component.FirstEdge + edge);
   std::vector<Term> terms = { { edge, 1 } };
-  // The edge adds 1 around the triangle on its left and takes 1 on its right, which the paths take back.
+  // The edge adds 1 around the triangle on its left and takes 1 on its right, which the paths take
+  // back.
   this->AddPath(h / 3 - component.FirstTriangle, -1, terms);
   if (mesh.Twin(h) != None)
   {

@@ -20,14 +20,16 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Phases are exact vertex values whatever the residual is; it only tells how close to the least energy the field is.
+/// Phases are exact vertex values whatever the residual is; it only tells how close to the least
+/// energy the field is.
 constexpr double Tolerance = 1e-6;
-/// Steps in which the rotation is bounded where the least one is too large.
+/// Most attempts to bound the rotation where the least one is too large.
 constexpr int MostRepairs = 16;
 
-/// What a set rotation may be exceeded by.
+/// A set rotation may be exceeded by this much.
 constexpr double Rounding = 1e-6;
-/// A singularity of a field is given as the middle of its triangle: what is there has not been moved.
+/// A singularity of the given field has the middle of its triangle as its place: one that is there
+/// has not been moved.
 constexpr double SameWeight = 1e-3;
 bool IsMiddle(const MeshPlace& place)
 {
@@ -35,7 +37,7 @@ bool IsMiddle(const MeshPlace& place)
     [](double weight) { return std::abs(weight - 1.0 / 3.0) < SameWeight; });
 }
 
-/// Sets edges that turn by more than they may to what they may turn.
+/// Limits the rotations of edges to the largest that is allowed.
 /// @return whether there are any
 bool LimitEdges(const EdgeForm& rotation, std::vector<TrivialConnection::SetEdge>& edges)
 {
@@ -295,7 +297,7 @@ void TrivialConnection::SetTurn(
   Eigen::VectorXd turned = potential;
   if (!this->Groups.Groups.empty())
   {
-    // The groups are where they were, up to whole turns.
+    // The given directions are where they were, up to whole turns.
     turned.array() -= Wrapped(turned[this->Groups.Groups.front()]);
   }
   field.Turn = this->GetSolver().Spread(turned);
@@ -310,7 +312,7 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
   std::transform(target.Indices.begin(), target.Indices.end(), this->BaseIndices.begin(),
     change.begin(), std::minus<>());
   const IntegerForm jumps = this->Forest.Route(std::move(change));
-  // What is to be made small: all rotation, or what is added to that of the base.
+  // The form to be minimized: the total rotation, or its change from the base's.
   EdgeForm form(this->Component.Edges());
   const bool keeps = target.Objective == RotationObjective::LeastChange;
   for (Index e = 0; e < this->Component.Edges(); ++e)

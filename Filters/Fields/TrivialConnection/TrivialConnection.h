@@ -22,7 +22,8 @@ struct RotationTarget
 {
   /// Of each triangle of the component, in units of 1/n.
   std::vector<int> Indices;
-  /// Where in their triangles singularities are, with weights of the mesh's corners. Others are where the base vanishes.
+  /// Where in their triangles singularities are, with weights of the mesh's corners. Others are
+  /// where the base vanishes.
   std::vector<MeshPlace> Places;
   RotationObjective Objective = RotationObjective::Smoothest;
 };
@@ -30,11 +31,14 @@ struct RotationTarget
 /// A field of a component whose singularities are prescribed.
 struct TurnedField
 {
-  /// By how much the base is turned back at each vertex, n times the angle of the directions, radians.
+  /// By how much the base is turned back at each vertex, n times the angle of the directions,
+  /// radians.
   Eigen::VectorXd Turn;
-  /// How much the field turns along each edge, not wrapped: its sum around each triangle is 2 pi k - Omega.
+  /// How much the field turns along each edge, not wrapped: its sum around each triangle is 2 pi
+  /// k - Omega.
   EdgeForm Rotation;
-  /// How often the directions turn against each loop of the component (see TreeCotree), in units of 1/n.
+  /// How often the directions turn against each loop of the component (see TreeCotree), in units of
+  /// 1/n.
   std::vector<int> TurningNumbers;
   /// The sum over the edges of weight times the square of the rotation.
   double Energy = 0.0;
@@ -44,21 +48,23 @@ struct TurnedField
   bool KeepsTurningNumbers = false;
 };
 
-/// The fields of one component whose singularities are prescribed: trivial connections (K. Crane, M. Desbrun,
-/// P. Schröder, Trivial Connections on Discrete Surfaces, 2010) in terms of the vertices. The rotation w of a field
-/// along the edges, over the parallel transport, has the sum 2 pi k - Omega around each triangle, and is the one of
-/// least energy. It differs from that of a base field by integers times 2 pi along edges and by the rise of a function,
-/// by which the base's directions are turned. So directions are consistent however exactly the function is known, and
+/// The fields of one component whose singularities are prescribed: trivial connections (K. Crane,
+/// M. Desbrun, P. Schröder, Trivial Connections on Discrete Surfaces, 2010) in terms of the
+/// vertices. The rotation w of a field along the edges, over the parallel transport, has the sum 2
+/// pi k - Omega around each triangle, and is the one of least energy. It differs from that of a
+/// base field by integers times 2 pi along edges and by the rise of a function, by which the base's
+/// directions are turned. So directions are consistent however exactly the function is known, and
 /// the indices are the prescribed ones wherever the rotation stays below pi.
 ///
-/// What depends on the base and the component only is kept: each field takes one linear system with a hierarchy that
-/// is there.
+/// Everything that depends on the base and the component only is kept: each field takes one linear
+/// system, whose hierarchy exists already.
 class TrivialConnection
 {
 public:
   /// All but base and isGiven must outlive this.
   /// @param base    representation vector of each vertex of the mesh; 0 counts as 1
-  /// @param isGiven whether the base's directions are to stay, of each vertex of the mesh; empty for nowhere
+  /// @param isGiven whether the base's directions are to stay, of each vertex of the mesh; empty
+  ///                for nowhere
   TrivialConnection(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
     int degree, const std::vector<Complex>& base, const std::vector<char>& isGiven);
 
@@ -73,7 +79,8 @@ public:
 
   /// The section of a field, of modulus 1.
   ComplexVector SectionOf(const TurnedField& field) const;
-  /// The triangles of the component, counted from its first one, whose index is not that of the target.
+  /// The triangles of the component, counted from its first one, whose index is not that of the
+  /// target.
   std::vector<Index> WrongTriangles(const RotationTarget& target, const TurnedField& field) const;
 
   /// An edge along which the rotation is set, counted from the component's first one.
@@ -83,10 +90,11 @@ public:
     double Rotation;
   };
   /// The corners of singular triangles, joined by the rotations along their edges.
-  /// @param form        what of the rotation along the edges there would be without any turn
+  /// @param form        the rotation along the edges before the base is turned
   /// @param edges       other edges whose ends are joined, too
   /// @param isLoose     not 0 for triangles whose rotations are not set; empty for none
-  /// @param groupValues where the groups would be, which are joined at whole turns near that; null for not
+  /// @param groupValues the values of the sets of given vertices, which are joined at the whole
+  ///                    turns nearest to these; null for none
   MergedUnknowns MakeRigid(const RotationTarget& target, const EdgeForm& form,
     const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
     const Eigen::VectorXd* groupValues) const;
@@ -99,7 +107,7 @@ private:
   struct Harmonic
   {
     std::vector<std::vector<TreeCotree::Term>> Forms;
-    /// What makes each of the forms harmonic when its rise is taken away.
+    /// The function of each form whose rise, subtracted, leaves a harmonic form.
     std::vector<Eigen::VectorXd> Potentials;
     Eigen::MatrixXd Products;
   };

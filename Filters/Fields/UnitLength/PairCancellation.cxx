@@ -18,8 +18,8 @@ namespace
 {
 /// A patch must pay off by more than rounding may pretend.
 constexpr double LeastGain = 1e-6;
-/// Patches grow: the field in a narrow one around the path tells most pairs that do not pay off. What a wider
-/// one may gain on it depends on the number k of edges that the path crosses.
+/// Patches grow: the field in a narrow one around the path tells most pairs that do not pay off.
+/// The gain of a wider one depends on the number k of edges that the path crosses.
 double MostGainOfLength(double k)
 {
   return 4.0 + k * k / 7.0;
@@ -27,14 +27,16 @@ double MostGainOfLength(double k)
 constexpr double MostGainOfWidth = 15.0;
 /// Where a path crosses no more edges than this, a wide patch decides.
 constexpr Index ShortPath = 28;
-/// Short paths have patches of this many rings at least, second and third ones, and of this part of their length.
+/// Short paths have patches of this many rings at least, second and third ones, and of this part of
+/// their length.
 constexpr Index MediumRings = 2;
 constexpr Index WideRings = 4;
 constexpr Index MediumPart = 4;
 constexpr Index WidePart = 2;
 /// Patches of long paths have no more vertices than about this.
 constexpr Index MostVertices = 8192;
-/// A pair whose patch does not pay off, but would by more than this if it were wide, is cancelled on approval.
+/// A pair whose patch does not pay off, but would by more than this if it were wide, is cancelled
+/// on approval.
 constexpr double LeastPrediction = 5.0;
 /// Predictions from narrow patches may be too high by this.
 constexpr double GuessMargin = 5.0;
@@ -62,7 +64,8 @@ Index WideRingsOf(Index length)
   return std::max(2, std::min(length / MediumPart, MostVertices / (2 * length)));
 }
 
-/// The energy in patches of r rings is about a + b / r: what it would be in one of half the path's length.
+/// The energy in patches of r rings is about a + b / r: its value for one of half the path's
+/// length.
 double Extrapolated(Index length, Index narrow, double first, Index wide, double second)
 {
   const double slope = (first - second) / (1.0 / narrow - 1.0 / wide);
@@ -71,8 +74,8 @@ double Extrapolated(Index length, Index narrow, double first, Index wide, double
 
 /// So many pairs are looked at together.
 constexpr std::size_t BatchSize = 64;
-/// All patches of a round together have no more vertices than this times those of the component: the
-/// farthest pairs are left out where there are too many of them.
+/// All patches of a round together have no more vertices than this times those of the component:
+/// the farthest pairs are left out where there are too many of them.
 constexpr double MostWork = 12.0;
 /// A rejected pair is tried again where a value was turned by more than this, in radians.
 constexpr double Turned = 0.2;
@@ -223,7 +226,7 @@ private:
   {
     const SingularityPair* Pair;
     std::unique_ptr<PairPatch> Patch;
-    /// Whether the pair is cancelled for what a wider patch is predicted to gain.
+    /// Whether the pair is cancelled because of the gain predicted for a wider patch.
     bool OnApproval = false;
     /// The vertices of all patches that were tried for it.
     double Work = 0.0;
@@ -253,7 +256,8 @@ private:
     return patch;
   }
 
-  /// The patch that is to decide about a pair; null where a smaller one tells that it does not pay off.
+  /// The patch that is to decide about a pair; null where a smaller one tells that it does not pay
+  /// off.
   void Prepare(Candidate& candidate, const ComplexVector& u) const
   {
     const SingularityPair& pair = *candidate.Pair;
@@ -293,7 +297,7 @@ private:
     }
   }
 
-  /// Rejects what cannot pay off, and makes the patches of what may.
+  /// Rejects pairs that cannot pay off, and makes the patches of the others.
   void Screen(const ComplexVector& u)
   {
     ParallelFor(static_cast<Index>(this->Waiting.size()), 1,
@@ -333,7 +337,7 @@ private:
       const std::vector<Index>& neighbours = candidate.Patch->GetNeighbours();
       const bool touches = std::any_of(vertices.begin(), vertices.end(), isTaken) ||
         std::any_of(neighbours.begin(), neighbours.end(), isTaken);
-      // What waits keeps its place before those that come after it.
+      // Waiting pairs keep their places before later ones.
       for (const Index v : vertices)
       {
         if (!isTaken(v))

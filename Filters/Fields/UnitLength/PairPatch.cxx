@@ -17,11 +17,13 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Steps of the phases towards the least energy, after the one that cancels the pair, are longer by this.
+/// Steps of the phases towards the least energy, after the one that cancels the pair, are longer by
+/// this.
 constexpr double OverRelaxation = 1.3;
 /// Added to the diagonal, relative to its mean, where nothing is held.
 constexpr double Regularization = 1e-9;
-/// The matrices of patches with no more rings than this are factored as they stand, others in an order of their own.
+/// The matrices of patches with no more rings than this are factored as they stand, others in an
+/// order of their own.
 constexpr Index MostBandedRings = 4;
 }
 
@@ -114,8 +116,8 @@ PairPatch::PairPatch(
   }
 }
 
-/// Brings the vertices in the order of their places along the path, which makes the matrices of narrow patches
-/// banded.
+/// Brings the vertices in the order of their places along the path, which makes the matrices of
+/// narrow patches banded.
 void PairPatch::SortAlong(const std::vector<Index>& places, Index count)
 {
   std::vector<Index> next(count + 1, 0);
@@ -132,7 +134,7 @@ void PairPatch::SortAlong(const std::vector<Index>& places, Index count)
   this->Vertices = std::move(sorted);
 }
 
-/// What the energy is within a patch, for the phases of its vertices.
+/// The energy within a patch as a function of the phases of its vertices.
 struct PairPatch::System
 {
   System(const PairPatch& patch, const ComplexVector& u, const PatchNumbers::Loan& number)
@@ -244,7 +246,7 @@ struct PairPatch::System
   std::vector<Index> Begin;
   std::vector<Index> Column;
   std::vector<Complex> Value;
-  /// What the held values add to each row.
+  /// The held values' contribution to each row.
   std::vector<Complex> Held;
   std::vector<Complex> Before;
   bool IsBanded;

@@ -12,8 +12,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Numbers of vertices within a patch, None for all others: storage that patches borrow one after the other,
-/// since it is as long as the component.
+/// Numbers of vertices within a patch, None for all others: storage that patches borrow one after
+/// the other, since it is as long as the component.
 class PatchNumbers
 {
 public:
@@ -44,8 +44,8 @@ private:
   std::vector<std::unique_ptr<std::vector<Index>>> Free;
 };
 
-/// The surroundings of a pair of singularities, in which the field is turned so that they cancel. All
-/// vertices are counted from the first one of the component.
+/// The surroundings of a pair of singularities, in which the field is turned so that they cancel.
+/// All vertices are counted from the first one of the component.
 class PairPatch
 {
 public:

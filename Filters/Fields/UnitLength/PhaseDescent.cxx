@@ -20,7 +20,7 @@ namespace
 {
 /// No value is turned by more than this in a step, in radians.
 constexpr double LongestTurn = 1.0;
-/// A step that raises the energy is shortened by this, so many times.
+/// A step that raises the energy is shortened by this factor, at most this many times.
 constexpr double Shortening = 0.25;
 constexpr int MostTrials = 4;
 
@@ -39,7 +39,7 @@ struct Measures
   }
 };
 
-/// Calls body(v) for each row and adds up what it returns.
+/// Calls body(v) for each row and adds up the results.
 template <typename Body>
 Measures SumRows(Index rows, const Body& body)
 {
@@ -198,11 +198,12 @@ private:
       .Sum;
   }
 
-  /// The direction conjugate to the last one (Polak and Ribière). False where the energy does not fall along it.
+  /// The direction conjugate to the last one (Polak and Ribière). False where the energy does not
+  /// fall along it.
   bool FindDirection()
   {
     const Eigen::VectorXd& slope = this->Slope;
-    // What the last slope is along the next downhill direction has to wait for it.
+    // The last slope along the next downhill direction can only be found with that.
     this->LastSlope.swap(this->SlopeOfLast);
     this->SlopeOfLast = slope;
     this->Preconditioner.Apply([&](Index v) { return Complex(0.0, slope[v]) * this->U[v]; },
@@ -234,8 +235,8 @@ private:
     return true;
   }
 
-  /// The second derivative of half of the energy along the direction, the first one with its sign changed, and
-  /// the largest phase.
+  /// The second derivative of half of the energy along the direction, the first one with its sign
+  /// changed, and the largest phase.
   std::array<double, 3> Curvature() const
   {
     const Measures sums = SumRows(this->Rows,
@@ -250,7 +251,7 @@ private:
     return { sums.Sum, sums.Other, sums.Largest };
   }
 
-  /// On both sides of a cover the field turns the same way, seen from one of them.
+  /// On both sides of a cover the field turns in the same sense, seen from one of them.
   void MakeSymmetric()
   {
     if (!this->Problem.Component.IsCover)

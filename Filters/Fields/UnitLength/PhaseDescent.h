@@ -13,8 +13,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Lowers the energy of a section of modulus 1 over a whole component. Each step costs a V-cycle and a
-/// product or two.
+/// Lowers the energy of a section of modulus 1 over a whole component. Each step costs a V-cycle
+/// and a product or two.
 class PhaseDescent
 {
 public:
@@ -23,12 +23,13 @@ public:
   PhaseDescent(
     const UnitLengthProblem& problem, const Hierarchy& hierarchy, const FreeVertices* free);
 
-  /// One step of diffusion and projection (Merriman, Bence and Osher; for cross fields Viertel and Osting,
-  /// SIAM J. Sci. Comput. 41, 2019): u becomes x / |x| with (K + shift M) x = shift M u + p, solved for from u
-  /// by some V-cycles of the smoothness energy.
+  /// One step of diffusion and projection (Merriman, Bence and Osher; for cross fields Viertel and
+  /// Osting, SIAM J. Sci. Comput. 41, 2019): u becomes x / |x| with (K + shift M) x = shift M
+  /// u + p, solved for from u by some V-cycles of the smoothness energy.
   void Diffuse(double shift, int cycles, ComplexVector& u) const;
 
-  /// Nonlinear conjugate gradients in the phases, preconditioned by V-cycles; never raises the energy.
+  /// Nonlinear conjugate gradients in the phases, preconditioned by V-cycles; never raises the
+  /// energy.
   /// @param shift      of the V-cycles
   /// @param tolerance  steps go on until one lowers the energy by less than this part of it
   /// @return the number of steps

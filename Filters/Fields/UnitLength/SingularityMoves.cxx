@@ -13,17 +13,19 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Singularities try to cross this many edges first, and twice as many as they did where that went well.
+/// Singularities try to cross this many edges first, and twice as many as they did where that went
+/// well.
 constexpr Index FirstLength = 4;
 constexpr Index LongestLength = 64;
-/// The patch reaches this many edges from the path at least, a narrow one that compares directions and a wide one.
+/// The patch reaches this many edges from the path at least, a narrow one that compares directions
+/// and a wide one.
 constexpr Index NarrowRings = 2;
 constexpr Index WideRings = 5;
 /// In a wide patch the energy falls by up to this more than in a narrow one.
 constexpr double MostGainOfWidth = 10.0;
 constexpr double LeastGain = 1e-3;
-/// Where there are more singularities than this part of the vertices, as noise makes them, they stay: to try them
-/// all would take longer than all the rest.
+/// Where there are more singularities than this part of the vertices, as noise makes them, they
+/// stay: trying them all would take longer than the rest of the computation.
 constexpr double MostSingularities = 0.04;
 }
 

@@ -10,16 +10,16 @@
 
 namespace DirectionFields::Internal
 {
-/// Moves singularities to where the field has less energy. Descent in the phases alone does not: between two
-/// triangles there is always a little more of it.
+/// Moves singularities to where the field has less energy. Descent in the phases alone does not:
+/// between two triangles there is always a little more of it.
 class SingularityMoves
 {
 public:
   explicit SingularityMoves(const UnitLengthProblem& problem);
 
-  /// Tries each singularity in six directions, twice as far as it went the last time and half as far as where it did
-  /// not; it is done with where it would not go to the next triangle. On double covers nothing is moved. The same
-  /// bytes for any number of threads.
+  /// Tries each singularity in six directions, twice as far as it went the last time and half as
+  /// far as where it did not; it is done with where it would not go to the next triangle. On double
+  /// covers nothing is moved. The same bytes for any number of threads.
   /// @return the number of those that moved
   int Sweep(ComplexVector& u);
   /// Whether no singularity is left that might move.
@@ -34,7 +34,7 @@ private:
     /// How many edges to cross.
     Index Length;
   };
-  /// A way that it may go.
+  /// A move that it may make.
   struct Move
   {
     SingularityPair Path;
@@ -43,9 +43,9 @@ private:
   void FindAll(const ComplexVector& u);
   /// The path from a triangle through one of its sides, as straight as triangles let it be.
   SingularityPair Walk(const Singularity& singularity, int side, bool left) const;
-  /// Finds the best of six ways. Without a patch where none lowers the energy.
+  /// Finds the best of six moves; it has no patch where none of them lowers the energy.
   void FindBest(const Singularity& singularity, const ComplexVector& u, Move& move);
-  /// Goes that way if nothing else has changed there in this sweep.
+  /// Makes that move if nothing else has changed there in this sweep.
   bool Go(const Move& move, ComplexVector& u);
 
   const UnitLengthProblem& Problem;

@@ -12,7 +12,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Each triangle remembers so many sources. More of them cost time and hardly ever lead to another pair.
+/// The number of sources that each triangle remembers. More of them cost time and hardly ever lead
+/// to another pair.
 constexpr int Nearest = 2;
 /// The boundary counts as one source, which comes before all triangles where distances are equal.
 constexpr Index Boundary = -1;
@@ -20,7 +21,7 @@ constexpr Index Nothing = -2;
 /// In mean lengths of an edge. From triangle to triangle it is about 0.6.
 constexpr double BucketWidth = 0.25;
 
-/// What waits to be labelled.
+/// A triangle that waits for its label.
 struct Entry
 {
   double Distance;
@@ -30,8 +31,8 @@ struct Entry
   Index Back;
 };
 
-/// A queue by distance, up to the width of a bucket: entries of one bucket come in the order in which they were
-/// added. Linear in the entries, unlike a heap.
+/// A queue by distance, up to the width of a bucket: entries of one bucket come in the order in
+/// which they were added. Linear in the entries, unlike a heap.
 class BucketQueue
 {
 public:

@@ -15,7 +15,8 @@ struct SingularityPair
 {
   /// The triangle that the path begins in.
   Index From;
-  /// The triangle with the singularity of the other sign; None where the path leaves over the boundary.
+  /// The triangle with the singularity of the other sign; None where the path leaves over the
+  /// boundary.
   Index To;
   /// The change of the index in From, 1 or -1.
   int Change;
@@ -25,9 +26,10 @@ struct SingularityPair
   std::vector<Index> Crossed;
 };
 
-/// For each triangle of positive index the two nearest of negative index or the boundary, for each of negative
-/// index the boundary if it is near, by ascending distance. Paths lead from triangle to triangle and cross no edge
-/// whose ends are both given. Takes time linear in the triangles that are searched, but for the queue.
+/// For each triangle of positive index the two nearest of negative index or the boundary, for each
+/// of negative index the boundary if it is near, by ascending distance. Paths lead from triangle to
+/// triangle and cross no edge whose ends are both given. Takes time linear in the triangles that
+/// are searched, but for the queue.
 /// @param indices of the component's triangles
 std::vector<SingularityPair> FindPairs(
   const UnitLengthProblem& problem, const std::vector<int>& indices);

@@ -20,8 +20,8 @@ namespace
 /// How much is done for a field.
 struct Plan
 {
-  /// The times of diffusion, over the inverse of the rate. They end with short ones, which leave little for the
-  /// descent to smooth.
+  /// The times of diffusion, over the inverse of the rate. They end with short ones, which leave
+  /// little for the descent to smooth.
   std::vector<double> DiffusionTimes;
   /// V-cycles for each of them.
   int DiffusionCycles;
@@ -31,23 +31,26 @@ struct Plan
 
 /// The smoothest field's singularities are nearly where they belong.
 const Plan FreePlan{ { 0.3, 0.1, 0.03, 0.01 }, 1, 2 };
-/// Those of linear systems with given values may be far away, in the middle of what they left open.
+/// Singularities of linear systems with given values may be far away, in the middle of the free
+/// vertices.
 const Plan GivenPlan{ { 3.0, 3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.1, 0.03, 0.01 }, 3, 12 };
 
-/// Later rounds look at what has changed only, and find little that the first has left.
+/// Later rounds look at changed places only, and find little that the first has left.
 constexpr int Rounds = 3;
 /// The descent ends where a step lowers the energy by less than this part.
 constexpr double Decrease = 3e-4;
 constexpr int StepsBetween = 5;
 constexpr int LastSteps = 12;
-/// So many steps, down to this part, are to show that pairs were worth cancelling on approval, and follow on moves.
+/// The number of steps, down to this part, that show whether pairs cancelled on approval were worth
+/// it, and that follow on moves.
 constexpr int StepsOfApproval = 10;
 constexpr int StepsOfMoves = 3;
 constexpr double RoughDecrease = 1e-3;
-/// Energies below this, which has no unit, are those of parallel fields, up to rounding: there is nothing to gain.
+/// Energies below this, which has no unit, are those of parallel fields, up to rounding: there is
+/// nothing to gain.
 constexpr double Parallel = 1e-9;
 
-/// The way from a start to a unit field.
+/// Leads from a start to a field of unit length.
 class Improvement
 {
 public:
@@ -150,7 +153,7 @@ private:
     return true;
   }
 
-  /// The energy and what the singularities cost.
+  /// The energy and the cost of the singularities.
   double Price(const ComplexVector& u, double energy) const
   {
     if (this->Settings.SingularityCost == 0.0)

@@ -24,18 +24,19 @@ struct UnitLengthReport
 
 struct UnitLengthSettings
 {
-  /// What a singularity of index 1 costs, in the unit of the energy; at least 0.
+  /// The cost of a singularity of index 1, in the unit of the energy; at least 0.
   double SingularityCost = 0.0;
-  /// The order of magnitude of the smallest eigenvalue, in 1 / unit^2: diffusion takes times of the order of
-  /// its inverse.
+  /// The order of magnitude of the smallest eigenvalue, in 1 / unit^2: diffusion takes times of the
+  /// order of its inverse.
   double Rate = 1.0;
-  /// How strongly the guidance draws: the mean of |p| over the mass at a vertex; 0 without guidance.
+  /// How strongly the guidance draws: the mean of |p| over the mass at a vertex; 0 without
+  /// guidance.
   double Pull = 0.0;
 };
 
-/// Makes of a section one of modulus 1 with less energy: diffusion, descent in the phases, and pairs of
-/// singularities that cancel each other. It is a local minimum, which depends on the start; it is never worse
-/// than that, the cost of its singularities included. Throws Stopped.
+/// Makes of a section one of modulus 1 with less energy: diffusion, descent in the phases, and
+/// pairs of singularities that cancel each other. It is a local minimum, which depends on the
+/// start; it is never worse than that, the cost of its singularities included. Throws Stopped.
 /// @param hierarchy of the matrices among the free vertices
 /// @param free      the free vertices; null where all are
 /// @param u         the start; its value at given vertices is the one given, of modulus 1

@@ -10,12 +10,13 @@
 
 namespace DirectionFields::Internal
 {
-/// The sections u of modulus 1 over one component, and what is minimized among them:
+/// The sections u of modulus 1 over one component, and the energy to be minimized among them:
 ///
 /// E(u) = u^* K u + 2 sum over i of (|p_i| - Re conj(p_i) u_i),
 ///
-/// where K is the matrix of UnitEnergyMatrix and p draws u to a guidance: its phase is that of the guidance, its
-/// modulus a weight. E has no unit. All arrays are over the vertices of the component.
+/// where K is the matrix of UnitEnergyMatrix and p draws u to a guidance: its phase is that of the
+/// guidance, its modulus a weight. E has no unit. All arrays are over the vertices of the
+/// component.
 struct UnitLengthProblem
 {
   /// The triangulation that K is of.
@@ -43,18 +44,19 @@ struct UnitLengthProblem
   double Energy(const ComplexVector& u) const { return this->Energy(u, this->Gradient(u)); }
 };
 
-/// The mean of two energies of sections of modulus 1: the smoothness energy, which integrates sections that are
-/// linear in the triangles and fade in those of much curvature; and the sum over the edges of
-/// w |u_j - r_ij u_i|^2, where w is the cotangent weight or 0, whichever is larger, which does not see how they fade.
-/// Where triangles are even and flat the two are the same.
+/// The mean of two energies of sections of modulus 1: the smoothness energy, which integrates
+/// sections that are linear in the triangles and fade in those of much curvature; and the sum over
+/// the edges of w |u_j - r_ij u_i|^2, where w is the cotangent weight or 0, whichever is larger,
+/// which does not see how they fade. Where triangles are even and flat the two are the same.
 /// @param energy     the smoothness energy, which gives the pattern
-/// @param energyBias s; on the boundary both energies have it, elsewhere sections of modulus 1 do not feel it
+/// @param energyBias s; on the boundary both energies have it, elsewhere sections of modulus 1 do
+///                   not feel it
 SparseMatrix UnitEnergyMatrix(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, double energyBias,
   const SparseMatrix& energy);
 
-/// Scales each value to modulus 1, in place. Where a value vanishes the other section's is taken, or 1 where
-/// that vanishes, too.
+/// Scales each value to modulus 1, in place. Where a value vanishes the other section's is taken,
+/// or 1 where that vanishes, too.
 void MakeUnit(ComplexVector& u, const ComplexVector* other = nullptr);
 }
 
