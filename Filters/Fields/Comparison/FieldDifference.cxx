@@ -105,12 +105,12 @@ struct Singularities
       {
         continue;
       }
-      const FieldInterpolant power(
+      const FieldInterpolant interpolant(
         field.GetGeometry(), field.GetDegree(), field.GetSection().data(), at);
       const bool isSimple = std::abs(indices[at]) == 1;
       const std::array<double, 3> middle = { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
       const std::array<double, 3> weights =
-        isSimple ? power.Flat().Weights(FindZero(power, indices[at]).Place) : middle;
+        isSimple ? interpolant.Flat().Weights(FindZero(interpolant, indices[at]).Place) : middle;
       this->List.push_back({ number, indices[at], static_cast<Index>(t),
         field.InSpace(at).Position(weights), None, NotANumber });
       this->Places.push_back(PlaceOn(first, field, at, weights));

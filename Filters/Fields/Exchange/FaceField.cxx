@@ -48,14 +48,14 @@ FaceField AtPlaces(const GivenField& field, const std::vector<std::array<double,
     {
       for (Index t = begin; t < end; ++t)
       {
-        const FieldInterpolant power(geometry, faces.Degree, field.GetSection().data(), t);
+        const FieldInterpolant interpolant(geometry, faces.Degree, field.GetSection().data(), t);
         const std::array<double, 3>& given = weights[geometry.Mesh.InputTriangle(t)];
         std::array<double, 3> place = given;
         for (int c = 0; given != AtMiddle && c < 3; ++c)
         {
           place[field.MeshCorner(t, c)] = given[c];
         }
-        faces.Power[t] = Unit(power.At(power.Flat().Place(place)), 1.0);
+        faces.Power[t] = Unit(interpolant.At(interpolant.Flat().Place(place)), 1.0);
       }
     });
   return faces;

@@ -157,15 +157,15 @@ void Strokes::AddToTriangle(
   {
     place.Weights[this->Given.MeshCorner(triangle, c)] = found.Weights[c];
   }
-  const FieldInterpolant power(
+  const FieldInterpolant interpolant(
     this->Geometry, this->Degree, this->Given.GetSection().data(), triangle);
-  const Complex at = power.Flat().Place(place.Weights);
+  const Complex at = interpolant.Flat().Place(place.Weights);
   for (int c = 0; c < 3; ++c)
   {
     if (place.Weights[c] > LeastWeight)
     {
       const Index vertex = mesh.Tail(3 * triangle + c);
-      const double angle = std::arg(tangential) - power.AngleInFlat(c, 0.0, at);
+      const double angle = std::arg(tangential) - interpolant.AngleInFlat(c, 0.0, at);
       const double weight = length * place.Weights[c];
       this->Sum[vertex] += std::polar(weight, this->Degree * angle);
       this->Weight[vertex] += weight;

@@ -106,7 +106,7 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
     return result;
   }
   const TriangleInSpace space = this->Given.InSpace(triangle);
-  const FieldInterpolant power(
+  const FieldInterpolant interpolant(
     this->Given.GetGeometry(), this->Field.Degree, this->Given.GetSection().data(), triangle);
   std::array<double, 3> weights;
   std::array<int, 3> corners;
@@ -118,8 +118,8 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
     const Index vertex = this->Given.GetMesh().Tail(3 * triangle + corners[c]);
     total += std::abs(this->Given.GetSection()[vertex]);
   }
-  const Complex flat = power.Flat().Place(weights);
-  const Complex value = power.At(flat);
+  const Complex flat = interpolant.Flat().Place(weights);
+  const Complex value = interpolant.At(flat);
   result.Normal = space.Normal;
   if (!(std::abs(value) > LeastPart * total))
   {
@@ -135,7 +135,7 @@ DirectionsAt FieldInterpolation::At(const SurfacePoint& place) const
     // The n-th root that is nearest to direction 0 there.
     const Complex first =
       this->Given.GetGeometry().Frames.Tangential(vertex, this->Field.Direction(result.Point, 0));
-    const double wanted = power.AngleInFlat(corners[nearest], std::arg(first), flat);
+    const double wanted = interpolant.AngleInFlat(corners[nearest], std::arg(first), flat);
     const double step = 2.0 * Pi / this->Field.Degree;
     root += step * std::round((wanted - root) / step);
     if (this->CountsClockwise(result.Point, vertex))

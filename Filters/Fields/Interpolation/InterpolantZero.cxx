@@ -35,23 +35,23 @@ std::array<double, 3> KeptInside(std::array<double, 3> weights)
   return weights;
 }
 
-double LargestAtCorners(const FieldInterpolant& power)
+double LargestAtCorners(const FieldInterpolant& interpolant)
 {
   double largest = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    largest = std::max(largest, std::norm(power.At(power.Flat().Corner(c))));
+    largest = std::max(largest, std::norm(interpolant.At(interpolant.Flat().Corner(c))));
   }
   return std::sqrt(largest);
 }
 
 InterpolantZero Newton(
-  const FieldInterpolant& power, const std::array<double, 3>& start, double scale)
+  const FieldInterpolant& interpolant, const std::array<double, 3>& start, double scale)
 {
-  const FlatTriangle& flat = power.Flat();
+  const FlatTriangle& flat = interpolant.Flat();
   InterpolantZero zero;
   zero.Place = flat.Place(start);
-  zero.Jet = power.JetAt(zero.Place);
+  zero.Jet = interpolant.JetAt(zero.Place);
   for (int step = 0; step < MostSteps; ++step)
   {
     const double size = std::abs(zero.Jet.Value);
@@ -73,7 +73,7 @@ InterpolantZero Newton(
     for (int halving = 0; halving < MostHalvings && !isLower; ++halving, part *= 0.5)
     {
       const Complex place = flat.Place(KeptInside(flat.Weights(zero.Place + part * whole)));
-      const FieldInterpolant::Jet jet = power.JetAt(place);
+      const FieldInterpolant::Jet jet = interpolant.JetAt(place);
       if (std::abs(jet.Value) < size * (1.0 - 1e-4 * part))
       {
         zero.Place = place;
@@ -90,7 +90,7 @@ InterpolantZero Newton(
 }
 }
 
-InterpolantZero FindZero(const FieldInterpolant& power, int sign)
+InterpolantZero FindZero(const FieldInterpolant& interpolant, int sign)
 {
   constexpr double third = 1.0 / 3.0;
   constexpr double near = 0.98;
@@ -102,12 +102,12 @@ InterpolantZero FindZero(const FieldInterpolant& power, int sign)
     { 0.66, 0.17, 0.17 }, { 0.17, 0.66, 0.17 }, { 0.17, 0.17, 0.66 }, { half, half, far },
     { far, half, half }, { half, far, half }, { near, far, far }, { far, near, far },
     { far, far, near } } };
-  const double scale = LargestAtCorners(power);
+  const double scale = LargestAtCorners(interpolant);
   InterpolantZero best;
   bool isFirst = true;
   for (const auto& start : starts)
   {
-    const InterpolantZero zero = Newton(power, start, scale);
+    const InterpolantZero zero = Newton(interpolant, start, scale);
     if (zero.Converged && (sign == 0 || zero.Sign() == sign))
     {
       return zero;

@@ -30,7 +30,7 @@ struct InterpolantZero
 /// falls, within the triangle; from a few other places, too, where that fails. Meant for triangles
 /// whose index is not 0: these have one.
 /// @param sign of the zero, where there may be several: +1, -1, or 0 for any
-InterpolantZero FindZero(const FieldInterpolant& power, int sign = 0);
+InterpolantZero FindZero(const FieldInterpolant& interpolant, int sign = 0);
 }
 
 #endif

@@ -78,15 +78,15 @@ private:
   /// Forgets the base's indices in regions with a singularity.
   void ClearRegions(const std::vector<PrescribedSingularity>& singularities)
   {
-    const TreeCotree& forest = this->Rotation.GetForest();
-    std::vector<char> isCleared(forest.GetNumberOfRegions(), 0);
+    const TreeCotree& trees = this->Rotation.GetTrees();
+    std::vector<char> isCleared(trees.GetNumberOfRegions(), 0);
     for (const PrescribedSingularity& singularity : singularities)
     {
-      isCleared[forest.GetRegion(this->Local(singularity.Place.Triangle))] = 1;
+      isCleared[trees.GetRegion(this->Local(singularity.Place.Triangle))] = 1;
     }
     for (std::size_t t = 0; t < this->Target.Indices.size(); ++t)
     {
-      if (isCleared[forest.GetRegion(static_cast<Index>(t))])
+      if (isCleared[trees.GetRegion(static_cast<Index>(t))])
       {
         this->Target.Indices[t] = 0;
       }
@@ -96,21 +96,21 @@ private:
   /// Compares the sums of closed regions with the base's, which hold for any field.
   void CheckSums(bool balances, std::vector<std::string>& notes)
   {
-    const TreeCotree& forest = this->Rotation.GetForest();
-    std::vector<int> sum(forest.GetNumberOfRegions(), 0);
-    std::vector<int> needed(forest.GetNumberOfRegions(), 0);
+    const TreeCotree& trees = this->Rotation.GetTrees();
+    std::vector<int> sum(trees.GetNumberOfRegions(), 0);
+    std::vector<int> needed(trees.GetNumberOfRegions(), 0);
     for (Index t = 0; t < static_cast<Index>(this->Target.Indices.size()); ++t)
     {
       if (this->IsFront(t))
       {
-        sum[forest.GetRegion(t)] += this->Target.Indices[t];
-        needed[forest.GetRegion(t)] += this->Rotation.GetBaseIndices()[t];
+        sum[trees.GetRegion(t)] += this->Target.Indices[t];
+        needed[trees.GetRegion(t)] += this->Rotation.GetBaseIndices()[t];
       }
     }
-    for (Index region = 0; region < forest.GetNumberOfRegions(); ++region)
+    for (Index region = 0; region < trees.GetNumberOfRegions(); ++region)
     {
       const int missing = needed[region] - sum[region];
-      if (missing == 0 || forest.IsOpen(region))
+      if (missing == 0 || trees.IsOpen(region))
       {
         continue;
       }
@@ -128,8 +128,8 @@ private:
   [[noreturn]] void Refuse(int sum, int needed) const
   {
     const int missing = needed - sum;
-    const bool isWhole = this->Rotation.GetForest().GetNumberOfRegions() == 1 &&
-      this->Rotation.GetGroups().Groups.empty();
+    const bool isWhole = this->Rotation.GetTrees().GetNumberOfRegions() == 1 &&
+      this->Rotation.GetConstrained().GivenUnknowns.empty();
     const std::string numbers =
       "The indices of the singularities add up to " + std::to_string(sum) + ", but ";
     const std::string remedy = " Add singularities whose indices add up to " +
@@ -158,7 +158,7 @@ private:
     const Index stride = std::max<Index>(1, this->Component.Triangles() / MostCandidates);
     for (Index t = 0; t < this->Component.Triangles(); ++t)
     {
-      if (!this->IsFront(t) || this->Rotation.GetForest().GetRegion(t) != region)
+      if (!this->IsFront(t) || this->Rotation.GetTrees().GetRegion(t) != region)
       {
         continue;
       }
@@ -290,7 +290,7 @@ private:
         const Index h = 3 * (this->Component.FirstTriangle + queue[k]) + c;
         const Index twin = this->Mesh.Twin(h);
         if (twin != None && !isSeen[this->Local(twin / 3)] &&
-          !this->Rotation.GetGroups().IsFixed(this->Mesh.Edge(h) - this->Component.FirstEdge))
+          !this->Rotation.GetConstrained().IsFixed(this->Mesh.Edge(h) - this->Component.FirstEdge))
         {
           isSeen[this->Local(twin / 3)] = 1;
           queue.push_back(this->Local(twin / 3));

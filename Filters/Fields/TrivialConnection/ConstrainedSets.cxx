@@ -39,7 +39,7 @@ ConstrainedSets::ConstrainedSets(const TriangleMesh& mesh, const TriangleMesh::C
     this->Unknown[v] = leader == v ? this->NumberOfUnknowns++ : this->Unknown[leader];
     if (leader == v && isGiven[component.FirstVertex + v])
     {
-      this->Groups.push_back(this->Unknown[v]);
+      this->GivenUnknowns.push_back(this->Unknown[v]);
     }
   }
 }

@@ -24,7 +24,7 @@ struct ConstrainedSets
   std::vector<Index> Unknown;
   Index NumberOfUnknowns;
   /// The unknowns that are sets of given vertices, ascending.
-  std::vector<Index> Groups;
+  std::vector<Index> GivenUnknowns;
   /// Whether both ends of an edge of the component are given; empty for none.
   std::vector<char> FixedEdge;
 

@@ -28,14 +28,14 @@ double AngleAt(const IntrinsicGeometry& geometry, Index h, bool atTail)
 }
 
 std::vector<int> LoopHolonomies(const IntrinsicGeometry& geometry,
-  const TriangleMesh::Component& component, int degree, const TreeCotree& forest,
+  const TriangleMesh::Component& component, int degree, const TreeCotree& trees,
   const EdgeForm& rotation)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   std::vector<int> numbers;
-  for (std::size_t j = 0; j < forest.GetGenerators().size(); ++j)
+  for (std::size_t j = 0; j < trees.GetGenerators().size(); ++j)
   {
-    const std::vector<Index> loop = forest.LoopOf(j);
+    const std::vector<Index> loop = trees.LoopOf(j);
     // The loop's half-edges in turn: whether each runs along its edge.
     Index at = mesh.Tail(mesh.HalfEdge(component.FirstEdge + loop.front()));
     std::vector<bool> forward;

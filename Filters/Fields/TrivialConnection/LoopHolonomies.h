@@ -14,7 +14,7 @@ namespace DirectionFields::Internal
 /// 1/n.
 /// @param rotation of the field along the edges
 std::vector<int> LoopHolonomies(const IntrinsicGeometry& geometry,
-  const TriangleMesh::Component& component, int degree, const TreeCotree& forest,
+  const TriangleMesh::Component& component, int degree, const TreeCotree& trees,
   const EdgeForm& rotation);
 
 /// The integers x for which x^T G x / 2 + g^T x is small: the least real numbers, rounded, then

@@ -18,31 +18,31 @@ namespace
 constexpr int MostSteps = 400;
 
 /// The vertices of a set are one row.
-GraphLaplacian LaplacianOf(const DiscreteForms& forms, const ConstrainedSets& groups)
+GraphLaplacian LaplacianOf(const DiscreteForms& forms, const ConstrainedSets& constrained)
 {
   const TriangleMesh& mesh = forms.GetMesh();
   const TriangleMesh::Component& component = forms.GetComponent();
-  GraphLaplacian laplacian(groups.NumberOfUnknowns, component.Edges(),
+  GraphLaplacian laplacian(constrained.NumberOfUnknowns, component.Edges(),
     [&](Index e)
     {
       const Index h = mesh.HalfEdge(component.FirstEdge + e);
-      return GraphLaplacian::Edge{ groups.UnknownOf(forms.LocalTail(h)),
-        groups.UnknownOf(forms.LocalHead(h)), forms.Weight(e) };
+      return GraphLaplacian::Edge{ constrained.UnknownOf(forms.LocalTail(h)),
+        constrained.UnknownOf(forms.LocalHead(h)), forms.Weight(e) };
     });
-  if (!groups.Unknown.empty())
+  if (!constrained.Unknown.empty())
   {
     laplacian.Merge();
   }
   return laplacian;
 }
 
-Eigen::VectorXd AreasOf(const DiscreteForms& forms, const ConstrainedSets& groups)
+Eigen::VectorXd AreasOf(const DiscreteForms& forms, const ConstrainedSets& constrained)
 {
   const Eigen::VectorXd ofVertices = forms.VertexAreas();
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(groups.NumberOfUnknowns);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(constrained.NumberOfUnknowns);
   for (Index v = 0; v < static_cast<Index>(ofVertices.size()); ++v)
   {
-    areas[groups.UnknownOf(v)] += ofVertices[v];
+    areas[constrained.UnknownOf(v)] += ofVertices[v];
   }
   return areas;
 }
@@ -55,11 +55,11 @@ double Dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 }
 }
 
-PoissonSolver::PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& groups)
-  : Unknown(groups.Unknown)
-  , Areas(AreasOf(forms, groups))
+PoissonSolver::PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& constrained)
+  : Unknown(constrained.Unknown)
+  , Areas(AreasOf(forms, constrained))
   , Area(this->Areas.sum())
-  , Hierarchy(LaplacianOf(forms, groups), this->Areas)
+  , Hierarchy(LaplacianOf(forms, constrained), this->Areas)
 {
 }
 
@@ -186,9 +186,9 @@ private:
   template <typename Vector>
   void Project(Vector&& x) const
   {
-    if (this->Given.Rigid)
+    if (this->Given.Merged)
     {
-      this->Given.Rigid->Average(x);
+      this->Given.Merged->Average(x);
     }
     if (this->Given.Held)
     {

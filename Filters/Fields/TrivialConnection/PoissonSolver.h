@@ -19,14 +19,14 @@ namespace DirectionFields::Internal
 class PoissonSolver
 {
 public:
-  PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& groups);
+  PoissonSolver(const DiscreteForms& forms, const ConstrainedSets& constrained);
 
   struct Problem
   {
     /// Of each unknown.
     const Eigen::VectorXd& RightHandSide;
     /// Unknowns that are joined; null for none.
-    const MergedUnknowns* Rigid = nullptr;
+    const MergedUnknowns* Merged = nullptr;
     /// D, at least 0, which is added to the diagonal; null for 0. Without it the values are
     /// determined up to a common constant, and the right-hand side has to add up to 0.
     const Eigen::VectorXd* Diagonal = nullptr;

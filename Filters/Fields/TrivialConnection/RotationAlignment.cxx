@@ -20,12 +20,12 @@ constexpr double MostStrength = 1.0 - 1e-9;
 
 /// The field after some steps with a strength.
 /// @param weight strength times area times |q| at each vertex
-TurnedField Aligned(TrivialConnection& rotation, const MergedUnknowns& rigid,
+TurnedField Aligned(TrivialConnection& rotation, const MergedUnknowns& merged,
   const ComplexVector& guidance, const Eigen::VectorXd& weight, const Progress& progress,
   const TurnedField& start)
 {
   const PoissonSolver& solver = rotation.GetSolver();
-  const std::vector<Index>& held = rotation.GetGroups().Groups;
+  const std::vector<Index>& held = rotation.GetConstrained().GivenUnknowns;
   const Eigen::VectorXd diagonal = solver.Gathered(weight);
   TurnedField field = start;
   for (int step = 0; step < Steps; ++step)
@@ -40,7 +40,7 @@ TurnedField Aligned(TrivialConnection& rotation, const MergedUnknowns& rigid,
     const Eigen::VectorXd right =
       solver.Gathered(rotation.GetForms().Inflow(field.Rotation) + wanted);
     PoissonSolver::Problem problem{ right };
-    problem.Rigid = &rigid;
+    problem.Merged = &merged;
     problem.Diagonal = &diagonal;
     problem.Held = &held;
     problem.Tolerance = Tolerance;
@@ -72,14 +72,14 @@ double AlignField(TrivialConnection& rotation, const RotationTarget& target,
     return 0.0;
   }
   const Eigen::VectorXd weight = areas.array() * guidance.array().abs() / mean;
-  const MergedUnknowns rigid = rotation.MakeRigid(target, field.Rotation, {}, {}, nullptr);
+  const MergedUnknowns merged = rotation.MergeSingular(target, field.Rotation, {}, {}, nullptr);
   const std::size_t wrong = rotation.WrongTriangles(target, field).size();
   double share = 1.0;
   for (int halving = 0; halving <= MostHalvings; ++halving, share *= 0.5)
   {
     progress.Report(static_cast<double>(halving) / (MostHalvings + 1));
     TurnedField aligned =
-      Aligned(rotation, rigid, guidance, strength * share * weight, progress, field);
+      Aligned(rotation, merged, guidance, strength * share * weight, progress, field);
     if (rotation.WrongTriangles(target, aligned).size() <= wrong)
     {
       aligned.Energy = rotation.GetForms().Product(aligned.Rotation, aligned.Rotation);

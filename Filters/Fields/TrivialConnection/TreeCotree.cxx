@@ -10,14 +10,14 @@
 
 namespace DirectionFields::Internal
 {
-TreeCotree::TreeCotree(const DiscreteForms& forms, const ConstrainedSets& groups)
+TreeCotree::TreeCotree(const DiscreteForms& forms, const ConstrainedSets& constrained)
   : Forms(forms)
 {
-  this->GrowTrees(groups);
-  this->FindGenerators(groups);
+  this->GrowTrees(constrained);
+  this->FindGenerators(constrained);
 }
 
-void TreeCotree::GrowTrees(const ConstrainedSets& groups)
+void TreeCotree::GrowTrees(const ConstrainedSets& constrained)
 {
   const TriangleMesh& mesh = this->Forms.GetMesh();
   const TriangleMesh::Component& component = this->Forms.GetComponent();
@@ -25,7 +25,7 @@ void TreeCotree::GrowTrees(const ConstrainedSets& groups)
   this->ToRoot.assign(triangles, None);
   this->Region.assign(triangles, None);
   this->Order.reserve(triangles);
-  const auto isFree = [&](Index h) { return !groups.IsFixed(this->Forms.LocalEdge(h)); };
+  const auto isFree = [&](Index h) { return !constrained.IsFixed(this->Forms.LocalEdge(h)); };
   // Trees that begin outside come first, so that paths to the boundary are short. Several of them
   // may meet, so that all of these are one open region.
   for (Index t = 0; t < triangles; ++t)
@@ -79,7 +79,7 @@ void TreeCotree::GrowTrees(const ConstrainedSets& groups)
   }
 }
 
-void TreeCotree::FindGenerators(const ConstrainedSets& groups)
+void TreeCotree::FindGenerators(const ConstrainedSets& constrained)
 {
   const TriangleMesh& mesh = this->Forms.GetMesh();
   const TriangleMesh::Component& component = this->Forms.GetComponent();
@@ -98,7 +98,7 @@ void TreeCotree::FindGenerators(const ConstrainedSets& groups)
   {
     for (Index e = 0; e < component.Edges(); ++e)
     {
-      if (groups.IsFixed(e) != fixed || isCrossed[e])
+      if (constrained.IsFixed(e) != fixed || isCrossed[e])
       {
         continue;
       }

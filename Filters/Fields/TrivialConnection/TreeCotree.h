@@ -26,8 +26,8 @@ using IntegerForm = std::vector<int>;
 class TreeCotree
 {
 public:
-  /// @param forms, groups of the component
-  TreeCotree(const DiscreteForms& forms, const ConstrainedSets& groups);
+  /// @param forms, constrained of the component
+  TreeCotree(const DiscreteForms& forms, const ConstrainedSets& constrained);
 
   Index GetNumberOfRegions() const { return static_cast<Index>(this->Open.size()); }
   /// Of a triangle of the component, counted from its first one.
@@ -52,8 +52,8 @@ public:
   std::vector<Index> LoopOf(std::size_t generator) const;
 
 private:
-  void GrowTrees(const ConstrainedSets& groups);
-  void FindGenerators(const ConstrainedSets& groups);
+  void GrowTrees(const ConstrainedSets& constrained);
+  void FindGenerators(const ConstrainedSets& constrained);
   void AddPath(Index localTriangle, int value, std::vector<Term>& terms) const;
 
   const DiscreteForms& Forms;

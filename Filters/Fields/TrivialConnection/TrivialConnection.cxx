@@ -66,10 +66,10 @@ TrivialConnection::TrivialConnection(const IntrinsicGeometry& geometry,
   , Degree(degree)
   , Base(base.begin() + component.FirstVertex, base.begin() + component.EndVertex)
   , Forms(geometry, component)
-  , Groups(geometry.Mesh, component, isGiven)
+  , Constrained(geometry.Mesh, component, isGiven)
   , BaseRotation(PhaseDifferences(geometry, component, degree, this->Base.data()))
   , BaseIndices(SingularityIndices(geometry, component, degree, this->Base.data()))
-  , Forest(this->Forms, this->Groups)
+  , Trees(this->Forms, this->Constrained)
 {
 }
 
@@ -77,7 +77,7 @@ const PoissonSolver& TrivialConnection::GetSolver()
 {
   if (!this->Solver)
   {
-    this->Solver.emplace(this->Forms, this->Groups);
+    this->Solver.emplace(this->Forms, this->Constrained);
   }
   return *this->Solver;
 }
@@ -89,21 +89,21 @@ double TrivialConnection::Holonomy(Index localTriangle) const
 }
 
 Eigen::VectorXd TrivialConnection::SolveFor(const EdgeForm& form, Eigen::VectorXd guess,
-  const MergedUnknowns* rigid, const Progress& progress, double& residual)
+  const MergedUnknowns* merged, const Progress& progress, double& residual)
 {
   const PoissonSolver& solver = this->GetSolver();
   const Eigen::VectorXd inflow = solver.Gathered(this->Forms.Inflow(form));
   PoissonSolver::Problem problem{ inflow };
-  problem.Rigid = rigid;
+  problem.Merged = merged;
   problem.Tolerance = Tolerance;
   problem.Progress = progress;
   if (guess.size() == 0)
   {
     guess = Eigen::VectorXd::Zero(solver.NumberOfUnknowns());
   }
-  if (rigid)
+  if (merged)
   {
-    rigid->Satisfy(guess);
+    merged->Satisfy(guess);
   }
   residual = solver.Solve(problem, guess);
   return guess;
@@ -116,11 +116,11 @@ const TrivialConnection::Harmonic& TrivialConnection::GetHarmonic(const Progress
     return *this->Kept;
   }
   Harmonic harmonic;
-  const std::size_t count = this->Forest.GetGenerators().size();
+  const std::size_t count = this->Trees.GetGenerators().size();
   harmonic.Products.resize(static_cast<Index>(count), static_cast<Index>(count));
   for (std::size_t j = 0; j < count; ++j)
   {
-    harmonic.Forms.push_back(this->Forest.FormOf(j));
+    harmonic.Forms.push_back(this->Trees.FormOf(j));
     EdgeForm form(this->Component.Edges(), 0.0);
     for (const TreeCotree::Term& term : harmonic.Forms[j])
     {
@@ -194,24 +194,24 @@ std::optional<std::array<double, 3>> TrivialConnection::RotationsAt(
   }
   else if (index != 0 && index == this->BaseIndices[localTriangle])
   {
-    const FieldInterpolant power(
+    const FieldInterpolant interpolant(
       this->Geometry, this->Degree, this->Base.data() - this->Component.FirstVertex, triangle);
-    weights = flat.Weights(FindZero(power, index > 0 ? 1 : -1).Place);
+    weights = flat.Weights(FindZero(interpolant, index > 0 ? 1 : -1).Place);
   }
   return RotationAround(flat, weights, index, this->Holonomy(localTriangle));
 }
 
-MergedUnknowns TrivialConnection::MakeRigid(const RotationTarget& target, const EdgeForm& form,
+MergedUnknowns TrivialConnection::MergeSingular(const RotationTarget& target, const EdgeForm& form,
   const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
-  const Eigen::VectorXd* groupValues) const
+  const Eigen::VectorXd* givenValues) const
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
-  MergedUnknowns sets(this->Groups.NumberOfUnknowns);
-  const std::vector<Index>& groups = this->Groups.Groups;
-  for (std::size_t g = 1; groupValues && g < groups.size(); ++g)
+  MergedUnknowns sets(this->Constrained.NumberOfUnknowns);
+  const std::vector<Index>& given = this->Constrained.GivenUnknowns;
+  for (std::size_t g = 1; givenValues && g < given.size(); ++g)
   {
-    const double difference = (*groupValues)[groups[g]] - (*groupValues)[groups[0]];
-    sets.Join(groups[0], groups[g], 2.0 * Pi * std::round(difference / (2.0 * Pi)));
+    const double difference = (*givenValues)[given[g]] - (*givenValues)[given[0]];
+    sets.Join(given[0], given[g], 2.0 * Pi * std::round(difference / (2.0 * Pi)));
   }
   const auto add = [&](Index localTriangle, const MeshPlace* place)
   {
@@ -219,7 +219,7 @@ MergedUnknowns TrivialConnection::MakeRigid(const RotationTarget& target, const 
     std::array<Index, 3> corner;
     for (int c = 0; c < 3; ++c)
     {
-      corner[c] = this->Groups.UnknownOf(mesh.Tail(first + c) - this->Component.FirstVertex);
+      corner[c] = this->Constrained.UnknownOf(mesh.Tail(first + c) - this->Component.FirstVertex);
     }
     if (sets.AreJoined(corner[0], corner[1]) || sets.AreJoined(corner[1], corner[2]) ||
       sets.AreJoined(corner[2], corner[0]))
@@ -256,8 +256,8 @@ MergedUnknowns TrivialConnection::MakeRigid(const RotationTarget& target, const 
   for (const SetEdge& edge : edges)
   {
     const Index h = mesh.HalfEdge(this->Component.FirstEdge + edge.Edge);
-    sets.Join(this->Groups.UnknownOf(this->Forms.LocalTail(h)),
-      this->Groups.UnknownOf(this->Forms.LocalHead(h)), form[edge.Edge] - edge.Rotation);
+    sets.Join(this->Constrained.UnknownOf(this->Forms.LocalTail(h)),
+      this->Constrained.UnknownOf(this->Forms.LocalHead(h)), form[edge.Edge] - edge.Rotation);
   }
   sets.Close();
   return sets;
@@ -295,10 +295,10 @@ void TrivialConnection::SetTurn(
   const Eigen::VectorXd& potential, const EdgeForm& whole, TurnedField& field)
 {
   Eigen::VectorXd turned = potential;
-  if (!this->Groups.Groups.empty())
+  if (!this->Constrained.GivenUnknowns.empty())
   {
     // The given directions are where they were, up to whole turns.
-    turned.array() -= Wrapped(turned[this->Groups.Groups.front()]);
+    turned.array() -= Wrapped(turned[this->Constrained.GivenUnknowns.front()]);
   }
   field.Turn = this->GetSolver().Spread(turned);
   field.Rotation = whole;
@@ -311,7 +311,7 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
   std::vector<int> change(target.Indices.size());
   std::transform(target.Indices.begin(), target.Indices.end(), this->BaseIndices.begin(),
     change.begin(), std::minus<>());
-  const IntegerForm jumps = this->Forest.Route(std::move(change));
+  const IntegerForm jumps = this->Trees.Route(std::move(change));
   // The form to be minimized: the total rotation, or its change from the base's.
   EdgeForm form(this->Component.Edges());
   const bool keeps = target.Objective == RotationObjective::LeastChange;
@@ -321,10 +321,10 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
   }
   Eigen::VectorXd potential;
   progress.Report(0.3);
-  const std::size_t loops = this->Forest.GetGenerators().size();
+  const std::size_t loops = this->Trees.GetGenerators().size();
   const bool chooses = loops > 0 && loops <= MostLoops;
-  const bool hasGroups = this->Groups.Groups.size() > 1;
-  if (chooses || hasGroups)
+  const bool hasSeveralSets = this->Constrained.GivenUnknowns.size() > 1;
+  if (chooses || hasSeveralSets)
   {
     potential = this->SolveFor(form, std::move(potential), nullptr, progress, field.Residual);
   }
@@ -339,16 +339,16 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
   {
     whole[e] += this->BaseRotation[e];
   }
-  const Eigen::VectorXd groupValues = potential;
+  const Eigen::VectorXd givenValues = potential;
   std::vector<char> isLoose;
   std::vector<SetEdge> edges;
   TurnedField attempt;
   std::size_t leastWrong = static_cast<std::size_t>(this->Component.Triangles()) + 1;
   for (int repairs = 0; repairs < MostRepairs; ++repairs)
   {
-    const MergedUnknowns rigid =
-      this->MakeRigid(target, whole, isLoose, edges, hasGroups ? &groupValues : nullptr);
-    potential = this->SolveFor(form, std::move(potential), &rigid, progress, attempt.Residual);
+    const MergedUnknowns merged =
+      this->MergeSingular(target, whole, isLoose, edges, hasSeveralSets ? &givenValues : nullptr);
+    potential = this->SolveFor(form, std::move(potential), &merged, progress, attempt.Residual);
     this->SetTurn(potential, whole, attempt);
     const std::vector<Index> wrong = this->WrongTriangles(target, attempt);
     if (wrong.empty())
@@ -374,7 +374,7 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
   field.KeepsTurningNumbers = loops > MostLoops;
   field.Energy = this->Forms.Product(field.Rotation, field.Rotation);
   field.TurningNumbers =
-    LoopHolonomies(this->Geometry, this->Component, this->Degree, this->Forest, field.Rotation);
+    LoopHolonomies(this->Geometry, this->Component, this->Degree, this->Trees, field.Rotation);
   return field;
 }
 
@@ -383,7 +383,7 @@ ComplexVector TrivialConnection::SectionOf(const TurnedField& field) const
   ComplexVector section(this->Component.Vertices());
   // The phase that is open is the one in which the field is closest to the base.
   double phase = 0.0;
-  if (this->Groups.Groups.empty())
+  if (this->Constrained.GivenUnknowns.empty())
   {
     const Complex overlap = ParallelSum<Complex>(this->Component.Vertices(), LightPiece, 0.0,
       [&](Index begin, Index end)

@@ -71,8 +71,8 @@ public:
   /// Throws Stopped.
   TurnedField Turn(const RotationTarget& target, const Progress& progress);
   const std::vector<int>& GetBaseIndices() const { return this->BaseIndices; }
-  const TreeCotree& GetForest() const { return this->Forest; }
-  const ConstrainedSets& GetGroups() const { return this->Groups; }
+  const TreeCotree& GetTrees() const { return this->Trees; }
+  const ConstrainedSets& GetConstrained() const { return this->Constrained; }
   const DiscreteForms& GetForms() const { return this->Forms; }
   /// Made when it is first asked for.
   const PoissonSolver& GetSolver();
@@ -93,11 +93,11 @@ public:
   /// @param form        the rotation along the edges before the base is turned
   /// @param edges       other edges whose ends are joined, too
   /// @param isLoose     not 0 for triangles whose rotations are not set; empty for none
-  /// @param groupValues the values of the sets of given vertices, which are joined at the whole
+  /// @param givenValues the values of the sets of given vertices, which are joined at the whole
   ///                    turns nearest to these; null for none
-  MergedUnknowns MakeRigid(const RotationTarget& target, const EdgeForm& form,
+  MergedUnknowns MergeSingular(const RotationTarget& target, const EdgeForm& form,
     const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
-    const Eigen::VectorXd* groupValues) const;
+    const Eigen::VectorXd* givenValues) const;
 
   /// More loops than this keep the turning numbers of the base.
   static constexpr std::size_t MostLoops = 64;
@@ -113,8 +113,8 @@ private:
   };
 
   const Harmonic& GetHarmonic(const Progress& progress);
-  Eigen::VectorXd SolveFor(const EdgeForm& form, Eigen::VectorXd guess, const MergedUnknowns* rigid,
-    const Progress& progress, double& residual);
+  Eigen::VectorXd SolveFor(const EdgeForm& form, Eigen::VectorXd guess,
+    const MergedUnknowns* merged, const Progress& progress, double& residual);
   double Holonomy(Index localTriangle) const;
   std::optional<std::array<double, 3>> RotationsAt(
     const RotationTarget& target, Index localTriangle, const MeshPlace* place) const;
@@ -129,10 +129,10 @@ private:
   /// The base on this component.
   std::vector<Complex> Base;
   DiscreteForms Forms;
-  ConstrainedSets Groups;
+  ConstrainedSets Constrained;
   EdgeForm BaseRotation;
   std::vector<int> BaseIndices;
-  TreeCotree Forest;
+  TreeCotree Trees;
   std::optional<PoissonSolver> Solver;
   std::optional<Harmonic> Kept;
 };

@@ -23,8 +23,8 @@ struct Tested
     , Mesh(Geometry.Mesh)
     , Component(Mesh.GetComponents().front())
     , Forms(Geometry, Component)
-    , Groups(Mesh, Component, Given(Mesh, given))
-    , Forest(Forms, Groups)
+    , Constrained(Mesh, Component, Given(Mesh, given))
+    , Trees(Forms, Constrained)
   {
   }
 
@@ -63,8 +63,8 @@ struct Tested
   const TriangleMesh& Mesh;
   const TriangleMesh::Component& Component;
   DiscreteForms Forms;
-  ConstrainedSets Groups;
-  TreeCotree Forest;
+  ConstrainedSets Constrained;
+  TreeCotree Trees;
 };
 
 inline Eigen::VectorXd RandomNumbers(Eigen::Index size, unsigned seed)

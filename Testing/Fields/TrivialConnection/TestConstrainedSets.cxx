@@ -34,10 +34,10 @@ TEST(ConstrainedSets, AreTheConnectedPartsOfTheGivenVertices)
   ASSERT_EQ(given.size(), 7u);
   ASSERT_EQ(alone, 1);
   const Tested tested(square, given);
-  const ConstrainedSets& sets = tested.Groups;
+  const ConstrainedSets& sets = tested.Constrained;
   // Each column of three vertices is one unknown.
-  EXPECT_EQ(sets.Groups.size(), 3u);
-  EXPECT_TRUE(std::is_sorted(sets.Groups.begin(), sets.Groups.end()));
+  EXPECT_EQ(sets.GivenUnknowns.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(sets.GivenUnknowns.begin(), sets.GivenUnknowns.end()));
   EXPECT_EQ(sets.NumberOfUnknowns, tested.Component.Vertices() - 4);
   std::set<Index> unknowns;
   std::set<Index> ofGiven;
@@ -51,7 +51,7 @@ TEST(ConstrainedSets, AreTheConnectedPartsOfTheGivenVertices)
   }
   EXPECT_EQ(static_cast<Index>(unknowns.size()), sets.NumberOfUnknowns);
   EXPECT_EQ(*unknowns.rbegin(), sets.NumberOfUnknowns - 1);
-  EXPECT_EQ(std::vector<Index>(ofGiven.begin(), ofGiven.end()), sets.Groups);
+  EXPECT_EQ(std::vector<Index>(ofGiven.begin(), ofGiven.end()), sets.GivenUnknowns);
   int fixed = 0;
   for (Index e = 0; e < tested.Component.Edges(); ++e)
   {
@@ -67,8 +67,8 @@ TEST(ConstrainedSets, AreTheConnectedPartsOfTheGivenVertices)
 TEST(ConstrainedSets, EachVertexIsAnUnknownWhereNothingIsGiven)
 {
   const Tested tested(Meshes::Disk(4));
-  EXPECT_EQ(tested.Groups.NumberOfUnknowns, tested.Component.Vertices());
-  EXPECT_TRUE(tested.Groups.Groups.empty());
-  EXPECT_EQ(tested.Groups.UnknownOf(5), 5);
-  EXPECT_FALSE(tested.Groups.IsFixed(5));
+  EXPECT_EQ(tested.Constrained.NumberOfUnknowns, tested.Component.Vertices());
+  EXPECT_TRUE(tested.Constrained.GivenUnknowns.empty());
+  EXPECT_EQ(tested.Constrained.UnknownOf(5), 5);
+  EXPECT_FALSE(tested.Constrained.IsFixed(5));
 }

@@ -64,12 +64,12 @@ TEST(LoopHolonomies, CountTheTurnsOfFieldsOnATorus)
     for (const int turns : { 0, 1, -3 })
     {
       const std::vector<int> found = LoopHolonomies(
-        torus.Geometry, torus.Component, degree, torus.Forest, FieldOnTorus(torus, degree, turns));
+        torus.Geometry, torus.Component, degree, torus.Trees, FieldOnTorus(torus, degree, turns));
       ASSERT_EQ(found.size(), 2u);
       bool isAround = false;
       for (std::size_t k = 0; k < found.size(); ++k)
       {
-        const int times = TimesAround(torus, torus.Forest.LoopOf(k));
+        const int times = TimesAround(torus, torus.Trees.LoopOf(k));
         EXPECT_EQ(found[k], turns * times) << degree << " " << turns;
         isAround = isAround || times != 0;
       }
@@ -84,18 +84,18 @@ TEST(LoopHolonomies, GrowByOneWithEachGenerator)
   const std::vector<Complex> section(tested.Mesh.GetNumberOfVertices(), 1.0);
   const EdgeForm rotation = PhaseDifferences(tested.Geometry, tested.Component, 4, section.data());
   const std::vector<int> before =
-    LoopHolonomies(tested.Geometry, tested.Component, 4, tested.Forest, rotation);
+    LoopHolonomies(tested.Geometry, tested.Component, 4, tested.Trees, rotation);
   ASSERT_EQ(before.size(), 4u);
   for (std::size_t k = 0; k < before.size(); ++k)
   {
     EdgeForm more = rotation;
-    for (const TreeCotree::Term& term : tested.Forest.FormOf(k))
+    for (const TreeCotree::Term& term : tested.Trees.FormOf(k))
     {
       more[term.Edge] += 2.0 * Pi * term.Value;
     }
     std::vector<int> wanted = before;
     ++wanted[k];
-    EXPECT_EQ(LoopHolonomies(tested.Geometry, tested.Component, 4, tested.Forest, more), wanted);
+    EXPECT_EQ(LoopHolonomies(tested.Geometry, tested.Component, 4, tested.Trees, more), wanted);
   }
 }
 

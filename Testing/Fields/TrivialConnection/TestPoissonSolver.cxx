@@ -26,7 +26,7 @@ TEST(PoissonSolver, FindsTheValuesThatARightHandSideWasMadeOf)
   for (const Surface& surface : { Meshes::Potato(4), Meshes::Torus(60, 30), Meshes::Disk(24) })
   {
     const Tested tested(surface);
-    const PoissonSolver solver(tested.Forms, tested.Groups);
+    const PoissonSolver solver(tested.Forms, tested.Constrained);
     ASSERT_EQ(solver.NumberOfUnknowns(), tested.Component.Vertices());
     Eigen::VectorXd wanted = Components::RandomNumbers(solver.NumberOfUnknowns(), 4);
     wanted.array() -= wanted.mean();
@@ -50,7 +50,7 @@ TEST(PoissonSolver, ConvergesToTheSphericalHarmonic)
   for (const int levels : { 2, 3, 4 })
   {
     const Tested tested(Meshes::Icosphere(levels));
-    const PoissonSolver solver(tested.Forms, tested.Groups);
+    const PoissonSolver solver(tested.Forms, tested.Constrained);
     const double unit = tested.Geometry.Lengths.Unit[0];
     Eigen::VectorXd z(solver.NumberOfUnknowns());
     for (Index v = 0; v < z.size(); ++v)
@@ -71,7 +71,7 @@ TEST(PoissonSolver, ConvergesToTheSphericalHarmonic)
 TEST(PoissonSolver, AddsTheDiagonalAndHoldsUnknowns)
 {
   const Tested tested(Meshes::Potato(3));
-  const PoissonSolver solver(tested.Forms, tested.Groups);
+  const PoissonSolver solver(tested.Forms, tested.Constrained);
   const Eigen::VectorXd diagonal = 0.1 * solver.GetAreas();
   const Eigen::VectorXd right = Components::RandomNumbers(solver.NumberOfUnknowns(), 5);
   const std::vector<Index> held = { 3, 50, 200 };
@@ -95,17 +95,17 @@ TEST(PoissonSolver, AddsTheDiagonalAndHoldsUnknowns)
 TEST(PoissonSolver, JoinedUnknownsKeepTheirDifferences)
 {
   const Tested tested(Meshes::Potato(3));
-  const PoissonSolver solver(tested.Forms, tested.Groups);
-  MergedUnknowns rigid(solver.NumberOfUnknowns());
-  rigid.Join(10, 400, 1.5);
-  rigid.Join(400, 77, -0.5);
-  rigid.Close();
+  const PoissonSolver solver(tested.Forms, tested.Constrained);
+  MergedUnknowns merged(solver.NumberOfUnknowns());
+  merged.Join(10, 400, 1.5);
+  merged.Join(400, 77, -0.5);
+  merged.Close();
   Eigen::VectorXd right = Components::RandomNumbers(solver.NumberOfUnknowns(), 7);
   right.array() -= right.mean();
   Eigen::VectorXd found = Eigen::VectorXd::Zero(right.size());
-  rigid.Satisfy(found);
+  merged.Satisfy(found);
   PoissonSolver::Problem problem{ right };
-  problem.Rigid = &rigid;
+  problem.Merged = &merged;
   problem.Tolerance = 1e-9;
   EXPECT_LE(solver.Solve(problem, found), problem.Tolerance);
   EXPECT_NEAR(found[400] - found[10], 1.5, 1e-6);
@@ -118,12 +118,12 @@ TEST(PoissonSolver, JoinedUnknownsKeepTheirDifferences)
   EXPECT_LT(residual.norm(), 1e-6 * right.norm());
 }
 
-/// The vertices of a group are one unknown.
-TEST(PoissonSolver, GathersAndSpreadsGroups)
+/// Connected given vertices are one unknown.
+TEST(PoissonSolver, GathersAndSpreadsMergedVertices)
 {
   const Surface square = Meshes::Square(6);
   const Tested tested(square, { 0, 1, 2 });
-  const PoissonSolver solver(tested.Forms, tested.Groups);
+  const PoissonSolver solver(tested.Forms, tested.Constrained);
   EXPECT_EQ(solver.NumberOfUnknowns(), tested.Component.Vertices() - 2);
   EXPECT_NEAR(solver.GetAreas().sum(), solver.GetArea(), 1e-12 * solver.GetArea());
   const Eigen::VectorXd x = Components::RandomNumbers(solver.NumberOfUnknowns(), 8);

@@ -51,10 +51,10 @@ TEST(TreeCotree, HasAGeneratorForEachHandleAndBoundary)
   for (const Shape& shape : Shapes())
   {
     const Tested tested(shape.Mesh);
-    EXPECT_EQ(static_cast<int>(tested.Forest.GetGenerators().size()),
+    EXPECT_EQ(static_cast<int>(tested.Trees.GetGenerators().size()),
       2 * shape.Genus + std::max(0, shape.Boundaries - 1));
-    EXPECT_EQ(tested.Forest.GetNumberOfRegions(), 1);
-    EXPECT_EQ(tested.Forest.IsOpen(0), shape.Boundaries > 0);
+    EXPECT_EQ(tested.Trees.GetNumberOfRegions(), 1);
+    EXPECT_EQ(tested.Trees.IsOpen(0), shape.Boundaries > 0);
   }
 }
 
@@ -65,14 +65,14 @@ TEST(TreeCotree, FormsAndLoopsAreDualBases)
   for (const Shape& shape : Shapes())
   {
     const Tested tested(shape.Mesh);
-    const std::size_t count = tested.Forest.GetGenerators().size();
+    const std::size_t count = tested.Trees.GetGenerators().size();
     for (std::size_t i = 0; i < count; ++i)
     {
-      const EdgeForm form = tested.Dense(tested.Forest.FormOf(i));
+      const EdgeForm form = tested.Dense(tested.Trees.FormOf(i));
       EXPECT_EQ(tested.LargestCurl(form), 0.0);
       for (std::size_t j = 0; j < count; ++j)
       {
-        EXPECT_EQ(Along(tested, form, tested.Forest.LoopOf(j)), i == j ? 1.0 : 0.0);
+        EXPECT_EQ(Along(tested, form, tested.Trees.LoopOf(j)), i == j ? 1.0 : 0.0);
       }
     }
   }
@@ -93,7 +93,7 @@ TEST(TreeCotree, RoutesAnyNumbersThatAddUpToZero)
     }
     // Through a boundary the rest goes out.
     around.front() -= shape.Boundaries > 0 ? 0 : sum;
-    const IntegerForm routed = tested.Forest.Route(around);
+    const IntegerForm routed = tested.Trees.Route(around);
     const EdgeForm form(routed.begin(), routed.end());
     for (Index t = 0; t < tested.Component.Triangles(); ++t)
     {
@@ -125,16 +125,16 @@ TEST(TreeCotree, GivenDirectionsPartRegions)
   ASSERT_EQ(ring.size(), static_cast<std::size_t>(across));
   ASSERT_EQ(rings.size(), static_cast<std::size_t>(2 * across));
   const Tested one(torus, ring);
-  EXPECT_EQ(one.Forest.GetNumberOfRegions(), 1);
+  EXPECT_EQ(one.Trees.GetNumberOfRegions(), 1);
   const Tested two(torus, rings);
-  ASSERT_EQ(two.Forest.GetNumberOfRegions(), 2);
-  EXPECT_FALSE(two.Forest.IsOpen(0) || two.Forest.IsOpen(1));
+  ASSERT_EQ(two.Trees.GetNumberOfRegions(), 2);
+  EXPECT_FALSE(two.Trees.IsOpen(0) || two.Trees.IsOpen(1));
   // No path crosses a given edge.
-  for (std::size_t k = 0; k < two.Forest.GetGenerators().size(); ++k)
+  for (std::size_t k = 0; k < two.Trees.GetGenerators().size(); ++k)
   {
-    for (const TreeCotree::Term& term : two.Forest.FormOf(k))
+    for (const TreeCotree::Term& term : two.Trees.FormOf(k))
     {
-      EXPECT_FALSE(two.Groups.IsFixed(term.Edge));
+      EXPECT_FALSE(two.Constrained.IsFixed(term.Edge));
     }
   }
 }

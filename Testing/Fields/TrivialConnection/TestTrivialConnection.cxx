@@ -135,11 +135,11 @@ TEST(TrivialConnection, TurnsAlongLoopsAsLittleAsItCan)
 {
   Example example(Meshes::Torus(40, 20), 4, 0, RotationObjective::Smoothest);
   const TurnedField field = example.Connection.Turn(example.Target, {});
-  ASSERT_EQ(example.Parts.Forest.GetGenerators().size(), 2u);
+  ASSERT_EQ(example.Parts.Trees.GetGenerators().size(), 2u);
   const PoissonSolver& solver = example.Connection.GetSolver();
   for (std::size_t k = 0; k < 2; ++k)
   {
-    EdgeForm harmonic = example.Parts.Dense(example.Parts.Forest.FormOf(k));
+    EdgeForm harmonic = example.Parts.Dense(example.Parts.Trees.FormOf(k));
     const Eigen::VectorXd inflow = example.Parts.Forms.Inflow(harmonic);
     Eigen::VectorXd potential = Eigen::VectorXd::Zero(inflow.size());
     solver.Solve(PoissonSolver::Problem{ inflow }, potential);

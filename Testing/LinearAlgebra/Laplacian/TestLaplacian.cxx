@@ -162,7 +162,7 @@ TEST(Laplacian, GroupsAreOneUnknown)
     isGiven[v] = mesh.IsBoundary(v) ? 1 : 0;
   }
   const ConstrainedSets groups(mesh, problem.Forms.GetComponent(), isGiven);
-  ASSERT_EQ(groups.Groups.size(), 1U);
+  ASSERT_EQ(groups.GivenUnknowns.size(), 1U);
   const PoissonSolver solver(problem.Forms, groups);
   Eigen::VectorXd values = Eigen::VectorXd::Zero(groups.NumberOfUnknowns);
   const Eigen::VectorXd right = RandomNumbers(groups.NumberOfUnknowns, 6);
