@@ -8,18 +8,21 @@
 
 namespace DirectionFields
 {
-/// Ranges of options that have no upper limit: infinity is allowed for the first, and not for the second.
+/// Ranges of options that have no upper limit: infinity is allowed for the first, and not for the
+/// second.
 constexpr double NoLimit = std::numeric_limits<double>::infinity();
 constexpr double AnyFinite = std::numeric_limits<double>::max();
 }
 
-/// Every member of Options (Options.h), once: whatever is done to all of them (ranges, the key of kept stages, defaults,
-/// printing and handing on in the filter for VTK, tests) is generated from these rows. New options are
-/// appended, since the fuzzer's corpus stores one byte per row in this order.
+/// Every member of Options (Options.h), once: whatever is done to all of them (ranges, the key of
+/// kept stages, defaults, printing and handing on in the filter for VTK, tests) is generated from
+/// these rows. New options are appended, since the fuzzer's corpus stores one byte per row in this
+/// order.
 ///
 ///   FLAG(name, stage)                      a bool
 ///   CHOICE(name, stage, last)              an enumeration from 0 to last
-///   RANGE(name, stage, least, most, unit)  a number in a closed range; the unit is a text, " degrees" or empty
+///   RANGE(name, stage, least, most, unit)  a number in a closed range; the unit is a text,
+///                                          " degrees" or empty
 #define DIRECTIONFIELDS_OPTIONS(FLAG, CHOICE, RANGE)                                               \
   RANGE(Degree, Energy, 1, 16, "")                                                                 \
   RANGE(EnergyBias, Energy, -1, 1, "")                                                             \

@@ -164,8 +164,8 @@ inline double SystemTolerance(const Options& options)
   return std::max(1e-8, options.Tolerance);
 }
 
-/// The first stage of a computation that depends on an option. Results of earlier stages are kept when it
-/// changes.
+/// The first stage of a computation that depends on an option. Results of earlier stages are kept
+/// when it changes.
 enum class OptionStage
 {
   /// The vertices, edges and triangles of the surface.
@@ -178,7 +178,8 @@ enum class OptionStage
   None
 };
 
-/// Whether results of a stage, and of all before it, that were made for some options are right for others, too.
+/// Whether results of a stage, and of all before it, that were made for some options are right for
+/// others, too.
 bool AreSameUpTo(OptionStage stage, const Options& a, const Options& b);
 
 /// Vectors that the user gives for the field to follow, one a point of the surface or none at all.

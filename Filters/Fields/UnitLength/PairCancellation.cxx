@@ -72,7 +72,7 @@ double Extrapolated(Index length, Index narrow, double first, Index wide, double
   return second - slope * (1.0 / wide - 2.0 / length);
 }
 
-/// So many pairs are looked at together.
+/// The number of pairs whose patches are solved together.
 constexpr std::size_t BatchSize = 64;
 /// All patches of a round together have no more vertices than this times those of the component:
 /// the farthest pairs are left out where there are too many of them.
