@@ -35,24 +35,20 @@ public:
   /// The vertex that stands for a set, and whether the sign of v is opposite to its.
   std::pair<Index, bool> Find(Index v)
   {
-    Index root = v;
     bool turned = false;
-    while (this->Parent[root] != None)
+    while (this->Parent[v] != None)
     {
-      turned = turned != (this->Turned[root] != 0);
-      root = this->Parent[root];
+      const Index next = this->Parent[v];
+      if (this->Parent[next] != None)
+      {
+        // Halves the path for the next call.
+        this->Turned[v] ^= this->Turned[next];
+        this->Parent[v] = this->Parent[next];
+      }
+      turned = turned != (this->Turned[v] != 0);
+      v = this->Parent[v];
     }
-    // Shortens the path for the next call.
-    bool rest = turned;
-    while (v != root)
-    {
-      const bool own = this->Turned[v] != 0;
-      const Index next = std::exchange(this->Parent[v], root);
-      this->Turned[v] = rest;
-      rest = rest != own;
-      v = next;
-    }
-    return { root, turned };
+    return { v, turned };
   }
 
   /// Makes one set of two, unless they are.
@@ -63,7 +59,7 @@ public:
     if (first != second)
     {
       this->Parent[second] = first;
-      this->Turned[second] = opposite != (turnFirst != turnSecond);
+      this->Turned[second] = opposite != (turnFirst != turnSecond) ? 1 : 0;
     }
   }
 
@@ -108,39 +104,27 @@ private:
   bool IsSharp(Index v) const { return this->Kind[v] == ConstraintKind::SharpEdge; }
   bool IsConstrained(Index v) const { return this->Kind[v] != ConstraintKind::None; }
 
-  /// r_ij z along an edge i -> j in its direction.
-  Complex Transported(Index edge, const Complex& z) const
+  /// A value brought along a half-edge, or against it where sense is -1.
+  Complex Arriving(const Complex& z, Index h, double sense) const
   {
-    return z * std::polar(1.0, this->Degree * this->Geometry.Transport.Rotation[edge]);
+    const double rho = this->Geometry.Transport.RotationAlong(this->Mesh, h);
+    return z * std::polar(1.0, this->Degree * (sense * rho));
   }
 
   /// Calls body(w, z) for each neighbour w of a vertex with the value at w brought to the vertex.
   template <typename Body>
   void ForNeighbours(Index v, const std::vector<Complex>& values, const Body& body) const
   {
-    const auto visit = [&](Index h, Index w)
+    std::vector<Index> fan;
+    this->Mesh.GetFan(v, fan);
+    for (const Index h : fan)
     {
-      const Index edge = this->Mesh.Edge(h);
-      const bool arrives = this->Mesh.Tail(this->Mesh.HalfEdge(edge)) == w;
-      const double rho = this->Geometry.Transport.Rotation[edge];
-      body(w, values[w] * std::polar(1.0, this->Degree * (arrives ? rho : -rho)));
-    };
-    Index h = this->Mesh.Outgoing(v);
-    for (;;)
+      body(this->Mesh.Head(h), this->Arriving(values[this->Mesh.Head(h)], h, -1.0));
+    }
+    if (this->Mesh.IsBoundary(v))
     {
-      visit(h, this->Mesh.Head(h));
-      const Index next = this->Mesh.NextOutgoing(h);
-      if (next == this->Mesh.Outgoing(v))
-      {
-        return;
-      }
-      if (next == None)
-      {
-        const Index last = TriangleMesh::Previous(h);
-        visit(last, this->Mesh.Tail(last));
-        return;
-      }
-      h = next;
+      const Index last = TriangleMesh::Previous(fan.back());
+      body(this->Mesh.Tail(last), this->Arriving(values[this->Mesh.Tail(last)], last, 1.0));
     }
   }
 
@@ -156,6 +140,7 @@ private:
       [&key](const Link& one, const Link& other) { return key(one) < key(other); });
   }
 
+  /// Carries signs along the strongest links first: a spanning forest.
   void Unite(std::vector<Link>&& links)
   {
     this->Sort(links);
@@ -196,7 +181,7 @@ private:
       const Index j = this->Mesh.Head(this->Mesh.HalfEdge(e));
       if (this->IsConstrained(i) && this->IsConstrained(j))
       {
-        const Complex arrived = this->Transported(e, this->Value[i]);
+        const Complex arrived = this->Arriving(this->Value[i], this->Mesh.HalfEdge(e), 1.0);
         const double agreement = (std::conj(arrived) * this->Value[j]).real();
         if (std::abs(agreement) >= Clear)
         {
@@ -305,7 +290,7 @@ private:
       const Index j = this->Mesh.Head(this->Mesh.HalfEdge(e));
       if (this->Source[i] != this->Source[j])
       {
-        const Complex arrived = this->Transported(e, this->Grown[i]);
+        const Complex arrived = this->Arriving(this->Grown[i], this->Mesh.HalfEdge(e), 1.0);
         meetings[std::minmax({ this->Source[i], this->Source[j] })] +=
           (std::conj(arrived) * this->Grown[j]).real() / (1 + this->Layer[i] + this->Layer[j]);
       }
