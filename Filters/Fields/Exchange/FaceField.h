@@ -15,23 +15,29 @@ namespace DirectionFields
 /// A direction field that is constant on each triangle, as many programs know them.
 struct FaceField
 {
+  /// n.
   int Degree = 0;
-  /// The unit n-th power of the directions of each triangle of the mesh, laid flat (FlatTriangle).
+  /// The n-th power of the directions of each triangle of the mesh, of modulus 1, or 0 for none:
+  /// they stand at the angles (arg + 2 pi k) / n from the edge from corner 0 to corner 1,
+  /// counter-clockwise.
   std::vector<Complex> Power;
 };
 
-/// The directions of a field at the triangles' centroids (FieldInterpolant). Where a field vanishes
-/// at a centroid they are those along the triangle's first edge.
+/// The directions of a field at the triangles' centroids, of the section that the energy integrates
+/// (KCPS13, section 6.1). Where it vanishes at a centroid they are along the triangle's first edge.
 FaceField AtCentroids(const GivenField& field);
 
 /// The same at other places.
-/// @param weights of the corners of each triangle of the surface
+/// @param weights barycentric coordinates for the corners of each triangle of the surface
 FaceField AtPlaces(const GivenField& field, const std::vector<std::array<double, 3>>& weights);
 
 /// The face field that rows of vectors give, one row for each triangle of the surface: the mean of
 /// the n-th powers of the directions of its vectors in the triangle's plane. Power is 0 where that
 /// vanishes.
-/// @param vectors PerRow vectors for each triangle of the surface that the mesh is of
+/// @param geometry of GivenField or FieldSurface
+/// @param degree   n, at least 1
+/// @param vectors  perRow vectors for each triangle of the surface that the mesh is of, in space,
+///                 of any length; their directions count only
 FaceField FromVectors(const SurfaceGeometry& geometry, int degree,
   const std::vector<Vector3>& vectors, std::size_t perRow);
 
