@@ -28,7 +28,7 @@ bool Joins(JoinedSets& sets, Index a, Index b)
 struct CutGraph::Search
 {
   Search(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
-    const FieldMatching& charts, const std::vector<char>& isFrameless);
+    const FieldMatching& matching, const std::vector<char>& isFrameless);
 
   bool IsSpoke(Index edge) const
   {
@@ -63,7 +63,7 @@ struct CutGraph::Search
   Index Seed = None;
 
 private:
-  void AddSources(const TriangleMesh::Component& component, const FieldMatching& charts);
+  void AddSources(const TriangleMesh::Component& component, const FieldMatching& matching);
   void Spread();
   void Reach(Index triangle, double distance, Index region, Index parent);
 
@@ -72,7 +72,7 @@ private:
 };
 
 CutGraph::Search::Search(const IntrinsicGeometry& geometry,
-  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const TriangleMesh::Component& component, const FieldMatching& matching,
   const std::vector<char>& isFrameless)
   : Mesh(geometry.Mesh)
   , Lengths(geometry.Lengths)
@@ -83,7 +83,7 @@ CutGraph::Search::Search(const IntrinsicGeometry& geometry,
   , Parent(component.Triangles(), None)
   , Loop(component.Edges(), None)
 {
-  this->AddSources(component, charts);
+  this->AddSources(component, matching);
   this->Spread();
 }
 
@@ -100,7 +100,7 @@ void CutGraph::Search::Reach(Index triangle, double distance, Index region, Inde
 }
 
 void CutGraph::Search::AddSources(
-  const TriangleMesh::Component& component, const FieldMatching& charts)
+  const TriangleMesh::Component& component, const FieldMatching& matching)
 {
   std::vector<Index> fan;
   for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
@@ -117,7 +117,7 @@ void CutGraph::Search::AddSources(
   }
   for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
   {
-    if (charts.SingularityIndex[t] != 0 && this->DistanceOf(t) < 0.0)
+    if (matching.SingularityIndex[t] != 0 && this->DistanceOf(t) < 0.0)
     {
       this->Reach(t, 0.0, this->Sources++, None);
     }
@@ -166,14 +166,14 @@ void CutGraph::Search::Spread()
 }
 
 CutGraph::CutGraph(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
-  const FieldMatching& charts, const FeatureLines& features, const std::vector<char>& isFrameless)
+  const FieldMatching& matching, const FeatureLines& features, const std::vector<char>& isFrameless)
   : Geometry(geometry)
-  , Charts(charts)
+  , Matching(matching)
   , FirstEdge(component.FirstEdge)
   , Jumps(component.Edges())
 {
   const TriangleMesh& mesh = geometry.Mesh;
-  const Search search(geometry, component, charts, isFrameless);
+  const Search search(geometry, component, matching, isFrameless);
   this->Seed = search.Seed;
   std::vector<char> isCrossed(component.Edges(), 0);
   std::vector<std::tuple<double, Index>> links;
@@ -239,7 +239,7 @@ CutGraph::CutGraph(const IntrinsicGeometry& geometry, const TriangleMesh::Compon
 void CutGraph::AddPath(const Search& search, Index edge)
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
-  const int degree = this->Charts.Degree;
+  const int degree = this->Matching.Degree;
   // The path crosses these half-edges; inwards, that is, into their triangles, or outwards.
   struct Crossing
   {
@@ -286,7 +286,7 @@ void CutGraph::AddPath(const Search& search, Index edge)
       const Index third = mesh.Tail(TriangleMesh::Next(inside)) == nextLeft
         ? TriangleMesh::Next(inside)
         : TriangleMesh::Previous(inside);
-      const int m = this->Charts.MatchingAlong(mesh, third);
+      const int m = this->Matching.MatchingAlong(mesh, third);
       turn -= mesh.Tail(third) == left ? m : -m;
     }
     left = nextLeft;
@@ -295,7 +295,7 @@ void CutGraph::AddPath(const Search& search, Index edge)
     int exponent = turn;
     if (mesh.Tail(canonical) != left)
     {
-      exponent += this->Charts.MatchingAlong(mesh, canonical) + degree / 2;
+      exponent += this->Matching.MatchingAlong(mesh, canonical) + degree / 2;
     }
     this->Jumps[mesh.Edge(crossing.HalfEdge) - this->FirstEdge].push_back(
       { this->NumberOfVariables, ((exponent % degree) + degree) % degree });

@@ -28,7 +28,7 @@ class CutGraph
 public:
   /// @param isFrameless of each vertex of the mesh; no two neighbours may be
   CutGraph(const IntrinsicGeometry& geometry, const TriangleMesh::Component& component,
-    const FieldMatching& charts, const FeatureLines& features,
+    const FieldMatching& matching, const FeatureLines& features,
     const std::vector<char>& isFrameless);
 
   /// The jumps of an edge in its direction: the coordinates in the chart of its tail are zeta^m
@@ -48,7 +48,7 @@ private:
   void AddPath(const Search& search, Index edge);
 
   const IntrinsicGeometry& Geometry;
-  const FieldMatching& Charts;
+  const FieldMatching& Matching;
   Index FirstEdge;
   std::vector<std::vector<Jump>> Jumps;
   Index NumberOfVariables = 0;

@@ -61,10 +61,10 @@ struct CutMesh::Builder
   const SurfaceGeometry& Geometry;
   const TriangleMesh& Mesh;
   const TriangleMesh::Component& Part;
-  const FieldMatching& Charts;
+  const FieldMatching& Matching;
   const FeatureLines& Features;
   const std::vector<char>& IsFrameless;
-  const CutGraph& Jumps;
+  const CutGraph& Graph;
   double Unit;
   CutMesh& Out;
   /// The half-edges of the component in the cut mesh.
@@ -74,8 +74,8 @@ struct CutMesh::Builder
   /// From the chart of the head of a half-edge to that of its tail.
   SymbolicTransition Along(Index h) const
   {
-    SymbolicTransition t{ this->Charts.MatchingAlong(this->Mesh, h),
-      this->Jumps.At(this->Mesh.Edge(h)) };
+    SymbolicTransition t{ this->Matching.MatchingAlong(this->Mesh, h),
+      this->Graph.At(this->Mesh.Edge(h)) };
     if (!this->Mesh.GivesDirection(h))
     {
       t.Turn = (this->Out.Degree - t.Turn) % this->Out.Degree;
@@ -95,12 +95,12 @@ struct CutMesh::Builder
     if (this->IsFrameless[this->Mesh.Tail(h)] == 0)
     {
       const bool bothHave = this->IsFrameless[this->Mesh.Head(h)] == 0;
-      const double half = bothHave ? 0.5 * this->Charts.RemainderAlong(this->Mesh, h) : 0.0;
-      return std::polar(
-        length, this->Charts.AngleAtTail(this->Geometry, h) - half + step * t.Corner[corner].Turn);
+      const double half = bothHave ? 0.5 * this->Matching.RemainderAlong(this->Mesh, h) : 0.0;
+      return std::polar(length,
+        this->Matching.AngleAtTail(this->Geometry, h) - half + step * t.Corner[corner].Turn);
     }
-    return std::polar(
-      length, this->Charts.AngleAtHead(this->Geometry, h) + step * t.Corner[(corner + 1) % 3].Turn);
+    return std::polar(length,
+      this->Matching.AngleAtHead(this->Geometry, h) + step * t.Corner[(corner + 1) % 3].Turn);
   }
   static double HalfCotangent(double angle)
   {
@@ -162,7 +162,7 @@ struct CutMesh::Builder
     {
       const Index h = 3 * t + c;
       value[c] = std::polar(std::abs(section[this->Mesh.Tail(h)]), phase);
-      phase += this->Out.Degree * this->Charts.RemainderAlong(this->Mesh, h);
+      phase += this->Out.Degree * this->Matching.RemainderAlong(this->Mesh, h);
     }
     std::array<double, 3> weight;
     double sum = 0.0;
@@ -213,7 +213,7 @@ struct CutMesh::Builder
       const Complex away = middle - flat[c];
       const double inside = std::arg(away / (flat[(c + 1) % 3] - flat[c]));
       spoke[c] = std::polar(std::abs(away),
-        this->Charts.AngleAtTail(this->Geometry, h) + this->Geometry.Transport.Scale[v] * inside);
+        this->Matching.AngleAtTail(this->Geometry, h) + this->Geometry.Transport.Scale[v] * inside);
       position += weight[c] * this->Geometry.Positions[v];
     }
     for (int c = 0; c < 3; ++c)
@@ -226,9 +226,9 @@ struct CutMesh::Builder
       out.Corner[0] = back.Inverse(this->Out.Degree);
       out.Corner[1] = {};
       out.Corner[2] = ring;
-      const double half = 0.5 * this->Charts.RemainderAlong(this->Mesh, h);
+      const double half = 0.5 * this->Matching.RemainderAlong(this->Mesh, h);
       out.Target = { -spoke[c],
-        std::polar(this->Length(h), this->Charts.AngleAtTail(this->Geometry, h) - half),
+        std::polar(this->Length(h), this->Matching.AngleAtTail(this->Geometry, h) - half),
         spoke[next] * std::polar(1.0, 2.0 * Pi * ring.Turn / this->Out.Degree) };
       const auto angleAt = [](const Complex& p, const Complex& q, const Complex& r)
       { return std::abs(std::arg((r - p) / (q - p))); };
@@ -242,7 +242,7 @@ struct CutMesh::Builder
     }
     this->Out.Positions.push_back(position);
     this->Out.Cones.push_back({ cone, back });
-    this->Out.ConeIndex.push_back(this->Charts.SingularityIndex[t]);
+    this->Out.ConeIndex.push_back(this->Matching.SingularityIndex[t]);
     this->Out.IsCorner.push_back(0);
     this->Out.IsChainEnd.push_back(0);
   }
@@ -290,20 +290,20 @@ struct CutMesh::Builder
 };
 
 CutMesh::CutMesh(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
-  const FieldMatching& charts, const FeatureLines& features, const std::vector<char>& isFrameless,
-  const CutGraph& jumps, const std::vector<Complex>& section)
-  : Degree(charts.Degree)
+  const FieldMatching& matching, const FeatureLines& features, const std::vector<char>& isFrameless,
+  const CutGraph& graph, const std::vector<Complex>& section)
+  : Degree(matching.Degree)
   , Triangles(component.Triangles())
   , Positions(geometry.Positions.begin() + component.FirstVertex,
       geometry.Positions.begin() + component.EndVertex)
-  , NumberOfJumps(jumps.GetNumberOfVariables())
+  , NumberOfJumps(graph.GetNumberOfVariables())
   , ConeIndex(component.Vertices(), 0)
   , IsCorner(component.Vertices(), 0)
   , IsChainEnd(component.Vertices(), 0)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const std::size_t number = &component - mesh.GetComponents().data();
-  Builder builder{ geometry, mesh, component, charts, features, isFrameless, jumps,
+  Builder builder{ geometry, mesh, component, matching, features, isFrameless, graph,
     geometry.Lengths.Unit[number], *this, std::vector<Index>(3 * component.Triangles()) };
   std::vector<char> isInStar(component.Triangles(), 0);
   std::vector<Index> fan;
@@ -325,7 +325,7 @@ CutMesh::CutMesh(const SurfaceGeometry& geometry, const TriangleMesh::Component&
     {
       continue;
     }
-    if (charts.SingularityIndex[t] != 0 || t == jumps.GetSeed())
+    if (matching.SingularityIndex[t] != 0 || t == graph.GetSeed())
     {
       builder.AddCone(t, section);
     }

@@ -34,8 +34,9 @@ struct CutMesh
 {
   /// @param section of the field, over the vertices of the mesh; places the cones
   CutMesh(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
-    const FieldMatching& charts, const FeatureLines& features, const std::vector<char>& isFrameless,
-    const CutGraph& jumps, const std::vector<Complex>& section);
+    const FieldMatching& matching, const FeatureLines& features,
+    const std::vector<char>& isFrameless, const CutGraph& graph,
+    const std::vector<Complex>& section);
 
   struct MapTriangle
   {

@@ -27,7 +27,7 @@ public:
 
   std::vector<FeatureIsoline> FollowAll()
   {
-    std::vector<FeatureIsoline> stretches;
+    std::vector<FeatureIsoline> isolines;
     // Isolines between grid points, then closed ones.
     for (const bool fromPoints : { true, false })
     {
@@ -41,12 +41,12 @@ public:
         {
           if (this->IsSeen[e] == 0)
           {
-            stretches.push_back(this->Follow(static_cast<Index>(v), e));
+            isolines.push_back(this->Follow(static_cast<Index>(v), e));
           }
         }
       }
     }
-    return stretches;
+    return isolines;
   }
 
 private:
@@ -58,25 +58,25 @@ private:
 
   FeatureIsoline Follow(Index start, std::size_t first)
   {
-    FeatureIsoline stretch;
+    FeatureIsoline isoline;
     Index v = start;
     std::size_t e = first;
     while (true)
     {
       this->IsSeen[e] = 1;
       const bool isReversed = this->End(e, false) != v;
-      stretch.Steps.push_back({ e, isReversed });
+      isoline.Steps.push_back({ e, isReversed });
       v = this->End(e, !isReversed);
       if (v == start || this->IsEnd(v))
       {
-        return stretch;
+        return isoline;
       }
       const std::vector<std::size_t>& edges = this->EdgesAt[v];
       const auto next = std::find_if(
         edges.begin(), edges.end(), [&](std::size_t k) { return this->IsSeen[k] == 0; });
       if (next == edges.end())
       {
-        return stretch;
+        return isoline;
       }
       e = *next;
     }

@@ -198,7 +198,7 @@ void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
   }
 }
 
-FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& charts,
+FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& matching,
   const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
   const std::vector<double>& window)
   : IsFeature(WithBoundary(geometry.Mesh, isFeature))
@@ -207,7 +207,7 @@ FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldMatchin
   , Base(geometry.Mesh.GetNumberOfEdges(), None)
 {
   this->FindChains(geometry.Mesh, isFrameless);
-  this->FindAxes(geometry, charts, isFrameless, window);
+  this->FindAxes(geometry, matching, isFrameless, window);
 }
 
 void FeatureLines::FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless)
@@ -270,11 +270,11 @@ void FeatureLines::FindChains(const TriangleMesh& mesh, const std::vector<char>&
   }
 }
 
-void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& charts,
+void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& matching,
   const std::vector<char>& isFrameless, const std::vector<double>& window)
 {
   const TriangleMesh& mesh = geometry.Mesh;
-  const int degree = charts.Degree;
+  const int degree = matching.Degree;
   std::vector<Index> component(mesh.GetNumberOfVertices(), 0);
   for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
   {
@@ -294,13 +294,13 @@ void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldMatchi
     {
       const Step& step = chain.Steps[i % count];
       const Index h = step.HalfEdge;
-      const int matching =
-        step.IsReversed ? -charts.MatchingAlong(mesh, h) : charts.MatchingAlong(mesh, h);
-      const double half = 0.5 * charts.RemainderAlong(mesh, h);
+      const int turn =
+        step.IsReversed ? -matching.MatchingAlong(mesh, h) : matching.MatchingAlong(mesh, h);
+      const double half = 0.5 * matching.RemainderAlong(mesh, h);
       const bool hasFrame = isFrameless[Start(mesh, step)] == 0;
       // The angle in the chart of the step's start, else in that of its end.
-      double angle = hasFrame != step.IsReversed ? charts.AngleAtTail(geometry, h) - half
-                                                 : charts.AngleAtHead(geometry, h) + half;
+      double angle = hasFrame != step.IsReversed ? matching.AngleAtTail(geometry, h) - half
+                                                 : matching.AngleAtHead(geometry, h) + half;
       angle += step.IsReversed ? Pi : 0.0;
       double direction = angle * degree / (2.0 * Pi) + turned;
       if (!lifted.Direction.empty())
@@ -311,7 +311,7 @@ void FeatureLines::FindAxes(const IntrinsicGeometry& geometry, const FieldMatchi
       lifted.Length.push_back(
         std::sqrt(geometry.Lengths.SquaredLength[mesh.Edge(h)]) * geometry.Lengths.Unit[c]);
       lifted.Turned.push_back(turned);
-      turned += hasFrame ? matching : 0;
+      turned += hasFrame ? turn : 0;
     }
     std::vector<int> rounded = RoundedMeans(lifted, window[c]);
     AbsorbShortRuns(lifted.Length, 0.5 * window[c], rounded);

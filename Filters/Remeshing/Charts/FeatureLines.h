@@ -32,7 +32,7 @@ struct FeatureLines
   /// @param isFrameless of each vertex
   /// @param window      length over which the direction of a curve is averaged before it is rounded
   ///                    to one of the field, in the input's unit; of each component
-  FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& charts,
+  FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& matching,
     const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
     const std::vector<double>& window);
 
@@ -74,7 +74,7 @@ struct FeatureLines
 
 private:
   void FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless);
-  void FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& charts,
+  void FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& matching,
     const std::vector<char>& isFrameless, const std::vector<double>& window);
 };
 }

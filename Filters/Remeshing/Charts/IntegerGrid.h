@@ -112,7 +112,7 @@ public:
   /// zeta^k
   Complex Root(int k) const { return std::polar(1.0, 2.0 * Pi * this->Wrapped(k) / this->Degree); }
 
-  static bool IsLatticePoint(const GridPoint& p)
+  static bool IsGridPoint(const GridPoint& p)
   {
     return (p.A & (Unit - 1)) == 0 && (p.B & (Unit - 1)) == 0;
   }

@@ -296,13 +296,7 @@ void ExtractionMesh::RemoveVertex(Index v, const Layout& layout,
 {
   const auto count = static_cast<Index>(layout.Ring.size());
   const auto edges = static_cast<Index>(layout.Star.size());
-  struct Side
-  {
-    Index Twin;
-    Transition Across;
-    Index Feature;
-  };
-  std::vector<Side> sides;
+  std::vector<RingSide> sides;
   for (Index i = 0; i < edges; ++i)
   {
     const Index outer = Next(layout.Star[i]);

@@ -106,6 +106,13 @@ public:
   Index EulerCharacteristic() const;
 
 private:
+  /// The outside of an edge of a ring, seen from the chart of the ring.
+  struct RingSide
+  {
+    Index Twin;
+    Transition Across;
+    Index Feature;
+  };
   void Link(Index h, Index twin, const Transition& across);
   Index AddTriangle();
 

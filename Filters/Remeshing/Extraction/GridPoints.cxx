@@ -299,11 +299,11 @@ void InsertGridPoints(ExtractionMesh& mesh)
   const Index triangles = mesh.GetNumberOfTriangles();
   for (Index h = 0; h < 3 * triangles; ++h)
   {
-    if (mesh.IsPositive(h / 3) && IntegerGrid::IsLatticePoint(mesh.Place(h)))
+    if (mesh.IsPositive(h / 3) && IntegerGrid::IsGridPoint(mesh.Place(h)))
     {
       mesh.SetKept(mesh.Tail(h), true);
     }
-    if (mesh.IsFeature(h) && IntegerGrid::IsLatticePoint(mesh.Place(h)))
+    if (mesh.IsFeature(h) && IntegerGrid::IsGridPoint(mesh.Place(h)))
     {
       mesh.SetKept(mesh.Tail(h), true);
     }

@@ -27,7 +27,7 @@ bool IsHypotenuse(const ExtractionMesh& mesh, Index h)
   const bool isUnit = (side.A == 0 && std::abs(side.B) == IntegerGrid::Unit) ||
     (side.B == 0 && std::abs(side.A) == IntegerGrid::Unit);
   const GridPoint diagonal = b - a;
-  return IntegerGrid::IsLatticePoint(a) && isUnit && std::abs(diagonal.A) == IntegerGrid::Unit &&
+  return IntegerGrid::IsGridPoint(a) && isUnit && std::abs(diagonal.A) == IntegerGrid::Unit &&
     std::abs(diagonal.B) == IntegerGrid::Unit && a + b == c + d;
 }
 
@@ -36,8 +36,8 @@ bool IsUnitTriangle(const ExtractionMesh& mesh, Index t)
   const GridPoint& a = mesh.Place(3 * t);
   const GridPoint& b = mesh.Place(3 * t + 1);
   const GridPoint& c = mesh.Place(3 * t + 2);
-  return IntegerGrid::IsLatticePoint(a) && mesh.IsPositive(t) &&
-    mesh.GetPlane().Turned(b - a, 1) == c - a && IntegerGrid::IsLatticePoint(b) &&
+  return IntegerGrid::IsGridPoint(a) && mesh.IsPositive(t) &&
+    mesh.GetPlane().Turned(b - a, 1) == c - a && IntegerGrid::IsGridPoint(b) &&
     std::abs(std::norm(mesh.GetPlane().Place(b - a)) - 1.0) < 1e-9;
 }
 

@@ -82,7 +82,7 @@ public:
   RoundedMinimum(ParametrizationEnergy& energy, const std::vector<double>& perLength)
     : Energy(energy)
     , Side(energy.RightHandSide(perLength))
-    , System(energy.AreFactored() ? &energy.GetSystem() : nullptr)
+    , System(energy.IsFactored() ? &energy.GetSystem() : nullptr)
   {
     if (this->System != nullptr && this->System->IsDefinite())
     {
@@ -232,7 +232,7 @@ void IntegerGridMap::Solve(
       return;
     }
     progress.Report(0.9);
-    this->Evaluate(energy.GetUnknowns(), *free);
+    this->Evaluate(energy.GetVariables(), *free);
     if (this->Failure)
     {
       return;
@@ -242,7 +242,7 @@ void IntegerGridMap::Solve(
   }
   if (!search.IsLastBest())
   {
-    this->Evaluate(energy.GetUnknowns(), search.GetBest());
+    this->Evaluate(energy.GetVariables(), search.GetBest());
   }
   if (search.IsExcessive())
   {
@@ -320,7 +320,7 @@ void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::
     places[v] = { value[2 * v], value[2 * v + 1] };
   }
   this->CollapsedFeatures.clear();
-  for (const FeatureIsoline& isoline : UnfoldIsolines(mesh, own, variables.Stretches, places))
+  for (const FeatureIsoline& isoline : UnfoldIsolines(mesh, own, variables.Isolines, places))
   {
     this->Collapse(mesh, isoline);
   }
@@ -329,7 +329,7 @@ void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::
   {
     this->Corners[h] = this->Plane.Apply(own[h], places[mesh.Triangles[h / 3].Vertex[h % 3]]);
   }
-  this->FindFoldedFeatures(mesh, variables.Stretches);
+  this->FindFoldedFeatures(mesh, variables.Isolines);
   this->FindTransitions(mesh, own);
 }
 

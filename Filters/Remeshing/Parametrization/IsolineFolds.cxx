@@ -36,9 +36,9 @@ public:
   }
 
   /// Returns whether the map goes forward along the isoline as a whole.
-  bool Unfold(const FeatureIsoline& stretch)
+  bool Unfold(const FeatureIsoline& isoline)
   {
-    const std::vector<FeatureIsoline::Step>& steps = stretch.Steps;
+    const std::vector<FeatureIsoline::Step>& steps = isoline.Steps;
     std::vector<std::int64_t> length;
     std::vector<double> wanted;
     std::int64_t total = 0;
@@ -90,15 +90,15 @@ private:
 }
 
 std::vector<FeatureIsoline> UnfoldIsolines(const CutMesh& mesh, const std::vector<Transition>& own,
-  const std::vector<FeatureIsoline>& stretches, std::vector<GridPoint>& places)
+  const std::vector<FeatureIsoline>& isolines, std::vector<GridPoint>& places)
 {
   Folds folds(mesh, own, places);
   std::vector<FeatureIsoline> collapsed;
-  for (const FeatureIsoline& stretch : stretches)
+  for (const FeatureIsoline& isoline : isolines)
   {
-    if (!folds.Unfold(stretch))
+    if (!folds.Unfold(isoline))
     {
-      collapsed.push_back(stretch);
+      collapsed.push_back(isoline);
     }
   }
   return collapsed;

@@ -18,7 +18,7 @@ namespace DirectionFields::Internal
 /// @param own    from the chart of each corner's vertex to the chart of its triangle
 /// @param places of each vertex in its own chart
 std::vector<FeatureIsoline> UnfoldIsolines(const CutMesh& mesh, const std::vector<Transition>& own,
-  const std::vector<FeatureIsoline>& stretches, std::vector<GridPoint>& places);
+  const std::vector<FeatureIsoline>& isolines, std::vector<GridPoint>& places);
 }
 
 #endif

@@ -16,12 +16,12 @@ constexpr double LeastRoom = 0.75;
 class Corners
 {
 public:
-  Corners(const SurfaceGeometry& geometry, const FieldMatching& charts,
+  Corners(const SurfaceGeometry& geometry, const FieldMatching& matching,
     const FeatureLines& features, const std::vector<char>& isFrameless,
     const std::vector<double>& perLength)
     : Geometry(geometry)
     , Mesh(geometry.Mesh)
-    , Charts(charts)
+    , Matching(matching)
     , Features(features)
     , IsFrameless(isFrameless)
     , PerLength(perLength)
@@ -40,7 +40,7 @@ public:
     {
       const Spoke& before = this->Spokes[(i + count - 1) % count];
       const Spoke& after = this->Spokes[i];
-      const int degree = this->Charts.Degree;
+      const int degree = this->Matching.Degree;
       const double sector = after.Angle - before.Angle + (i == 0 ? this->WholeAngle : 0.0);
       const int turns = after.Direction - before.Direction + (i == 0 ? this->WholeTurn : 0);
       // The multiple of 2 pi / n that the charts allow and that is nearest to the angle.
@@ -77,7 +77,7 @@ private:
   int DirectionAwayFrom(Index v, Index e) const
   {
     const bool isTail = this->Mesh.Tail(this->Mesh.HalfEdge(e)) == v;
-    return this->Features.Axis[e] + (isTail ? 0 : this->Charts.Degree / 2);
+    return this->Features.Axis[e] + (isTail ? 0 : this->Matching.Degree / 2);
   }
 
   void FindSpokes(Index v)
@@ -99,7 +99,7 @@ private:
     const auto inOwnChart = [&](Index h, bool isReversed)
     {
       const Index e = this->Mesh.Edge(h);
-      const int matching = this->Charts.MatchingAlong(this->Mesh, h);
+      const int matching = this->Matching.MatchingAlong(this->Mesh, h);
       const int toOwn = this->Features.Base[e] == v ? 0 : (isReversed ? -matching : matching);
       return this->DirectionAwayFrom(v, e) + toOwn;
     };
@@ -107,7 +107,7 @@ private:
     {
       const Index e = this->Mesh.Edge(h);
       add(e, hasFrame ? inOwnChart(h, false) : this->DirectionAwayFrom(v, e) + turned);
-      turned += this->Charts.MatchingAlong(this->Mesh, TriangleMesh::Next(h));
+      turned += this->Matching.MatchingAlong(this->Mesh, TriangleMesh::Next(h));
       angle += perAngle * this->Geometry.Transport.CornerAngle(this->Mesh, h);
     }
     if (this->Mesh.IsBoundary(v))
@@ -169,7 +169,7 @@ private:
 
   const SurfaceGeometry& Geometry;
   const TriangleMesh& Mesh;
-  const FieldMatching& Charts;
+  const FieldMatching& Matching;
   const FeatureLines& Features;
   const std::vector<char>& IsFrameless;
   const std::vector<double>& PerLength;
@@ -181,11 +181,11 @@ private:
 }
 
 std::vector<Index> EdgesInNarrowCorners(const SurfaceGeometry& geometry,
-  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const TriangleMesh::Component& component, const FieldMatching& matching,
   const FeatureLines& features, const std::vector<char>& isFrameless,
   const std::vector<double>& perLength)
 {
-  Corners corners(geometry, charts, features, isFrameless, perLength);
+  Corners corners(geometry, matching, features, isFrameless, perLength);
   for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
   {
     corners.Visit(v);

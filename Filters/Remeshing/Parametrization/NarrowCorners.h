@@ -17,7 +17,7 @@ namespace DirectionFields::Internal
 /// room for an edge of the grid.
 /// @param perLength 1 / h of each vertex of the mesh, h the wanted length of an edge
 std::vector<Index> EdgesInNarrowCorners(const SurfaceGeometry& geometry,
-  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const TriangleMesh::Component& component, const FieldMatching& matching,
   const FeatureLines& features, const std::vector<char>& isFrameless,
   const std::vector<double>& perLength);
 }

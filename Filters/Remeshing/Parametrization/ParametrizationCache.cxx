@@ -42,7 +42,7 @@ ParametrizationCache::Features::Features(const TriangleMesh::Component& componen
 }
 
 const CutMesh& ParametrizationCache::MeshFor(const SurfaceGeometry& geometry,
-  const TriangleMesh::Component& component, const FieldMatching& charts,
+  const TriangleMesh::Component& component, const FieldMatching& matching,
   const FeatureLines& features, const std::vector<char>& isFrameless,
   const std::vector<Complex>& section)
 {
@@ -52,16 +52,16 @@ const CutMesh& ParametrizationCache::MeshFor(const SurfaceGeometry& geometry,
     this->Energy.reset();
     this->Mesh.reset();
     this->Made = std::move(wanted);
-    const CutGraph jumps(geometry, component, charts, features, isFrameless);
+    const CutGraph graph(geometry, component, matching, features, isFrameless);
     this->Mesh = std::make_unique<const CutMesh>(
-      geometry, component, charts, features, isFrameless, jumps, section);
+      geometry, component, matching, features, isFrameless, graph, section);
   }
   return *this->Mesh;
 }
 
 ParametrizationEnergy& ParametrizationCache::EnergyFor(const std::vector<double>& perLength)
 {
-  if (this->Energy == nullptr || !this->Energy->AreFor(perLength))
+  if (this->Energy == nullptr || !this->Energy->IsFor(perLength))
   {
     this->Energy.reset();
     this->Energy = std::make_unique<ParametrizationEnergy>(*this->Mesh, perLength);
@@ -71,7 +71,7 @@ ParametrizationEnergy& ParametrizationCache::EnergyFor(const std::vector<double>
 
 void ParametrizationCache::Shrink(double share)
 {
-  if (this->Energy != nullptr && !this->Energy->AreFactored())
+  if (this->Energy != nullptr && !this->Energy->IsFactored())
   {
     this->Energy.reset();
   }

@@ -21,8 +21,8 @@ class ParametrizationCache
 public:
   /// Of one component and one field, always the same.
   const CutMesh& MeshFor(const SurfaceGeometry& geometry, const TriangleMesh::Component& component,
-    const FieldMatching& charts, const FeatureLines& features, const std::vector<char>& isFrameless,
-    const std::vector<Complex>& section);
+    const FieldMatching& matching, const FeatureLines& features,
+    const std::vector<char>& isFrameless, const std::vector<Complex>& section);
   /// The energy on the mesh of the last MeshFor.
   /// @param perLength 1 / h of each of its vertices, h the wanted length of an edge of the grid
   ParametrizationEnergy& EnergyFor(const std::vector<double>& perLength);

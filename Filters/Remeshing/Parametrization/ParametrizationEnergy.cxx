@@ -18,11 +18,11 @@ constexpr double LeastWeight = 0.05;
 ParametrizationEnergy::ParametrizationEnergy(
   const CutMesh& mesh, const std::vector<double>& perLength)
   : Plane(mesh.Degree)
-  , Unknowns(mesh)
-  , IsShort(this->Unknowns.ShortStretches(perLength))
+  , Variables(mesh)
+  , IsShort(this->Variables.ShortIsolines(perLength))
 {
-  this->Unknowns.BoundStretches(this->IsShort);
-  const IntegerElimination& solved = this->Unknowns.Solved;
+  this->Variables.BoundIsolines(this->IsShort);
+  const IntegerElimination& solved = this->Variables.Solved;
   this->Slot.assign(solved.GetNumberOfVariables(), None);
   for (const bool areIntegers : { false, true })
   {
@@ -39,7 +39,7 @@ ParametrizationEnergy::ParametrizationEnergy(
   const std::size_t edges = 3 * mesh.Triangles.size() / 2;
   this->Edges.reserve(edges);
   this->Ends.reserve(2 * edges);
-  this->Variables.reserve(4 * edges);
+  this->Terms.reserve(4 * edges);
   this->Factors.reserve(4 * edges);
   this->Entries.reserve((mesh.Degree == 4 ? 6 : 10) * edges);
   for (Index t = 0; t < static_cast<Index>(mesh.Triangles.size()); ++t)
@@ -59,7 +59,7 @@ ParametrizationEnergy::ParametrizationEnergy(
   }
   this->Edges.shrink_to_fit();
   this->Ends.shrink_to_fit();
-  this->Variables.shrink_to_fit();
+  this->Terms.shrink_to_fit();
   this->Factors.shrink_to_fit();
 }
 
@@ -67,10 +67,10 @@ void ParametrizationEnergy::AddEdge(const Edge& edge)
 {
   const Index t = edge.HalfEdge / 3;
   const int c = edge.HalfEdge % 3;
-  SymbolicGridPoint difference = this->Unknowns.Corner(t, (c + 1) % 3);
-  difference.Add(this->Unknowns.Corner(t, c), -1);
-  const std::array<IntegerSum, 2> sums = { this->Unknowns.Solved.Resolve(difference.A),
-    this->Unknowns.Solved.Resolve(difference.B) };
+  SymbolicGridPoint difference = this->Variables.Corner(t, (c + 1) % 3);
+  difference.Add(this->Variables.Corner(t, c), -1);
+  const std::array<IntegerSum, 2> sums = { this->Variables.Solved.Resolve(difference.A),
+    this->Variables.Solved.Resolve(difference.B) };
   // |a + b zeta|^2 = a^2 + b^2 + 2 Re(zeta) a b
   const double mixed = this->Mixed();
   for (int i = 0; i < 2; ++i)
@@ -78,7 +78,7 @@ void ParametrizationEnergy::AddEdge(const Edge& edge)
     for (const auto& [v, p] : sums[i])
     {
       const Index row = this->Slot[v];
-      this->Variables.push_back(row);
+      this->Terms.push_back(row);
       this->Factors.push_back(static_cast<double>(p));
       for (int j = 0; j < 2; ++j)
       {
@@ -93,7 +93,7 @@ void ParametrizationEnergy::AddEdge(const Edge& edge)
         }
       }
     }
-    this->Ends.push_back(this->Variables.size());
+    this->Ends.push_back(this->Terms.size());
   }
 }
 
@@ -113,7 +113,7 @@ Eigen::VectorXd ParametrizationEnergy::RightHandSide(const std::vector<double>& 
       const double value = this->Edges[e].Weight * (target[i] + this->Mixed() * target[1 - i]);
       for (; k < this->Ends[2 * e + i]; ++k)
       {
-        side[this->Variables[k]] += this->Factors[k] * value;
+        side[this->Terms[k]] += this->Factors[k] * value;
       }
     }
   }
@@ -124,7 +124,7 @@ Eigen::VectorXd ParametrizationEnergy::Least() const
 {
   Eigen::VectorXd least = Eigen::VectorXd::Constant(
     this->GetNumberOfIntegers(), -std::numeric_limits<double>::infinity());
-  for (const Index v : this->Unknowns.Bounded)
+  for (const Index v : this->Variables.Bounded)
   {
     least[this->Slot[v] - this->Reals] = 1.0;
   }
@@ -136,12 +136,12 @@ double ParametrizationEnergy::AreaAt(const Eigen::VectorXd& x)
   std::vector<double> value(this->Slot.size(), 0.0);
   for (Index v = 0; v < static_cast<Index>(value.size()); ++v)
   {
-    if (this->Unknowns.Solved.IsFree(v))
+    if (this->Variables.Solved.IsFree(v))
     {
       value[v] = x[this->Slot[v]];
       continue;
     }
-    for (const auto& [w, p] : this->Unknowns.Solved.Resolve(v))
+    for (const auto& [w, p] : this->Variables.Solved.Resolve(v))
     {
       value[v] += static_cast<double>(p) * x[this->Slot[w]];
     }
@@ -167,7 +167,7 @@ double ParametrizationEnergy::AreaAt(const Eigen::VectorXd& x)
       corners[c] = turned(triangle.Vertex[c], t.Turn);
       for (const Jump& jump : t.Jumps)
       {
-        const Place shift = turned(this->Unknowns.Vertices + jump.Variable, jump.Turn);
+        const Place shift = turned(this->Variables.Vertices + jump.Variable, jump.Turn);
         corners[c] = { corners[c][0] + shift[0], corners[c][1] + shift[1] };
       }
     }
@@ -178,7 +178,7 @@ double ParametrizationEnergy::AreaAt(const Eigen::VectorXd& x)
   return area;
 }
 
-bool ParametrizationEnergy::AreFactored() const
+bool ParametrizationEnergy::IsFactored() const
 {
   return this->GetNumberOfIntegers() <= MostRounded;
 }

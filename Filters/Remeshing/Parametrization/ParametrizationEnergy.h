@@ -25,12 +25,12 @@ public:
   ParametrizationEnergy& operator=(const ParametrizationEnergy&) = delete;
 
   /// Whether the same feature isolines have a bound for these lengths.
-  bool AreFor(const std::vector<double>& perLength) const
+  bool IsFor(const std::vector<double>& perLength) const
   {
-    return this->IsShort == this->Unknowns.ShortStretches(perLength);
+    return this->IsShort == this->Variables.ShortIsolines(perLength);
   }
-  const CutMesh& GetMesh() const { return this->Unknowns.Mesh; }
-  ParametrizationVariables& GetUnknowns() { return this->Unknowns; }
+  const CutMesh& GetMesh() const { return this->Variables.Mesh; }
+  ParametrizationVariables& GetVariables() { return this->Variables; }
   Index GetNumberOfIntegers() const { return this->Count - this->Reals; }
 
   /// The linear part of the energy.
@@ -42,7 +42,7 @@ public:
 
   /// False where there are too many integers to be rounded with regard to each other: there is no
   /// system then.
-  bool AreFactored() const;
+  bool IsFactored() const;
   /// Factored when it is asked for.
   const SchurSystem& GetSystem();
   /// As that of the system.
@@ -61,7 +61,7 @@ private:
   double Mixed() const { return this->Plane.GetDegree() == 4 ? 0.0 : 0.5; }
 
   IntegerGrid Plane;
-  ParametrizationVariables Unknowns;
+  ParametrizationVariables Variables;
   std::vector<char> IsShort;
   /// The place of each free variable in the system.
   std::vector<Index> Slot;
@@ -73,7 +73,7 @@ private:
   std::vector<Edge> Edges;
   /// The variables in the sums that are the two coordinates of each edge, their factors, and the
   /// end of each coordinate's sum.
-  std::vector<Index> Variables;
+  std::vector<Index> Terms;
   std::vector<double> Factors;
   std::vector<std::size_t> Ends;
 };

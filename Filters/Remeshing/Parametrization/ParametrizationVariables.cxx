@@ -54,7 +54,7 @@ ParametrizationVariables::ParametrizationVariables(const CutMesh& mesh)
   , Vertices(static_cast<Index>(mesh.Positions.size()))
   , IsPoint(mesh.Positions.size(), 0)
   , Solved(this->Flags())
-  , Stretches(FindFeatureIsolines(mesh, this->IsPoint))
+  , Isolines(FindFeatureIsolines(mesh, this->IsPoint))
 {
   this->FixOrigin();
   for (const CutMesh::Cone& cone : mesh.Cones)
@@ -77,14 +77,14 @@ ParametrizationVariables::ParametrizationVariables(const CutMesh& mesh)
   }
 }
 
-std::vector<char> ParametrizationVariables::ShortStretches(
+std::vector<char> ParametrizationVariables::ShortIsolines(
   const std::vector<double>& perLength) const
 {
   std::vector<char> isShort;
-  for (const FeatureIsoline& stretch : this->Stretches)
+  for (const FeatureIsoline& isoline : this->Isolines)
   {
     double wanted = 0.0;
-    for (const FeatureIsoline::Step& step : stretch.Steps)
+    for (const FeatureIsoline::Step& step : isoline.Steps)
     {
       const CutMesh::IsolineEdge& edge = this->Mesh.Isolines[step.Isoline];
       wanted += 0.5 * std::abs(this->Mesh.Triangles[edge.Triangle].Target[edge.Corner]) *
@@ -99,16 +99,16 @@ std::vector<char> ParametrizationVariables::ShortStretches(
   return isShort;
 }
 
-void ParametrizationVariables::BoundStretches(const std::vector<char>& isShort)
+void ParametrizationVariables::BoundIsolines(const std::vector<char>& isShort)
 {
-  for (std::size_t k = 0; k < this->Stretches.size(); ++k)
+  for (std::size_t k = 0; k < this->Isolines.size(); ++k)
   {
     if (isShort[k] == 0)
     {
       continue;
     }
     IntegerSum length;
-    for (const FeatureIsoline::Step& step : this->Stretches[k].Steps)
+    for (const FeatureIsoline::Step& step : this->Isolines[k].Steps)
     {
       Append(length, this->Along(this->Mesh.Isolines[step.Isoline]).A, 1);
     }

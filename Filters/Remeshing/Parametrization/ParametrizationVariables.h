@@ -34,10 +34,10 @@ public:
 
   /// Not 0 for each feature isoline that rounding could shorten to nothing.
   /// @param perLength 1 / h of each vertex, h the wanted length of an edge of the grid
-  std::vector<char> ShortStretches(const std::vector<double>& perLength) const;
+  std::vector<char> ShortIsolines(const std::vector<double>& perLength) const;
   /// From now on the lengths of these feature isolines are variables, as far as they can be free,
   /// so that rounding can give each of them at least one edge.
-  void BoundStretches(const std::vector<char>& isShort);
+  void BoundIsolines(const std::vector<char>& isShort);
 
   /// The coordinates of a corner in the chart of its triangle.
   SymbolicGridPoint Corner(Index t, int c) const;
@@ -50,7 +50,7 @@ public:
   /// The variable of a vertex and the turn that makes it the second coordinate.
   std::map<std::pair<Index, int>, Index> AcrossFeature;
   IntegerElimination Solved;
-  std::vector<FeatureIsoline> Stretches;
+  std::vector<FeatureIsoline> Isolines;
   /// The variables that are to be at least 1.
   std::vector<Index> Bounded;
 

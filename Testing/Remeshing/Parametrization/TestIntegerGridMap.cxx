@@ -59,7 +59,7 @@ TEST(IntegerGridMap, AgreesAcrossEveryEdgeExactly)
         const auto g = static_cast<std::size_t>(twin);
         EXPECT_EQ(plane.Apply(map.GetAcross()[h], map.GetCorners()[g]), map.GetCorners()[next(h)]);
         EXPECT_EQ(plane.Apply(map.GetAcross()[h], map.GetCorners()[next(g)]), map.GetCorners()[h]);
-        EXPECT_TRUE(IntegerGrid::IsLatticePoint(map.GetAcross()[h].Shift));
+        EXPECT_TRUE(IntegerGrid::IsGridPoint(map.GetAcross()[h].Shift));
       }
     }
   }
@@ -83,7 +83,7 @@ TEST(IntegerGridMap, ConesAreGridPointsAndFeaturesAreLinesOfTheGrid)
       {
         if (isCone[mesh.Triangles[h / 3].Vertex[h % 3]] != 0)
         {
-          EXPECT_TRUE(IntegerGrid::IsLatticePoint(map.GetCorners()[h]));
+          EXPECT_TRUE(IntegerGrid::IsGridPoint(map.GetCorners()[h]));
         }
       }
       const IntegerGrid plane(degree);
@@ -135,7 +135,10 @@ TEST(IntegerGridMap, TorusCoversTheQuotientOfThePlaneAWholeNumberOfTimes)
   for (const int degree : { 4, 6 })
   {
     const CutExample example = CutExample::AlongParallels(Meshes::Torus(24, 16), degree);
-    ASSERT_TRUE(example.Mesh.Cones.empty());
+    for (const CutMesh::Cone& cone : example.Mesh.Cones)
+    {
+      ASSERT_EQ(cone.Holonomy.Turn, 0);
+    }
     const double perLength = 7.0;
     const IntegerGridMap map(example.Mesh, example.Settings(perLength));
     ASSERT_FALSE(map.GetFailure());
