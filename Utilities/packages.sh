@@ -77,8 +77,9 @@ if [[ $release == 12 ]]; then
   style_packages+=(clang-format-14)
 fi
 
+# What is done now, after how many minutes and seconds.
 say() {
-  printf '== %s\n' "$*"
+  printf '== %d:%02d %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"
 }
 
 fail() {
