@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distance/TriangleRuns.h"
 #include "Geometry/SurfaceGeometry.h"
 #include "Laplacian/LaplacianCycle.h"
 #include "Meshes/Surfaces.h"
@@ -173,42 +172,4 @@ TEST(Laplacian, GroupsAreOneUnknown)
   problem.Forms.SubtractRise(solver.Spread(values), rise);
   const Eigen::VectorXd image = -solver.Gathered(problem.Forms.Inflow(rise));
   EXPECT_LT((image - right).norm(), 1e-6 * right.norm());
-}
-
-TEST(TriangleRuns, FindWhatTheTreeFinds)
-{
-  for (const double scale : { 1.0, 1e-150, 1e150 })
-  {
-    Surface surface = Meshes::Torus(47, 23);
-    for (Vector3& point : surface.Points)
-    {
-      point *= scale;
-    }
-    LargeArray<Index> order(surface.Triangles.size());
-    std::iota(order.begin(), order.end(), 0);
-    const TriangleRuns runs(surface, std::move(order));
-    const ClosestPoints tree(surface);
-    std::vector<Vector3> places = { surface.Points[17], surface.Points.back(), Vector3::Zero() };
-    for (unsigned seed = 0; seed < 50; ++seed)
-    {
-      const Eigen::VectorXd place = RandomNumbers(4, seed);
-      places.emplace_back(scale * (seed % 5 == 0 ? 100.0 : 4.0) * place.head<3>());
-    }
-    for (const Vector3& place : places)
-    {
-      const ClosestPoints::Answer found = runs.Find(place);
-      const ClosestPoints::Answer expected = tree.Find(place);
-      EXPECT_EQ(found.Triangle, expected.Triangle);
-      EXPECT_EQ(found.Weights, expected.Weights);
-      EXPECT_EQ(found.Position, expected.Position);
-    }
-  }
-}
-
-TEST(TriangleRuns, FindOnlyWhatIsInTheOrder)
-{
-  const Surface surface = Meshes::Torus(11, 7);
-  EXPECT_EQ(
-    TriangleRuns(surface, { 3 }).Find(surface.Points[surface.Triangles[80][0]]).Triangle, 3);
-  EXPECT_EQ(TriangleRuns(surface, {}).Find(Vector3::Zero()).Triangle, None);
 }
