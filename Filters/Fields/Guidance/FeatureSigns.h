@@ -20,7 +20,7 @@ namespace DirectionFields::Internal
 /// that of the vertex with the lowest point. Only transports and the numbers of points decide, so
 /// that neither the coordinate frame nor the winding matters.
 ///
-/// Growing is more than half of the code, and pays: with the spanning forest of neighbours alone
+/// Growing is two fifths of the code, and pays: with the spanning forest of neighbours alone
 /// the fields of six parts (degrees 1, 3 and 5) have 100 to 116 units of index more than they need,
 /// not 84, and up to 1.6 times the energy.
 /// @param degree odd
