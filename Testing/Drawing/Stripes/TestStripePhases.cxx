@@ -5,6 +5,7 @@
 #include "Drawing/Stripes/Patterns.h"
 #include "Stripes/PhaseDiffusion.h"
 #include "Stripes/PhaseSmoothing.h"
+#include "Stripes/StripeLevels.h"
 #include "Stripes/StripeMatrices.h"
 
 #include <Eigen/Dense>
@@ -18,6 +19,7 @@
 #include <vector>
 
 using namespace DirectionFields;
+using namespace DirectionFields::Internal;
 using namespace Patterns;
 
 namespace
