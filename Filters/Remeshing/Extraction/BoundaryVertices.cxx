@@ -61,7 +61,7 @@ void InsertBoundaryVertices(ExtractedMesh& cells, std::vector<BoundaryVertices>&
   std::sort(all.begin(), all.end(),
     [&](const BoundaryVertices& a, const BoundaryVertices& b)
     { return ends(a.Tail, a.Head) < ends(b.Tail, b.Head); });
-  std::vector<ExtractedMesh::LineEdge> kept;
+  std::vector<ExtractedMesh::LineEdge> others;
   for (const ExtractedMesh::LineEdge& edge : cells.LineEdges)
   {
     const std::array<Index, 2> key = ends(edge.Ends[0], edge.Ends[1]);
@@ -74,10 +74,10 @@ void InsertBoundaryVertices(ExtractedMesh& cells, std::vector<BoundaryVertices>&
     }
     else
     {
-      kept.push_back(edge);
+      others.push_back(edge);
     }
   }
-  cells.LineEdges = std::move(kept);
+  cells.LineEdges = std::move(others);
   std::sort(all.begin(), all.end(),
     [](const BoundaryVertices& a, const BoundaryVertices& b)
     { return a.Face != b.Face ? a.Face < b.Face : a.Tail < b.Tail; });

@@ -63,12 +63,13 @@ int FaceEdits::Growth(Index v, Index more) const
 int FaceEdits::GrowthBy(const Edit& edit) const
 {
   int grown = 0;
-  if (edit.Way != None && edit.Second == None)
+  if (edit.Diagonal != None && edit.Second == None)
   {
     const Faces::Face& face = this->Cells.Face(edit.First);
-    return this->Growth(face[edit.Way], 1) + this->Growth(face[edit.Way + 2], 1) + 2 * PerTriangle;
+    return this->Growth(face[edit.Diagonal], 1) + this->Growth(face[edit.Diagonal + 2], 1) +
+      2 * PerTriangle;
   }
-  if (edit.Way != None)
+  if (edit.Diagonal != None)
   {
     const std::vector<Index> polygon = this->PolygonOf(edit.First, edit.Second);
     const std::size_t size = polygon.size();
@@ -78,9 +79,9 @@ int FaceEdits::GrowthBy(const Edit& edit) const
     }
     // The ends of the common edge are the first corner and the last one of the first face.
     const std::size_t tail = Faces::Size(this->Cells.Face(edit.First)) - 1;
-    const std::size_t first = edit.Way;
+    const std::size_t first = edit.Diagonal;
     const std::size_t second = (first + (size == 6 ? 3 : 2)) % size;
-    const bool isJoined = size == 4 && edit.Way == 0;
+    const bool isJoined = size == 4 && edit.Diagonal == 0;
     for (std::size_t k = 0; k < size; ++k)
     {
       const Index more =
@@ -129,10 +130,10 @@ std::vector<FaceEdits::Edit> FaceEdits::Find(Index v) const
       if (g != None && isFirst && !this->Cells.IsLineEdge(a, b))
       {
         const int other = Faces::Size(this->Cells.Face(g));
-        const int ways = size + other == 6 ? 2 : size + other == 7 ? 5 : 3;
-        for (int way = 0; way < ways; ++way)
+        const int diagonals = size + other == 6 ? 2 : size + other == 7 ? 5 : 3;
+        for (int diagonal = 0; diagonal < diagonals; ++diagonal)
         {
-          edits.push_back({ f, g, way });
+          edits.push_back({ f, g, diagonal });
         }
         if (size == 3 || other == 3)
         {
@@ -189,17 +190,17 @@ bool FaceEdits::IsAlongLine(Index goes, Index stays) const
     !this->Cells.AreJoined(ends[0], ends[1]);
 }
 
-bool FaceEdits::Cut(Index f, Index way)
+bool FaceEdits::Cut(Index f, Index diagonal)
 {
   const Faces::Face face = this->Cells.Face(f);
-  const Index a = face[way];
-  const Index b = face[way + 2];
+  const Index a = face[diagonal];
+  const Index b = face[diagonal + 2];
   if (this->Cells.AreJoined(a, b))
   {
     return false;
   }
-  this->Cells.Set(f, { a, face[way + 1], b, None });
-  this->Cells.Add({ a, b, face[(way + 3) % 4], None });
+  this->Cells.Set(f, { a, face[diagonal + 1], b, None });
+  this->Cells.Add({ a, b, face[(diagonal + 3) % 4], None });
   return true;
 }
 
@@ -240,8 +241,8 @@ bool FaceEdits::Exchange(const Edit& edit, const std::vector<Index>& polygon)
 {
   const std::size_t size = polygon.size();
   const auto at = [&](std::size_t k) { return polygon[k % size]; };
-  const auto way = static_cast<std::size_t>(edit.Way);
-  if (size == 4 && way == 0)
+  const auto diagonal = static_cast<std::size_t>(edit.Diagonal);
+  if (size == 4 && diagonal == 0)
   {
     this->Cells.Set(edit.First, { at(0), at(1), at(2), at(3) });
     this->Cells.Set(edit.Second, Nothing);
@@ -249,15 +250,15 @@ bool FaceEdits::Exchange(const Edit& edit, const std::vector<Index>& polygon)
   }
   // A diagonal that cuts off a triangle, of six corners a quad.
   const std::size_t across = size == 6 ? 3 : 2;
-  if (this->Cells.AreJoined(at(way), at(way + across)))
+  if (this->Cells.AreJoined(at(diagonal), at(diagonal + across)))
   {
     return false;
   }
-  this->Cells.Set(
-    edit.First, { at(way), at(way + 1), at(way + 2), size == 6 ? at(way + 3) : None });
+  this->Cells.Set(edit.First,
+    { at(diagonal), at(diagonal + 1), at(diagonal + 2), size == 6 ? at(diagonal + 3) : None });
   this->Cells.Set(edit.Second,
-    { at(way + across), at(way + across + 1), size == 4 ? at(way) : at(way + across + 2),
-      size == 4 ? None : at(way) });
+    { at(diagonal + across), at(diagonal + across + 1),
+      size == 4 ? at(diagonal) : at(diagonal + across + 2), size == 4 ? None : at(diagonal) });
   return true;
 }
 
@@ -335,7 +336,7 @@ bool FaceEdits::Do(const Edit& edit)
   const std::size_t before = this->Cells.GetChanges().size();
   std::vector<Index> touched;
   bool isDone = false;
-  if (edit.Way != None)
+  if (edit.Diagonal != None)
   {
     if (!this->Cells.IsFace(edit.First) ||
       (edit.Second != None && !this->Cells.IsFace(edit.Second)))
@@ -344,7 +345,7 @@ bool FaceEdits::Do(const Edit& edit)
     }
     if (edit.Second == None)
     {
-      return Faces::Size(this->Cells.Face(edit.First)) == 4 && this->Cut(edit.First, edit.Way);
+      return Faces::Size(this->Cells.Face(edit.First)) == 4 && this->Cut(edit.First, edit.Diagonal);
     }
     touched = this->PolygonOf(edit.First, edit.Second);
     isDone = !touched.empty() && this->Exchange(edit, touched);
@@ -370,7 +371,7 @@ bool FaceEdits::Do(const Edit& edit)
       [&](Index v)
       {
         return this->HasEnoughFaces(v) ||
-          (edit.Way == None && v == edit.First && this->Cells.At(v).empty());
+          (edit.Diagonal == None && v == edit.First && this->Cells.At(v).empty());
       });
   if (!isGood)
   {

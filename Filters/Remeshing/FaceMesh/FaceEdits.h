@@ -44,8 +44,8 @@ public:
     /// Faces, or vertices: the first one goes. The second face is None where a quad is cut.
     Index First;
     Index Second;
-    /// The number of the cut; None for merged vertices.
-    Index Way;
+    /// The number of the diagonal along which faces are cut; None for merged vertices.
+    Index Diagonal;
   };
   /// The edits of faces at a vertex.
   std::vector<Edit> Find(Index v) const;
@@ -65,7 +65,7 @@ public:
 
 private:
   bool Exchange(const Edit& edit, const std::vector<Index>& polygon);
-  bool Cut(Index f, Index way);
+  bool Cut(Index f, Index diagonal);
   bool IsAlongLine(Index goes, Index stays) const;
   bool Merge(Index goes, Index stays, const std::vector<Index>& around);
   /// The polygon of two faces with one common edge, whose other vertices differ, from an end of

@@ -111,7 +111,7 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
     RelaxFaces(movable, settings.Steps - before, progress.Part(0.5, 0.7));
     ImproveFaces(movable, progress.Part(0.7, 0.9));
   }
-  if (settings.AreQuads && settings.Mends)
+  if (settings.AreQuads && settings.RepairsFaces)
   {
     RepairQuality(
       stars, movable, mesh.Vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));

@@ -19,7 +19,7 @@ struct ShapingSettings
   /// The field is of degree 4: faces may be changed.
   bool AreQuads = true;
   /// Bad faces are repaired.
-  bool Mends = true;
+  bool RepairsFaces = true;
   /// Quads may become triangles where faces get better.
   bool MayMakeTriangles = false;
   /// Triangles are joined in pairs before anything else.

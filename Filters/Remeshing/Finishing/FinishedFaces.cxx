@@ -48,7 +48,7 @@ bool FinishFaces(FaceMesh& mesh, QuadPolicy policy, bool areQuads, int steps, do
   };
   const bool isSplit = policy == QuadPolicy::Split;
   ShapingSettings settings{ steps, areQuads };
-  settings.Mends = isSplit;
+  settings.RepairsFaces = isSplit;
   settings.MayMakeTriangles = true;
   settings.IsDraft = isSplit;
   shape(isSplit ? 2.0 * edgeLength : edgeLength, settings, progress.Part(0.0, 0.4));
@@ -68,7 +68,7 @@ bool FinishFaces(FaceMesh& mesh, QuadPolicy policy, bool areQuads, int steps, do
   settings.MayMakeTriangles = policy == QuadPolicy::Mixed;
   settings.JoinsTriangles = !isSplit;
   settings.IsDraft = false;
-  settings.Mends = true;
+  settings.RepairsFaces = true;
   shape(edgeLength, settings, progress.Part(0.4, 1.0));
   if (policy == QuadPolicy::Mixed)
   {

@@ -34,10 +34,10 @@ constexpr int Moves = 6;
 /// Number of edits that look best after a few moves and are tried thoroughly.
 constexpr std::size_t MostLooks = 12;
 
-class Mends
+class FaceRepairs
 {
 public:
-  Mends(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules,
+  FaceRepairs(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules,
     bool mayMakeTriangles)
     : Cells(faces)
     , Places(places)
@@ -48,7 +48,7 @@ public:
   }
 
   /// Vertices of edits are away from hubs.
-  bool MayMend(Index f) const
+  bool MayRepair(Index f) const
   {
     const Faces::Face& face = this->Cells.Face(f);
     return std::none_of(face.begin(), face.begin() + Faces::Size(face),
@@ -61,7 +61,7 @@ public:
     return ScaledJacobian(this->Places.GetPoints(), this->Cells.Face(f));
   }
 
-  bool Mend(Index f)
+  bool Repair(Index f)
   {
     const std::size_t start = this->Cells.GetChanges().size();
     std::vector<Trial> trials;
@@ -134,7 +134,7 @@ private:
 
   static bool IsSame(const FaceEdits::Edit& a, const FaceEdits::Edit& b)
   {
-    return a.First == b.First && a.Second == b.Second && a.Way == b.Way;
+    return a.First == b.First && a.Second == b.Second && a.Diagonal == b.Diagonal;
   }
 
   /// Tries each edit of the faces at the vertices, after the edits that are already applied.
@@ -337,7 +337,8 @@ void RepairQuality(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles, const Progress& progress)
 {
   // A singularity is better than a bad face, but not the other way round.
-  Mends mends(faces, places, WithoutLocks(RulesFor(faces, places, vertices)), mayMakeTriangles);
+  FaceRepairs repairs(
+    faces, places, WithoutLocks(RulesFor(faces, places, vertices)), mayMakeTriangles);
   Index left = MostAnyway + faces.GetNumberOfFaces() / OneOf;
   // Nothing was found for a face, and nothing has changed around it since.
   std::vector<char> isHopeless;
@@ -348,7 +349,7 @@ void RepairQuality(VertexStars& faces, MovableFaces& places,
     isHopeless.resize(faces.GetNumberOfFaces(), 0);
     for (Index f = 0; f < faces.GetNumberOfFaces(); ++f)
     {
-      const double quality = faces.IsFace(f) && isHopeless[f] == 0 ? mends.Quality(f) : 1.0;
+      const double quality = faces.IsFace(f) && isHopeless[f] == 0 ? repairs.Quality(f) : 1.0;
       if (quality < Bad)
       {
         bad.emplace_back(quality, f);
@@ -358,15 +359,15 @@ void RepairQuality(VertexStars& faces, MovableFaces& places,
     hasChanged = false;
     for (const auto& [quality, f] : bad)
     {
-      if (left == 0 || !faces.IsFace(f) || mends.Quality(f) >= Bad || !mends.MayMend(f))
+      if (left == 0 || !faces.IsFace(f) || repairs.Quality(f) >= Bad || !repairs.MayRepair(f))
       {
         continue;
       }
       --left;
       const std::size_t before = faces.GetChanges().size();
-      const bool isMended = mends.Mend(f);
-      isHopeless[f] = isMended ? 0 : 1;
-      hasChanged = hasChanged || isMended;
+      const bool isRepaired = repairs.Repair(f);
+      isHopeless[f] = isRepaired ? 0 : 1;
+      hasChanged = hasChanged || isRepaired;
       isHopeless.resize(faces.GetNumberOfFaces(), 0);
       for (const Index v : faces.TouchedSince(before))
       {

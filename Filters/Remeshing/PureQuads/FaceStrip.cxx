@@ -27,28 +27,28 @@ bool HasEdge(const Faces::Face& face, Index tail, Index head)
   return has;
 }
 
-FaceStrip::FaceStrip(const VertexStars& faces, const std::vector<Index>& way)
+FaceStrip::FaceStrip(const VertexStars& faces, const std::vector<Index>& path)
   : Cells(faces)
 {
   std::vector<std::array<Index, 2>> ends;
-  for (std::size_t k = 0; k + 1 < way.size(); ++k)
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
   {
-    ends.push_back(this->EdgeBetween(way[k], way[k + 1]));
+    ends.push_back(this->EdgeBetween(path[k], path[k + 1]));
   }
   const std::size_t count = ends.size();
-  this->Walk(way[0], ends[0][1], ends[0][0]);
+  this->Walk(path[0], ends[0][1], ends[0][0]);
   // The left end of the first edge is to be the last one.
   this->Polygon.erase(this->Polygon.begin());
   this->Edges.resize(count);
   for (std::size_t k = 0; k < count; ++k)
   {
     this->Edges[k][0] = this->Polygon.size();
-    this->Walk(way[k + 1], ends[k][0], k + 1 < count ? ends[k + 1][0] : ends[k][1]);
+    this->Walk(path[k + 1], ends[k][0], k + 1 < count ? ends[k + 1][0] : ends[k][1]);
   }
   for (std::size_t k = count - 1; k > 0; --k)
   {
     this->Edges[k][1] = this->Polygon.size();
-    this->Walk(way[k], ends[k][1], ends[k - 1][1]);
+    this->Walk(path[k], ends[k][1], ends[k - 1][1]);
   }
   this->Edges[0][1] = this->Polygon.size();
   this->Polygon.push_back(ends[0][1]);

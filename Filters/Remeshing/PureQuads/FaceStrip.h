@@ -21,8 +21,8 @@ bool HasEdge(const Faces::Face& face, Index tail, Index head);
 class FaceStrip
 {
 public:
-  /// @param way the faces; edges of lines are not between them
-  FaceStrip(const VertexStars& faces, const std::vector<Index>& way);
+  /// @param path the faces; edges of lines are not between them
+  FaceStrip(const VertexStars& faces, const std::vector<Index>& path);
 
   /// The vertices around the strip, counter-clockwise, from one that only the first face has.
   const std::vector<Index>& GetPolygon() const { return this->Polygon; }

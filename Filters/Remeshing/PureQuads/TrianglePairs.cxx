@@ -54,9 +54,10 @@ public:
     for (int c = 0; c < 3; ++c)
     {
       const Index quad = this->Beyond(triangle, face[c], face[(c + 1) % 3]);
-      for (Index way = 0; quad != None && way < 5; ++way)
+      for (Index diagonal = 0; quad != None && diagonal < 5; ++diagonal)
       {
-        if (Faces::Size(this->Cells.Face(quad)) == 4 && this->Edits.Do({ triangle, quad, way }))
+        if (Faces::Size(this->Cells.Face(quad)) == 4 &&
+          this->Edits.Do({ triangle, quad, diagonal }))
         {
           const Index moved = Faces::Size(this->Cells.Face(quad)) == 3 ? quad : triangle;
           if (this->JoinAsItIs(moved, farthest, wanted))
@@ -140,13 +141,13 @@ private:
 
   std::vector<Index> WayTo(Index f) const
   {
-    std::vector<Index> way = { f };
-    while (this->Cost[way.back()] > 0)
+    std::vector<Index> path = { f };
+    while (this->Cost[path.back()] > 0)
     {
-      way.push_back(this->From[way.back()]);
+      path.push_back(this->From[path.back()]);
     }
-    std::reverse(way.begin(), way.end());
-    return way;
+    std::reverse(path.begin(), path.end());
+    return path;
   }
 
   /// Chords of a strip that cut it into quads. Or, where two triangles share an edge, the end of
@@ -213,9 +214,9 @@ private:
 
   /// Joins the triangles at the ends of a strip by the first cut that leaves good faces, or else,
   /// if any is allowed, by the one that leaves the best ones.
-  bool Try(const std::vector<Index>& way, double wanted)
+  bool Try(const std::vector<Index>& path, double wanted)
   {
-    const FaceStrip strip(this->Cells, way);
+    const FaceStrip strip(this->Cells, path);
     if (!strip.IsSimple())
     {
       return false;
@@ -230,7 +231,7 @@ private:
     for (const Cut& cut : cuts)
     {
       const std::size_t size = strip.GetPolygon().size();
-      if (cut.Grown <= this->MostGrown && size <= this->MovesLeft && this->Do(way, strip, cut))
+      if (cut.Grown <= this->MostGrown && size <= this->MovesLeft && this->Do(path, strip, cut))
       {
         this->MovesLeft -= size;
         this->Places.Relax(strip.GetPolygon(), Moves);
@@ -252,7 +253,7 @@ private:
     {
       return false;
     }
-    this->Do(way, strip, *best);
+    this->Do(path, strip, *best);
     this->Places.Relax(strip.GetPolygon(), Moves);
     return true;
   }
@@ -286,13 +287,13 @@ private:
   }
 
   /// Replaces the faces of a strip by quads; returns false if the mesh would not stay manifold.
-  bool Do(const std::vector<Index>& way, const FaceStrip& strip, const Cut& cut)
+  bool Do(const std::vector<Index>& path, const FaceStrip& strip, const Cut& cut)
   {
     if (cut.Goes != None)
     {
       return this->Edits.Do({ cut.Goes, cut.Stays, None }) && this->TakeOutDoublets(strip);
     }
-    for (const Index f : way)
+    for (const Index f : path)
     {
       this->Cells.Set(f, Nothing);
     }
@@ -305,10 +306,10 @@ private:
       {
         return false;
       }
-      this->Cells.Set(way[k], strip.Between(before, chord));
+      this->Cells.Set(path[k], strip.Between(before, chord));
       before = chord;
     }
-    this->Cells.Set(way[cut.Chords.size()], strip.Beyond(before));
+    this->Cells.Set(path[cut.Chords.size()], strip.Beyond(before));
     return this->TakeOutDoublets(strip);
   }
 
