@@ -78,6 +78,26 @@ TEST(LoopHolonomies, CountTheTurnsOfFieldsOnATorus)
   }
 }
 
+/// A simple loop around a hole in the plane turns once, and a constant field once against it.
+TEST(LoopHolonomies, ConstantFieldsTurnAgainstALoopAroundAHole)
+{
+  const Tested plate(Meshes::PlateWithHole(16, 4, 0.5, false));
+  for (const int degree : { 1, 2, 4 })
+  {
+    std::vector<Complex> section(plate.Mesh.GetNumberOfVertices());
+    for (Index v = 0; v < plate.Mesh.GetNumberOfVertices(); ++v)
+    {
+      section[v] = std::pow(plate.Geometry.Frames.Tangential(v, Vector3::UnitX()), degree);
+    }
+    const std::vector<int> found = LoopHolonomies(plate.Geometry, plate.Component, degree,
+      plate.Trees, PhaseDifferences(plate.Geometry, plate.Component, degree, section.data()));
+    ASSERT_EQ(found.size(), 1u);
+    const int times = TimesAround(plate, plate.Trees.LoopOf(0));
+    EXPECT_EQ(std::abs(times), 1);
+    EXPECT_EQ(found[0], -degree * times);
+  }
+}
+
 TEST(LoopHolonomies, GrowByOneWithEachGenerator)
 {
   const Tested tested(Meshes::FlatlySubdivided(Meshes::DoubleTorus(), 1));
