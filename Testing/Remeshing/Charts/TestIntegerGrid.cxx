@@ -72,15 +72,13 @@ TEST(IntegerGrid, TurningIsMultiplicationByARootOfUnity)
 
 TEST(IntegerGrid, OrientationIsExactWhereDoublesAreNot)
 {
-  // Three points of a line, and one of them moved by the least step, far away from each other.
-  const GridPoint p{ -Far, -Far + 1 };
+  // Twice the area of this triangle is 1, the difference of two products of 2^72.
+  const GridPoint origin;
+  const GridPoint p{ Far, Far - 1 };
   const GridPoint q{ Far + 1, Far };
-  const GridPoint middle{ 0, 1 };
-  const GridPoint direction = q - p;
-  ASSERT_NE(direction.A, direction.B);
-  EXPECT_EQ(IntegerGrid::Orientation(p, p + direction, p + direction + direction), 0);
-  EXPECT_EQ(IntegerGrid::Orientation(p, p + direction, p + direction + direction + middle), 1);
-  EXPECT_EQ(IntegerGrid::Orientation(p, p + direction, p + direction + direction - middle), -1);
+  EXPECT_EQ(IntegerGrid::Orientation(origin, p, q), 1);
+  EXPECT_EQ(IntegerGrid::Orientation(origin, q, p), -1);
+  EXPECT_EQ(IntegerGrid::Orientation(origin, p, p + p), 0);
   Random random;
   for (int k = 0; k < 200; ++k)
   {
