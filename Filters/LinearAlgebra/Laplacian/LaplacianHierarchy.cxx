@@ -4,6 +4,7 @@
 #include "Laplacian/LaplacianHierarchy.h"
 
 #include "Matrices/RowSum.h"
+#include "Matrices/StrongAggregates.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -57,71 +58,6 @@ Strengths FindStrengths(const GraphLaplacian& matrix, int level)
       }
     });
   return strengths;
-}
-
-/// The number of each row's aggregate: whole neighbourhoods of strong edges, first come, first served; the rows
-/// between them join the one that they are joined to most, and those without any are one each.
-/// @param count becomes the number of aggregates
-LargeArray<Index> Aggregate(const GraphLaplacian& matrix, const Strengths& strengths, Index& count)
-{
-  LargeArray<Index> number(matrix.Rows(), None);
-  count = 0;
-  for (Index root = 0; root < matrix.Rows(); ++root)
-  {
-    bool isFree = number[root] == None;
-    bool isJoined = false;
-    for (Index k = matrix.Begin[root]; isFree && k < matrix.Begin[root + 1]; ++k)
-    {
-      isJoined = isJoined || strengths.Weight[k] > 0.0F;
-      isFree = strengths.Weight[k] == 0.0F || number[matrix.Column[k]] == None;
-    }
-    if (!isFree || !isJoined)
-    {
-      continue;
-    }
-    number[root] = count;
-    for (Index k = matrix.Begin[root]; k < matrix.Begin[root + 1]; ++k)
-    {
-      if (strengths.Weight[k] > 0.0F)
-      {
-        number[matrix.Column[k]] = count;
-      }
-    }
-    ++count;
-  }
-  // Two rounds: first only members of a neighbourhood count, so that aggregates do not grow in lines.
-  const auto strongest = [&](Index v, const LargeArray<Index>& of)
-  {
-    Index best = None;
-    float most = 0.0F;
-    for (Index k = matrix.Begin[v]; k < matrix.Begin[v + 1]; ++k)
-    {
-      if (strengths.Weight[k] > most && of[matrix.Column[k]] != None)
-      {
-        most = strengths.Weight[k];
-        best = of[matrix.Column[k]];
-      }
-    }
-    return best;
-  };
-  const LargeArray<Index> neighbourhoods = number;
-  ParallelFor(matrix.Rows(), PieceRows,
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        number[v] = neighbourhoods[v] != None ? neighbourhoods[v] : strongest(v, neighbourhoods);
-      }
-    });
-  for (Index v = 0; v < matrix.Rows(); ++v)
-  {
-    if (number[v] == None)
-    {
-      const Index joined = strongest(v, number);
-      number[v] = joined != None ? joined : count++;
-    }
-  }
-  return number;
 }
 
 /// The aggregates' constants after one damped Jacobi step on the strong edges.
@@ -316,8 +252,10 @@ LaplacianHierarchy::LaplacianHierarchy(GraphLaplacian&& finest, const Eigen::Vec
       return;
     }
     const Strengths strengths = FindStrengths(matrix, static_cast<int>(this->Levels.size()) - 1);
-    Index count = 0;
-    const LargeArray<Index> number = Aggregate(matrix, strengths, count);
+    LargeArray<Index> number;
+    const Index count = AggregateStrongly(
+      { matrix.Rows(), matrix.Begin.data(), matrix.Column.data(), strengths.Weight.data() }, number,
+      [](Index) {}, [](Index, Index) {}, [](Index) { return true; });
     if (count > SlowestCoarsening * matrix.Rows())
     {
       return;

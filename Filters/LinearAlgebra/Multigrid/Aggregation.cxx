@@ -3,6 +3,7 @@
 
 #include "Multigrid/Aggregation.h"
 
+#include "Matrices/StrongAggregates.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -40,69 +41,6 @@ bool IsDominant(const CompactMatrix& energy, Index v)
   }
   return couplings <= FewCouplings * energy.Diagonal[v];
 }
-
-/// Makes an aggregate of each vertex that is coupled strongly, yet with no vertex of an aggregate so far:
-/// the vertex is the root, its neighbours by strong couplings belong to it.
-void AggregateNeighbourhoods(
-  const LevelMatrices& matrices, const Couplings& couplings, Aggregates& aggregates)
-{
-  const CompactMatrix& energy = matrices.Energy;
-  for (Index root = 0; root < energy.Rows(); ++root)
-  {
-    if (aggregates.Number[root] != None)
-    {
-      continue;
-    }
-    bool free = true;
-    bool coupled = false;
-    for (Index k = energy.Begin[root]; free && k < energy.Begin[root + 1]; ++k)
-    {
-      coupled = coupled || couplings.Strength[k] > 0.0f;
-      free = couplings.Strength[k] == 0.0f || aggregates.Number[energy.Column[k]] == None;
-    }
-    if (!free || !coupled)
-    {
-      continue;
-    }
-    aggregates.Number[root] = aggregates.Count;
-    for (Index k = energy.Begin[root]; k < energy.Begin[root + 1]; ++k)
-    {
-      if (couplings.Strength[k] > 0.0f)
-      {
-        const Index v = energy.Column[k];
-        aggregates.Number[v] = aggregates.Count;
-        aggregates.Phase[v] = std::conj(Transport(matrices.MassValue[k]));
-      }
-    }
-    ++aggregates.Count;
-  }
-}
-
-/// The aggregate of a vertex' strongest neighbour that has one, whose phase is transported to the vertex;
-/// None if no neighbour has one.
-/// @param number the aggregates to join
-Index Join(const LevelMatrices& matrices, const Couplings& couplings, Index v,
-  const LargeArray<Index>& number, LargeArray<CompactComplex>& phase)
-{
-  const CompactMatrix& energy = matrices.Energy;
-  Index best = None;
-  float strongest = 0.0f;
-  for (Index k = energy.Begin[v]; k < energy.Begin[v + 1]; ++k)
-  {
-    if (couplings.Strength[k] > strongest && number[energy.Column[k]] != None)
-    {
-      strongest = couplings.Strength[k];
-      best = k;
-    }
-  }
-  if (best == None)
-  {
-    return None;
-  }
-  const Index neighbour = energy.Column[best];
-  phase[v] = Transport(matrices.MassValue[best]) * phase[neighbour];
-  return number[neighbour];
-}
 }
 
 Couplings FindCouplings(const LevelMatrices& matrices, int level)
@@ -135,38 +73,15 @@ Aggregates Aggregate(const LevelMatrices& matrices, const Couplings& couplings, 
 {
   const CompactMatrix& energy = matrices.Energy;
   const Index n = energy.Rows();
-  Aggregates aggregates{ LargeArray<Index>(n, None), LargeArray<CompactComplex>(n, 1.0f), 0 };
-  AggregateNeighbourhoods(matrices, couplings, aggregates);
-  // Vertices next to a neighbourhood join it, on several threads: the neighbourhoods do not change.
-  const LargeArray<Index> neighbourhoods = aggregates.Number;
-  std::vector<std::vector<Index>> left(NumberOfPieces(n, PieceRows));
-  ParallelFor(n, PieceRows,
-    [&](Index begin, Index end)
-    {
-      for (Index v = begin; v < end; ++v)
-      {
-        if (neighbourhoods[v] == None)
-        {
-          aggregates.Number[v] = Join(matrices, couplings, v, neighbourhoods, aggregates.Phase);
-        }
-        if (aggregates.Number[v] == None)
-        {
-          left[begin / PieceRows].push_back(v);
-        }
-      }
-    });
-  // Others join vertices that have joined one before, or they are left over.
-  for (const std::vector<Index>& piece : left)
-  {
-    for (const Index v : piece)
-    {
-      aggregates.Number[v] = Join(matrices, couplings, v, aggregates.Number, aggregates.Phase);
-      if (aggregates.Number[v] == None && !(leftOver == LeftOver::Drop && IsDominant(energy, v)))
-      {
-        aggregates.Number[v] = aggregates.Count++;
-      }
-    }
-  }
+  Aggregates aggregates{ {}, LargeArray<CompactComplex>(n, 1.0f), 0 };
+  aggregates.Count = AggregateStrongly(
+    { n, energy.Begin.data(), energy.Column.data(), couplings.Strength.data() }, aggregates.Number,
+    [&](Index k)
+    { aggregates.Phase[energy.Column[k]] = std::conj(Transport(matrices.MassValue[k])); },
+    [&](Index v, Index k) {
+      aggregates.Phase[v] = Transport(matrices.MassValue[k]) * aggregates.Phase[energy.Column[k]];
+    },
+    [&](Index v) { return leftOver == LeftOver::Keep || !IsDominant(energy, v); });
   return aggregates;
 }
 }
