@@ -1,31 +1,38 @@
-# Includes run downwards only. Between libraries: a library includes from itself and from those that it links
-# (LINKS in its CMakeLists.txt), and from those that these link. Inside one: a folder includes itself and the
-# folders that its row in the library's Floors.txt names. No rooms (a header and its source) include each
-# other in a circle, and no folder has more than 11 rooms. FILTERS names another directory than the
-# project's own.
+# Includes run downwards only. Between libraries: a library includes from itself and from those that
+# it links (LINKS in its CMakeLists.txt; vtk_module_link in those of the modules VTK and Parallel),
+# and from those that these link. Inside one: a folder includes itself and the folders that its row
+# in the library's Floors.txt names. No rooms (a header and its source) include each other in a
+# circle, and no folder has more than 11 rooms. FILTERS names another directory than the project's
+# own.
 cmake_minimum_required(VERSION 3.18)
 if (NOT FILTERS)
   set(FILTERS "${CMAKE_CURRENT_LIST_DIR}/../Filters")
 endif ()
 get_filename_component(FILTERS "${FILTERS}" ABSOLUTE)
-set(libraries Foundation Surfaces LinearAlgebra Fields Drawing Remeshing)
+set(libraries Foundation Surfaces LinearAlgebra Fields Drawing Remeshing Pieces Cluster VTK Parallel)
 
 # The libraries that each may include from, itself first.
 foreach (library IN LISTS libraries)
   file(READ "${FILTERS}/${library}/CMakeLists.txt" text)
   set(reach-${library} ${library})
-  if (text MATCHES "directionfields_library\\(${library}[ \n]+LINKS ([A-Za-z \n]+)[ \n]SOURCES")
-    string(REGEX MATCHALL "[A-Za-z]+" links "${CMAKE_MATCH_1}")
-    foreach (link IN LISTS links)
-      if (NOT DEFINED reach-${link})
-        message(FATAL_ERROR "${library} links ${link}, which is no library below it")
-      endif ()
-      list(APPEND reach-${library} ${reach-${link}})
-    endforeach ()
-    list(REMOVE_DUPLICATES reach-${library})
+  set(links)
+  if (text MATCHES "directionfields_library\\(${library}( VTK)?[ \n]+LINKS ([A-Za-z \n]+)[ \n]SOURCES")
+    string(REGEX MATCHALL "[A-Za-z]+" links "${CMAKE_MATCH_2}")
   elseif (text MATCHES "LINKS")
     message(FATAL_ERROR "The links of ${library} cannot be read")
+  elseif (text MATCHES "vtk_module_link")
+    string(REGEX MATCHALL "DirectionFields::[A-Z][A-Za-z]+" links "${text}")
+    list(TRANSFORM links REPLACE "DirectionFields::" "")
+    list(FILTER links EXCLUDE REGEX "^Filters")
+    list(TRANSFORM links REPLACE "^Core$" "Drawing;Remeshing")
   endif ()
+  foreach (link IN LISTS links)
+    if (NOT DEFINED reach-${link})
+      message(FATAL_ERROR "${library} links ${link}, which is no library below it")
+    endif ()
+    list(APPEND reach-${library} ${reach-${link}})
+  endforeach ()
+  list(REMOVE_DUPLICATES reach-${library})
   # Which folders each folder may include.
   set(folders-${library} "")
   file(STRINGS "${FILTERS}/${library}/Floors.txt" lines REGEX "^[^#]")
@@ -79,6 +86,13 @@ foreach (library IN LISTS libraries)
     file(STRINGS "${FILTERS}/${library}/${file}" includes REGEX "^[ \t]*#[ \t]*include[ \t]*\"")
     foreach (include IN LISTS includes)
       string(REGEX REPLACE "^[^\"]*\"([^\"]*)\".*$" "\\1" included "${include}")
+      if (included MATCHES "^vtk")
+        # VTK's headers, and those of the filters, are included by their names alone.
+        if (NOT EXISTS "${FILTERS}/${library}/Filters/${included}")
+          continue ()
+        endif ()
+        set(included "Filters/${included}")
+      endif ()
       check_include("${library}/${file}" "${library}" "${folder}" "${included}")
       string(REGEX REPLACE "\\.h$" "" other "${target}")
       if (other AND NOT other STREQUAL room)
@@ -91,21 +105,10 @@ if (count LESS 400)
   message(FATAL_ERROR "Only ${count} files found in ${FILTERS}")
 endif ()
 
-# Folders that one can oversee, those of the classes for VTK among them.
-set(files)
-foreach (library IN ITEMS ${libraries} VTK)
-  file(GLOB_RECURSE found RELATIVE "${FILTERS}"
-    "${FILTERS}/${library}/*.h" "${FILTERS}/${library}/*.cxx")
-  list(APPEND files ${found})
-endforeach ()
-set(all)
-foreach (file IN LISTS files)
-  string(REGEX REPLACE "\\.(h|cxx)$" "" room "${file}")
-  list(APPEND all "${room}")
-endforeach ()
-list(REMOVE_DUPLICATES all)
+# Folders that one can oversee.
+list(REMOVE_DUPLICATES rooms)
 set(folders)
-foreach (room IN LISTS all)
+foreach (room IN LISTS rooms)
   get_filename_component(folder "${room}" DIRECTORY)
   list(APPEND folders "${folder}")
   list(APPEND "rooms-${folder}" "${room}")
@@ -119,7 +122,6 @@ foreach (folder IN LISTS folders)
 endforeach ()
 
 # Rooms that stand on finished rooms only are finished, too; what is never finished stands on a circle.
-list(REMOVE_DUPLICATES rooms)
 set(progress TRUE)
 while (progress)
   set(progress FALSE)

@@ -41,6 +41,12 @@ require_refusal("Sections may include" "#include \"Options.h\"" Fields/Sections/
 require_refusal("includes \"MergePoints.h\", which no folder"
   "#include \"MergePoints.h\"" Surfaces/Mesh/TriangleMesh.cxx)
 require_refusal("its folder is not in Surfaces/Floors.txt" "" Surfaces/Attic/Old.cxx)
+require_refusal("which no folder of Pieces has" "#include \"Options.h\"" Pieces/SurfacePiece.h)
+require_refusal("which no folder of VTK," "#include \"Processes.h\"" VTK/Support/Summary.cxx)
+require_refusal("Support may include" "#include \"vtkDirectionField.h\"" VTK/Support/Summary.cxx)
+require_refusal("Mesh may include" "#include \"Solver/PetscObjects.h\"" Cluster/Mesh/SharedPoints.h)
+require_refusal("Gathering may include"
+  "#include \"vtkPDirectionField.h\"" Parallel/Gathering/Scattering.cxx)
 require_refusal("in a circle" "#include \"Mesh/OwnedParts.h\"" Surfaces/Mesh/TriangleMesh.h)
 set(crowd)
 foreach (number RANGE 1 12)

@@ -1,4 +1,5 @@
 # directionfields_library(NAME
+#   [VTK]                       the library stands upon VTK: the module Parallel is made of it
 #   [LINKS LIBRARY...]          the libraries below, whose headers this one may include
 #   SOURCES FILE...
 #   PUBLIC_HEADERS FILE...      what is installed: <DirectionFields/Folder/Name.h>
@@ -18,10 +19,14 @@ check_cxx_compiler_flag("-Werror -Wno-psabi" DIRECTIONFIELDS_HAVE_NO_PSABI)
 check_cxx_compiler_flag("-Werror -fno-tree-loop-vectorize" DIRECTIONFIELDS_HAVE_NO_LOOP_VECTORIZE)
 
 function (directionfields_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 library "" ""
+  cmake_parse_arguments(PARSE_ARGV 1 library "VTK" ""
     "LINKS;SOURCES;PUBLIC_HEADERS;SHORT_ROWS;FAST_MATH")
   set(target "DirectionFields${name}")
-  if (DIRECTIONFIELDS_LIBRARIES_OF)
+  if (library_VTK)
+    # The flags of numerical code and precompiled headers of Eigen are not for these.
+    add_library(${target} STATIC ${library_SOURCES})
+    target_compile_options(${target} PRIVATE -Wall -Wextra)
+  elseif (DIRECTIONFIELDS_LIBRARIES_OF)
     directionfields_take_library(${target} "${DIRECTIONFIELDS_LIBRARIES_OF}/Filters/${name}")
   else ()
     add_library(${target} STATIC ${library_SOURCES} ${library_SHORT_ROWS} ${library_FAST_MATH})
@@ -46,8 +51,16 @@ function (directionfields_library name)
   set_target_properties(${target} PROPERTIES DIRECTIONFIELDS_ROOTS "${roots}")
   target_include_directories(${target} PRIVATE ${roots})
 
+  set(export DirectionFieldsCore)
+  if (library_VTK)
+    if (BUILD_SHARED_LIBS)
+      # The module has swallowed it.
+      return ()
+    endif ()
+    set(export DirectionFieldsParallel)
+  endif ()
   install(TARGETS ${target}
-    EXPORT DirectionFieldsCore
+    EXPORT ${export}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
 endfunction ()
 

@@ -79,7 +79,7 @@ vtkSmartPointer<ArrayT> Integers(const std::vector<int>& values)
 
 /// Cells with whatever offsets.
 template <typename ArrayT>
-vtkSmartPointer<vtkCellArray> ExtractAll(
+vtkSmartPointer<vtkCellArray> CellsOf(
   const std::vector<int>& offsets, const std::vector<int>& corners)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -92,7 +92,7 @@ void TestOffsets()
 {
   const std::vector<int> corners = { 0, 1, 2, 3, 4, 5, 6, 7, 8 };
   const auto polys = [&](const std::vector<int>& offsets)
-  { return [=](vtkPolyData* mesh) { mesh->SetPolys(ExtractAll<ArrayT>(offsets, corners)); }; };
+  { return [=](vtkPolyData* mesh) { mesh->SetPolys(CellsOf<ArrayT>(offsets, corners)); }; };
   TestError(polys({ 0, 6, 3, 9 }), { "offsets of the polygons", "3 follows 6", "anew" });
   TestError(polys({ 0, 3, -3, 9 }), { "offsets of the polygons", "-3 follows 3" });
   TestError(polys({ 0, 1000000000, 6, 9 }), { "6 follows 1000000000" });
@@ -100,7 +100,7 @@ void TestOffsets()
   TestError(polys({ 0, 3, 6, 9, 12 }), { "from 0 to 12", "9 corners" });
   TestError(polys({ 0, 3, 6 }), { "from 0 to 6", "9 corners" });
   TestError(polys({}), { "polygons", "there are none" });
-  const auto bad = [&] { return ExtractAll<ArrayT>({ 0, 6, 3, 9 }, corners); };
+  const auto bad = [&] { return CellsOf<ArrayT>({ 0, 6, 3, 9 }, corners); };
   TestError([&](vtkPolyData* mesh) { mesh->SetStrips(bad()); }, { "offsets of the strips" });
   TestError([&](vtkPolyData* mesh) { mesh->SetLines(bad()); }, { "offsets of the lines" });
   TestError([&](vtkPolyData* mesh) { mesh->SetVerts(bad()); }, { "offsets of the vertices" });
@@ -110,7 +110,7 @@ void TestOffsets()
 void TestCorners()
 {
   const auto cells = [](const std::vector<int>& offsets, const std::vector<int>& corners)
-  { return ExtractAll<vtkTypeInt64Array>(offsets, corners); };
+  { return CellsOf<vtkTypeInt64Array>(offsets, corners); };
   TestError(
     [&](vtkPolyData* mesh) {
       mesh->SetVerts(cells({ 0, 1, 2 }, { 0, 42 }));
@@ -222,7 +222,7 @@ void TestHarmless()
   mine->SetName("Eigenvalue");
   mine->InsertNextValue("none");
   mesh->GetFieldData()->AddArray(mine);
-  mesh->SetLines(ExtractAll<vtkTypeInt32Array>({ 0, 0, 0 }, {}));
+  mesh->SetLines(CellsOf<vtkTypeInt32Array>({ 0, 0, 0 }, {}));
   mesh->GetCellData()->Initialize();
   vtkNew<vtkDirectionField> filter;
   vtkNew<vtkDirectionFieldGlyphs> glyphs;

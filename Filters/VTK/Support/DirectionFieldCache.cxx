@@ -3,7 +3,7 @@
 
 #include "Support/DirectionFieldCache.h"
 
-#include "Conversion/Input/SameSurface.h"
+#include "Support/SameSurface.h"
 
 #include <utility>
 

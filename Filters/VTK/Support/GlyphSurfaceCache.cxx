@@ -3,7 +3,7 @@
 
 #include "Support/GlyphSurfaceCache.h"
 
-#include "Conversion/Input/SameSurface.h"
+#include "Support/SameSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,7 +22,7 @@ void GlyphSurfaceCache::End()
   this->Blocks.resize(this->Position);
 }
 
-std::array<GlyphSurfaceCache::State, 3> GlyphSurfaceCache::ExtractAll(vtkPolyData* input)
+std::array<GlyphSurfaceCache::State, 3> GlyphSurfaceCache::CellsOf(vtkPolyData* input)
 {
   const auto stateOf = [](vtkObject* object) {
     return State{ object, object ? object->GetMTime() : 0 };
@@ -40,7 +40,7 @@ bool GlyphSurfaceCache::IsOf(vtkPolyData* input, const Block& block)
   // Points may be moved in place, which their modification time does not tell: they are compared by
   // value. So are triangles. To compare polygons they would have to be cut.
   return IsSurfaceOf(input, *block.Surface) ||
-    (ExtractAll(input) == block.Cells && ArePointsOf(input, *block.Surface));
+    (CellsOf(input) == block.Cells && ArePointsOf(input, *block.Surface));
 }
 
 GlyphSurface& GlyphSurfaceCache::Next(vtkPolyData* input, const Progress& progress)
@@ -66,7 +66,7 @@ GlyphSurface& GlyphSurfaceCache::Next(vtkPolyData* input, const Progress& progre
       block.GhostPoints = std::move(ghostPoints);
       block.Glyphs = std::move(glyphs);
     }
-    block.Cells = ExtractAll(input);
+    block.Cells = CellsOf(input);
   }
   ++this->Position;
   return *block.Glyphs;

@@ -48,7 +48,7 @@ private:
     std::unique_ptr<GlyphSurface> Glyphs;
   };
 
-  static std::array<State, 3> ExtractAll(vtkPolyData* input);
+  static std::array<State, 3> CellsOf(vtkPolyData* input);
   /// Whether a block has points and cells of these very values, as far as that is told quickly.
   static bool IsOf(vtkPolyData* input, const Block& block);
 

@@ -5,7 +5,7 @@
 
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataToField.h"
-#include "Conversion/Input/SameSurface.h"
+#include "Support/SameSurface.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

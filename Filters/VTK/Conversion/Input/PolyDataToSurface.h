@@ -4,10 +4,8 @@
 #ifndef PolyDataToSurface_h
 #define PolyDataToSurface_h
 
+#include "Conversion/Input/TriangulatedPolyData.h"
 #include "Progress.h"
-#include "Surface.h"
-
-#include "vtkType.h"
 
 #include <vector>
 
@@ -15,23 +13,6 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// The polygons and strips of a vtkPolyData as triangles.
-struct TriangulatedPolyData
-{
-  /// All points of the vtkPolyData, so that point ids stay the user's.
-  Surface Mesh;
-  /// The cell of a triangle, in the numbering of the vtkPolyData: vertices, lines, polygons, strips.
-  vtkIdType Cell(std::size_t triangle) const
-  {
-    return this->CellOfTriangle.empty() ? this->FirstCell + static_cast<vtkIdType>(triangle)
-                                        : this->CellOfTriangle[triangle];
-  }
-
-  /// Empty where the cells from FirstCell on are the triangles.
-  std::vector<vtkIdType> CellOfTriangle;
-  vtkIdType FirstCell = 0;
-};
-
 /// Triangles are taken as they are. Polygons are cut by their ears; one that cannot be cut so
 /// (no area, self-intersecting) becomes a fan, or other triangles if it has many corners. Holes that are
 /// joined to the outline by bridges, which are run along twice, stay open. Polygons around the same points are cut alike, so that

@@ -4,7 +4,7 @@
 #ifndef SplitPolyData_h
 #define SplitPolyData_h
 
-#include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Input/TriangulatedPolyData.h"
 #include "DirectionField.h"
 
 #include "vtkType.h"

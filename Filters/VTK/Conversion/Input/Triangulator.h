@@ -4,7 +4,7 @@
 #ifndef Triangulator_h
 #define Triangulator_h
 
-#include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Input/TriangulatedPolyData.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DistributedField.h"
+
+#include "Computation/FieldToResult.h"
+#include "Mesh/CommonWinding.h"
+#include "Mesh/DistributedMesh.h"
+#include "Mesh/Messages.h"
+#include "Mesh/OutputPoints.h"
+#include "Mesh/OwnCommunicator.h"
+#include "Mesh/PieceWithSurroundings.h"
+#include "Mesh/SharedPoints.h"
+#include "Sections/SectionDirections.h"
+#include "Solver/ComponentSolution.h"
+#include "Solver/DistributedGuide.h"
+#include "Solver/PetscObjects.h"
+#include "Support/Threads.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+/// The points whose owner is another process, and the points that others have from here, in the
+/// same order.
+PointExchange ExchangeOf(
+  const SharedPoints& shared, const SurfacePiece& piece, const Messages& messages)
+{
+  std::vector<std::map<vtkIdType, vtkIdType>> sent(static_cast<std::size_t>(messages.Count()));
+  std::vector<std::map<vtkIdType, vtkIdType>> received = sent;
+  for (const auto& [own, others] : shared.Others)
+  {
+    const vtkIdType number = shared.Number[own];
+    const vtkIdType point = piece.Own.Points[own];
+    const int owner = shared.OwnerOf(number);
+    if (owner != messages.Own())
+    {
+      received[owner][number] = point;
+      continue;
+    }
+    for (const int other : others)
+    {
+      sent[other][number] = point;
+    }
+  }
+  PointExchange exchange;
+  exchange.Numbers = shared.Number;
+  exchange.Tolerance = shared.Tolerance;
+  exchange.UseIds = shared.UseIds;
+  exchange.Sent.resize(sent.size());
+  exchange.Received.resize(sent.size());
+  for (std::size_t p = 0; p < sent.size(); ++p)
+  {
+    for (const auto& [number, point] : sent[p])
+    {
+      exchange.Sent[p].push_back(point);
+    }
+    for (const auto& [number, point] : received[p])
+    {
+      exchange.Received[p].push_back(point);
+    }
+  }
+  return exchange;
+}
+
+/// Leaves the points and triangles of the input, with the components of the whole.
+void KeepInput(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
+  std::size_t inputTriangles, Result& result)
+{
+  const auto points = static_cast<std::size_t>(piece.InputPoints);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    if (piece.Number[i] < 0)
+    {
+      result.Representation[i] = 0.0;
+    }
+  }
+  result.Representation.resize(points);
+  result.EnergyDensity.resize(points);
+  result.Normal.resize(points);
+  result.XAxis.resize(points);
+  result.OriginalPoint.resize(points);
+  // Sheets come apart nowhere but at the rim of the surroundings, where triangles are missing.
+  result.SplitTriangles.clear();
+  if (!result.Constraint.empty())
+  {
+    result.Constraint.resize(points);
+    result.ConstraintDirection.resize(points);
+  }
+  std::vector<int> index(inputTriangles, 0);
+  std::vector<Index> component(inputTriangles, None);
+  for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
+  {
+    index[piece.InputTriangle[t]] = result.SingularityIndex[t];
+    component[piece.InputTriangle[t]] = result.Component[t] == None
+      ? None
+      : mesh.ComponentOf(static_cast<std::size_t>(result.Component[t]));
+  }
+  result.SingularityIndex = std::move(index);
+  result.Component = std::move(component);
+}
+
+/// The counts of all pieces' parts together, and whether there is a boundary.
+void AddUpCounts(const Messages& messages, const DistributedMesh& mesh, Result& result,
+  std::vector<ComponentReport>& reports)
+{
+  const std::size_t components = reports.size();
+  std::vector<double> sums(5 * components, 0.0);
+  const TriangleMesh& triangles = mesh.GetMesh();
+  for (std::size_t c = 0; c < triangles.GetComponents().size(); ++c)
+  {
+    if (mesh.ComponentOf(c) < 0)
+    {
+      continue;
+    }
+    double* const sum = sums.data() + 5 * mesh.ComponentOf(c);
+    const ComponentReport& part = result.Components[c];
+    sum[0] += part.EulerCharacteristic;
+    sum[1] += part.Vertices;
+    sum[2] += part.Triangles;
+    sum[3] += part.IndexSum;
+    const TriangleMesh::Component& range = triangles.GetComponents()[c];
+    for (Index v = range.FirstVertex; v < range.EndVertex; ++v)
+    {
+      sum[4] += mesh.IsOwned(v) && triangles.IsBoundary(v) ? 1.0 : 0.0;
+    }
+  }
+  messages.Sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    const double* const sum = sums.data() + 5 * c;
+    reports[c].EulerCharacteristic = static_cast<int>(sum[0]);
+    reports[c].Vertices = static_cast<Index>(sum[1]);
+    reports[c].Triangles = static_cast<Index>(sum[2]);
+    reports[c].IndexSum = static_cast<int>(sum[3]);
+    reports[c].Closed = sum[4] == 0.0;
+  }
+  result.Components = reports;
+}
+
+/// The repairs of all pieces.
+void AddUpRepairs(const Messages& messages, const PieceWithSurroundings& piece,
+  const DistributedMesh& mesh, Repairs& repairs)
+{
+  double sums[2] = { 0.0, 0.0 };
+  for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
+  {
+    const Triangle& corners = piece.Surface.Triangles[t];
+    sums[0] += corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+  }
+  // Where there are any, none is among the surroundings.
+  sums[1] = mesh.GetGeometry().Lengths.DegenerateTriangles;
+  messages.Sum(sums, 2);
+  repairs = {};
+  repairs.CollapsedTriangles = static_cast<Index>(sums[0]);
+  repairs.DegenerateTriangles = static_cast<Index>(sums[1]);
+}
+
+SurfaceFigures AddUpFigures(const Messages& messages, const SurfaceFigures& own)
+{
+  const std::vector<double> values{ own.Lower[0], own.Lower[1], own.Lower[2], own.Upper[0],
+    own.Upper[1], own.Upper[2], own.Area, static_cast<double>(own.Positive),
+    static_cast<double>(own.Negative) };
+  const std::vector<double> all = messages.AllGather(values).Values;
+  SurfaceFigures sum;
+  for (std::size_t k = 0; k < all.size(); k += values.size())
+  {
+    SurfaceFigures part;
+    part.Lower = Vector3(all.data() + k);
+    part.Upper = Vector3(all.data() + k + 3);
+    part.Area = all[k + 6];
+    part.Positive = static_cast<Index>(all[k + 7]);
+    part.Negative = static_cast<Index>(all[k + 8]);
+    sum += part;
+  }
+  return sum;
+}
+
+void Compute(Processes& processes, const Messages& messages, const Surface& surface,
+  const SurfacePiece& piece, const Options& options, const Guidance& guidance,
+  const std::function<bool(double)>& goOn, DistributedField& field)
+{
+  const SharedPoints shared = MatchBorders(processes, messages, piece);
+  field.Reason = shared.Reason;
+  field.SharedPoints = shared.Shared;
+  if (!field.Reason.empty())
+  {
+    return;
+  }
+  PieceWithSurroundings around = AddSurroundings(processes, messages, surface, piece, shared);
+  auto made = std::make_unique<DistributedMesh>(processes, messages, around, shared);
+  Index reversed = 0;
+  if (made->IsWoundOtherwise() && WindAlike(processes, messages, made->GetMesh(), around, reversed))
+  {
+    made.reset();
+    made = std::make_unique<DistributedMesh>(processes, messages, around, shared);
+  }
+  const DistributedMesh& mesh = *made;
+  field.Reason = mesh.GetReason();
+  if (!field.Reason.empty())
+  {
+    return;
+  }
+  const DistributedGuide guide = MakeGuide(processes, messages, mesh, around, options, guidance);
+  field.Reason = guide.Reason;
+  if (!field.Reason.empty())
+  {
+    return;
+  }
+  std::vector<ComponentReport> reports;
+  const std::vector<Complex> section =
+    SolveDistributed(processes, messages, mesh, guide, options, goOn, reports);
+  processes.Together(
+    [&]
+    {
+      field.Field.Degree = options.Degree;
+      const OutputPoints points(mesh.GetMesh(), around.Surface, {});
+      AddSection(mesh.GetGeometry(), around.Surface, points, section, field.Field);
+      if (guide.IsConstrained)
+      {
+        const Vector3 zero = Vector3::Zero();
+        field.Field.Constraint = points.Spread(guide.Kind, ConstraintKind::None);
+        field.Field.ConstraintDirection =
+          points.Spread(DirectionsOf(guide.Value, mesh.GetGeometry().Frames, options.Degree), zero);
+      }
+    });
+  AddUpCounts(messages, mesh, field.Field, reports);
+  AddUpRepairs(messages, around, mesh, field.Field.Repaired);
+  field.Field.Repaired.ReversedTriangles = reversed;
+  SurfaceFigures own;
+  processes.Together(
+    [&]
+    {
+      own = FiguresOf(around.Surface, field.Field.SingularityIndex);
+      KeepInput(mesh, around, surface.Triangles.size(), field.Field);
+      field.Exchange = ExchangeOf(shared, piece, messages);
+    });
+  field.Figures = AddUpFigures(messages, own);
+}
+}
+
+bool CanDistribute()
+{
+  return true;
+}
+
+DistributedField ComputeDistributed(Processes& processes, const Surface& surface,
+  const SurfacePiece& piece, const Options& options, const Guidance& guidance,
+  const std::function<bool(double)>& goOn)
+{
+  DistributedField field;
+  const OwnCommunicator communicator(processes.GetController());
+  if (!communicator.IsThere)
+  {
+    field.Reason = "its processes are not those of MPI";
+    return field;
+  }
+  Threads threads(options.NumberOfThreads);
+  const Threads::Scope scope(threads);
+  const Messages messages(communicator.Handle);
+  StartPetsc(communicator.Handle);
+  Compute(processes, messages, surface, piece, options, guidance, goOn, field);
+  return field;
+}
+}

@@ -1,0 +1,458 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/DistributedMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+constexpr const char* CannotBeOriented = "it has only one side, as a Moebius strip has";
+
+/// Whether a point of the piece belongs to one of its own triangles.
+bool IsInPiece(const PieceWithSurroundings& piece, Index point)
+{
+  return point < piece.InputPoints && piece.Number[point] >= 0;
+}
+
+/// The least member of a joined set.
+int Find(std::vector<int>& parents, int k)
+{
+  while (parents[k] != k)
+  {
+    parents[k] = parents[parents[k]];
+    k = parents[k];
+  }
+  return k;
+}
+
+/// The first own triangle of each part of a process's mesh, counted over all processes; -1 for parts
+/// of other pieces' triangles only.
+std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithSurroundings& piece)
+{
+  const auto ownTriangles = static_cast<Index>(piece.InputTriangle.size());
+  std::vector<vtkIdType> first;
+  for (const TriangleMesh::Component& part : mesh.GetComponents())
+  {
+    Index least = ownTriangles;
+    for (Index t = part.FirstTriangle; t < part.EndTriangle; ++t)
+    {
+      least = std::min(least, mesh.InputTriangle(t));
+    }
+    first.push_back(least < ownTriangles ? piece.FirstTriangle + least : -1);
+  }
+  return first;
+}
+
+/// Joins parts of several processes that share a point, and gives each part a representative of its
+/// set.
+/// @param border  the part at each point on the border of a piece; -1 for none
+/// @param numbers of these points, equal for the same point
+std::vector<int> JoinParts(
+  std::size_t count, const std::vector<int>& border, const std::vector<vtkIdType>& numbers)
+{
+  std::vector<int> parents(count);
+  std::iota(parents.begin(), parents.end(), 0);
+  std::unordered_map<vtkIdType, int> partAt;
+  for (std::size_t k = 0; k < border.size(); ++k)
+  {
+    if (border[k] >= 0)
+    {
+      const auto [entry, isNew] = partAt.try_emplace(numbers[k], border[k]);
+      const int a = Find(parents, entry->second);
+      const int b = Find(parents, border[k]);
+      parents[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    parents[k] = Find(parents, static_cast<int>(k));
+  }
+  return parents;
+}
+
+/// Numbers the components by their first triangles.
+/// @param roots a representative of the component of each part
+/// @param first the first triangle of each part, or -1
+/// @return the number of each part's component; -1 where no part of it has a triangle
+std::vector<int> NumberComponents(
+  const std::vector<int>& roots, const std::vector<vtkIdType>& first)
+{
+  std::unordered_map<int, vtkIdType> firstOfRoot;
+  for (std::size_t k = 0; k < roots.size(); ++k)
+  {
+    if (first[k] >= 0)
+    {
+      const auto [entry, isNew] = firstOfRoot.try_emplace(roots[k], first[k]);
+      entry->second = std::min(entry->second, first[k]);
+    }
+  }
+  std::vector<std::pair<vtkIdType, int>> order;
+  for (const auto& [root, triangle] : firstOfRoot)
+  {
+    order.emplace_back(triangle, root);
+  }
+  std::sort(order.begin(), order.end());
+  std::unordered_map<int, int> numberOfRoot;
+  for (const auto& [triangle, root] : order)
+  {
+    numberOfRoot.emplace(root, static_cast<int>(numberOfRoot.size()));
+  }
+  std::vector<int> components;
+  for (const int root : roots)
+  {
+    const auto there = numberOfRoot.find(root);
+    components.push_back(there == numberOfRoot.end() ? -1 : there->second);
+  }
+  return components;
+}
+}
+
+DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
+  const PieceWithSurroundings& piece, const SharedPoints& shared)
+  : Exchange(messages)
+{
+  std::string fault;
+  processes.Together(
+    [&]
+    {
+      this->Geometry = std::make_unique<SurfaceGeometry>(piece.Surface);
+      fault = this->FindFaults(piece);
+    });
+  if (!messages.Any(!fault.empty()))
+  {
+    this->WoundOtherwise = messages.Any(this->GetMesh().GetRepairs().ReversedTriangles > 0);
+    fault = this->WoundOtherwise ? CannotBeOriented : "";
+  }
+  // The first process with a fault speaks.
+  const Messages::Collected<char> faults =
+    messages.AllGather(std::vector<char>(fault.begin(), fault.end()));
+  for (std::size_t p = 0; p + 1 < faults.First.size() && this->Reason.empty(); ++p)
+  {
+    this->Reason.assign(
+      faults.Values.begin() + faults.First[p], faults.Values.begin() + faults.First[p + 1]);
+  }
+  if (!this->Reason.empty())
+  {
+    return;
+  }
+  processes.Together([&] { this->FindOwned(piece, shared); });
+  this->FindExchange(processes, piece, shared);
+  this->JoinComponents(processes, piece, shared);
+  if (messages.Any(this->Disagrees(piece)))
+  {
+    this->Reason = "its pieces do not agree on what is around the points that they share";
+  }
+  else if (messages.Any(this->HasDoubtfulEdges(processes, piece)))
+  {
+    this->Reason =
+      "some of its edges are so short that only the whole tells which triangles have no area";
+  }
+}
+
+std::string DistributedMesh::FindFaults(const PieceWithSurroundings& piece) const
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const Repairs& repairs = mesh.GetRepairs();
+  if (repairs.NonOrientableComponents > 0)
+  {
+    return CannotBeOriented;
+  }
+  if (repairs.NonManifoldEdges > 0 || repairs.DuplicateTriangles > 0)
+  {
+    return "some of its edges have more than two triangles";
+  }
+  std::vector<char> isUsed(piece.Number.size(), 0);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    if (isUsed[point] && IsInPiece(piece, point))
+    {
+      return "several sheets of it meet in a point";
+    }
+    isUsed[point] = 1;
+  }
+  if (this->HasChangedEdgesNearGhosts(piece))
+  {
+    return "triangles without area lie where its pieces meet";
+  }
+  return {};
+}
+
+bool DistributedMesh::HasChangedEdgesNearGhosts(const PieceWithSurroundings& piece) const
+{
+  const SurfaceGeometry& geometry = *this->Geometry;
+  const TriangleMesh& mesh = geometry.Mesh;
+  if (geometry.Lengths.DegenerateTriangles == 0)
+  {
+    return false;
+  }
+  constexpr double rounding = 1e-9;
+  std::vector<Index> fan;
+  for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
+  {
+    const TriangleMesh::Component& component = mesh.GetComponents()[c];
+    for (Index e = component.FirstEdge; e < component.EndEdge; ++e)
+    {
+      const Index h = mesh.HalfEdge(e);
+      const double length =
+        (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).norm();
+      const double used = std::sqrt(geometry.Lengths.SquaredLength[e]) * geometry.Lengths.Unit[c];
+      if (std::abs(used - length) <= rounding * used)
+      {
+        continue;
+      }
+      for (const Index end : { mesh.Tail(h), mesh.Head(h) })
+      {
+        mesh.GetFan(end, fan);
+        for (const Index k : fan)
+        {
+          if (piece.Surface.Ghost[mesh.InputTriangle(k / 3)] != 0)
+          {
+            return true;
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void DistributedMesh::FindOwned(const PieceWithSurroundings& piece, const SharedPoints& shared)
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const int own = this->Exchange.Own();
+  this->Owned.assign(static_cast<std::size_t>(mesh.GetNumberOfVertices()), 0);
+  this->VertexOfPoint.assign(piece.Number.size(), None);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const Index point = mesh.Point(v);
+    this->VertexOfPoint[point] = v;
+    this->Owned[v] = piece.Number[point] >= shared.FirstNumber[own] &&
+      piece.Number[point] < shared.FirstNumber[own + 1];
+  }
+}
+
+void DistributedMesh::FindExchange(
+  Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared)
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const auto processCount = static_cast<std::size_t>(this->Exchange.Count());
+  std::vector<std::vector<vtkIdType>> wanted(processCount);
+  this->AllTravellers.Received.resize(processCount);
+  processes.Together(
+    [&]
+    {
+      std::vector<char> matters(this->Owned.size(), 0);
+      for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+      {
+        const Index tail = mesh.Tail(h);
+        const Index head = mesh.Head(h);
+        matters[head] |= IsInPiece(piece, mesh.Point(tail)) ? 1 : 0;
+        matters[tail] |= IsInPiece(piece, mesh.Point(head)) ? 1 : 0;
+      }
+      for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        if (matters[v] && !this->Owned[v])
+        {
+          const vtkIdType number = piece.Number[mesh.Point(v)];
+          const int owner = shared.OwnerOf(number);
+          wanted[owner].push_back(number);
+          this->AllTravellers.Received[owner].push_back(v);
+        }
+      }
+    });
+  const std::vector<std::vector<vtkIdType>> asked = this->Exchange.Exchange(wanted);
+  processes.Together(
+    [&]
+    {
+      std::unordered_map<vtkIdType, Index> ownVertex;
+      for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        if (this->Owned[v])
+        {
+          ownVertex.emplace(piece.Number[mesh.Point(v)], v);
+        }
+      }
+      this->AllTravellers.Sent.resize(asked.size());
+      for (std::size_t p = 0; p < asked.size(); ++p)
+      {
+        for (const vtkIdType number : asked[p])
+        {
+          this->AllTravellers.Sent[p].push_back(ownVertex.at(number));
+        }
+      }
+    });
+}
+
+void DistributedMesh::JoinComponents(
+  Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared)
+{
+  const std::vector<TriangleMesh::Component>& parts = this->GetMesh().GetComponents();
+  std::vector<vtkIdType> first;
+  std::vector<int> partOf(this->Owned.size());
+  processes.Together(
+    [&]
+    {
+      first = FirstTriangles(this->GetMesh(), piece);
+      for (std::size_t c = 0; c < parts.size(); ++c)
+      {
+        std::fill(partOf.begin() + parts[c].FirstVertex, partOf.begin() + parts[c].EndVertex,
+          static_cast<int>(c));
+      }
+    });
+  const Messages::Collected<vtkIdType> all = this->Exchange.AllGather(first);
+  const int begin = all.First[this->Exchange.Own()];
+  std::vector<int> own;
+  for (const vtkIdType point : shared.OwnBorder)
+  {
+    const Index vertex = this->VertexOfPoint[point];
+    own.push_back(vertex == None ? -1 : begin + partOf[vertex]);
+  }
+  const std::vector<int> roots =
+    JoinParts(all.Values.size(), this->Exchange.AllGather(own).Values, shared.BorderNumber);
+  const std::vector<int> components = NumberComponents(roots, all.Values);
+  this->Components =
+    components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
+  // The process that has the only part of each.
+  std::vector<int> count(static_cast<std::size_t>(this->Components), 0);
+  this->ProcessOfComponent.assign(count.size(), -1);
+  for (std::size_t p = 0; p + 1 < all.First.size(); ++p)
+  {
+    for (int k = all.First[p]; k < all.First[p + 1]; ++k)
+    {
+      if (components[k] >= 0)
+      {
+        const bool isOnly = ++count[components[k]] == 1;
+        this->ProcessOfComponent[components[k]] = isOnly ? static_cast<int>(p) : -1;
+      }
+    }
+  }
+  this->Parts.resize(count.size());
+  for (std::size_t c = 0; c < parts.size(); ++c)
+  {
+    const int component = components[static_cast<std::size_t>(begin) + c];
+    this->ComponentOfPart.push_back(component);
+    if (component >= 0)
+    {
+      this->Parts[component].push_back(c);
+    }
+  }
+  processes.Together([&] { this->FindTravellersOfComponents(partOf); });
+}
+
+void DistributedMesh::FindTravellersOfComponents(const std::vector<int>& partOf)
+{
+  this->TravellersOf.resize(static_cast<std::size_t>(this->Components));
+  for (int component = 0; component < this->Components; ++component)
+  {
+    if (this->ProcessOf(component) < 0)
+    {
+      this->TravellersOf[component].Sent.resize(this->AllTravellers.Sent.size());
+      this->TravellersOf[component].Received.resize(this->AllTravellers.Sent.size());
+    }
+  }
+  const auto share = [&](const std::vector<std::vector<Index>>& all,
+                       std::vector<std::vector<Index>> Travellers::*list)
+  {
+    for (std::size_t p = 0; p < all.size(); ++p)
+    {
+      for (const Index vertex : all[p])
+      {
+        const int component = this->ComponentOfPart[partOf[vertex]];
+        if (component >= 0 && this->ProcessOf(component) < 0)
+        {
+          (this->TravellersOf[component].*list)[p].push_back(vertex);
+        }
+      }
+    }
+  };
+  share(this->AllTravellers.Sent, &Travellers::Sent);
+  share(this->AllTravellers.Received, &Travellers::Received);
+}
+
+bool DistributedMesh::HasDoubtfulEdges(
+  Processes& processes, const PieceWithSurroundings& piece) const
+{
+  // Metric lengthens edges that are shorter than a part of the mean.
+  constexpr double shortest = 1e-9;
+  const SurfaceGeometry& geometry = *this->Geometry;
+  const TriangleMesh& mesh = geometry.Mesh;
+  const auto lengthOf = [&](Index e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    return (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).stableNorm();
+  };
+  // Of the edges of each component the sum of the lengths and the number: each counts where its end
+  // of the lower number is owned, as all edges at that end are known there.
+  std::vector<double> sums;
+  processes.Together([&] { sums.assign(2 * static_cast<std::size_t>(this->Components), 0.0); });
+  for (int component = 0; component < this->Components; ++component)
+  {
+    for (const std::size_t c : this->Parts[component])
+    {
+      const TriangleMesh::Component& part = mesh.GetComponents()[c];
+      for (Index e = part.FirstEdge; e < part.EndEdge; ++e)
+      {
+        const Index tail = mesh.Tail(mesh.HalfEdge(e));
+        const Index head = mesh.Head(mesh.HalfEdge(e));
+        const bool isTailFirst = piece.Number[mesh.Point(tail)] < piece.Number[mesh.Point(head)];
+        if (this->IsOwned(isTailFirst ? tail : head))
+        {
+          sums[2 * component] += lengthOf(e);
+          sums[2 * component + 1] += 1.0;
+        }
+      }
+    }
+  }
+  this->Exchange.Sum(sums.data(), static_cast<int>(sums.size()));
+  for (int component = 0; component < this->Components; ++component)
+  {
+    const double mean = sums[2 * component] / std::max(1.0, sums[2 * component + 1]);
+    for (const std::size_t c : this->Parts[component])
+    {
+      const double here = geometry.Lengths.Unit[c];
+      const TriangleMesh::Component& part = mesh.GetComponents()[c];
+      for (Index e = part.FirstEdge; e < part.EndEdge && this->ProcessOf(component) < 0; ++e)
+      {
+        const double length = lengthOf(e);
+        if ((length < shortest * here) != (length < shortest * mean))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+bool DistributedMesh::Disagrees(const PieceWithSurroundings& piece) const
+{
+  // The reference edge and the number of triangles at each vertex.
+  const TriangleMesh& mesh = this->GetMesh();
+  std::vector<std::array<vtkIdType, 2>> own(this->Owned.size());
+  std::vector<Index> fan;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    mesh.GetFan(v, fan);
+    Index reference = fan.front();
+    for (const Index h : fan)
+    {
+      reference = this->Geometry->Transport.EdgeAngle[h] == 0.0 ? h : reference;
+    }
+    own[v] = { piece.Number[mesh.Point(mesh.Head(reference))],
+      2 * static_cast<vtkIdType>(fan.size()) + (mesh.IsBoundary(v) ? 1 : 0) };
+  }
+  std::vector<std::array<vtkIdType, 2>> owners = own;
+  this->Complete(owners);
+  return owners != own;
+}
+}

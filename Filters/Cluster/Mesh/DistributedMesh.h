@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DistributedMesh_h
+#define DistributedMesh_h
+
+#include "Geometry/SurfaceGeometry.h"
+#include "Mesh/Messages.h"
+#include "Mesh/PieceWithSurroundings.h"
+#include "Mesh/SharedPoints.h"
+#include "Processes.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Parallel
+{
+/// The mesh of a piece with its surroundings, and how each of its vertices is shared with other
+/// processes. A vertex is owned by the owner of its point; the owned vertices of all processes are
+/// the vertices of the whole surface.
+class DistributedMesh
+{
+public:
+  /// All processes call it; throws ProcessesError.
+  DistributedMesh(Processes& processes, const Messages& messages,
+    const PieceWithSurroundings& piece, const SharedPoints& shared);
+
+  /// Empty where the meshes of the pieces are one mesh, else why they are not, as a part of a
+  /// sentence. The same on all processes.
+  const std::string& GetReason() const { return this->Reason; }
+
+  /// Whether that is because triangles are wound against each other, which WindAlike may mend.
+  bool IsWoundOtherwise() const { return this->WoundOtherwise; }
+
+  const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
+  const TriangleMesh& GetMesh() const { return this->Geometry->Mesh; }
+  bool IsOwned(Index vertex) const { return this->Owned[vertex] != 0; }
+  /// The components of the whole surface, ordered by their first triangles, which count from the
+  /// first process on.
+  int CountComponents() const { return this->Components; }
+  /// The component of the whole surface that a component of the mesh belongs to; -1 for one of
+  /// which no point belongs to the piece.
+  int ComponentOf(std::size_t part) const { return this->ComponentOfPart[part]; }
+  /// The components of the mesh that belong to one of the whole surface, in ascending order.
+  const std::vector<std::size_t>& PartsOf(int component) const { return this->Parts[component]; }
+  /// The process on which a component of the whole surface is wholly, as one component of the mesh
+  /// there; -1 where it lies across processes. The same on all of them.
+  int ProcessOf(int component) const { return this->ProcessOfComponent[component]; }
+
+  /// Fills in the values of the vertices that others own and that belong to the piece or are next
+  /// to it.
+  /// @param values one for each vertex of the mesh
+  template <typename T>
+  void Complete(std::vector<T>& values) const
+  {
+    this->Complete(values, this->AllTravellers);
+  }
+  /// The same for one component of the whole surface that lies across processes.
+  template <typename T>
+  void Complete(std::vector<T>& values, int component) const
+  {
+    this->Complete(values, this->TravellersOf[component]);
+  }
+
+private:
+  /// The vertices whose values go to each process, and the vertices whose values come from it.
+  struct Travellers
+  {
+    std::vector<std::vector<Index>> Sent;
+    std::vector<std::vector<Index>> Received;
+  };
+
+  template <typename T>
+  void Complete(std::vector<T>& values, const Travellers& travellers) const
+  {
+    std::vector<std::vector<T>> sent(travellers.Sent.size());
+    for (std::size_t p = 0; p < sent.size(); ++p)
+    {
+      for (const Index vertex : travellers.Sent[p])
+      {
+        sent[p].push_back(values[vertex]);
+      }
+    }
+    const std::vector<std::vector<T>> received = this->Exchange.Exchange(sent);
+    for (std::size_t p = 0; p < received.size(); ++p)
+    {
+      for (std::size_t k = 0; k < received[p].size(); ++k)
+      {
+        values[travellers.Received[p][k]] = received[p][k];
+      }
+    }
+  }
+
+  /// Why the own mesh is none that others' fit to; empty where it is one.
+  std::string FindFaults(const PieceWithSurroundings& piece) const;
+  bool HasChangedEdgesNearGhosts(const PieceWithSurroundings& piece) const;
+  void FindOwned(const PieceWithSurroundings& piece, const SharedPoints& shared);
+  void FindExchange(
+    Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared);
+  void JoinComponents(
+    Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared);
+  /// Assigns the exchanged vertices to the components of the whole surface.
+  /// @param partOf the component of the mesh of each vertex
+  void FindTravellersOfComponents(const std::vector<int>& partOf);
+  bool Disagrees(const PieceWithSurroundings& piece) const;
+  /// Whether an edge is short beside the mean edge of its part here, but not beside that of the
+  /// whole component, or the other way round. All processes call it.
+  bool HasDoubtfulEdges(Processes& processes, const PieceWithSurroundings& piece) const;
+
+  const Messages& Exchange;
+  std::unique_ptr<SurfaceGeometry> Geometry;
+  std::string Reason;
+  bool WoundOtherwise = false;
+  /// The vertex of each point of the piece; None where there is none.
+  std::vector<Index> VertexOfPoint;
+  std::vector<char> Owned;
+  std::vector<int> ComponentOfPart;
+  int Components = 0;
+  /// For each component of the whole surface; nothing is exchanged for a component on one process.
+  std::vector<std::vector<std::size_t>> Parts;
+  std::vector<int> ProcessOfComponent;
+  Travellers AllTravellers;
+  std::vector<Travellers> TravellersOf;
+};
+}
+
+#endif

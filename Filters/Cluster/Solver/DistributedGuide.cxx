@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Solver/DistributedGuide.h"
+
+#include "Guidance/Constraints.h"
+#include "Guidance/Guidance.h"
+
+#include <algorithm>
+
+namespace DirectionFields::Parallel
+{
+namespace
+{
+/// The user's vectors as a section, in the scale of the whole surface.
+std::vector<Complex> GivenSection(const Messages& messages, const DistributedMesh& mesh,
+  const PieceWithSurroundings& piece, const Options& options, Guidance guidance)
+{
+  GuidanceScale scale = ScaleOf(guidance);
+  scale.Longest = messages.Largest(scale.Longest);
+  scale.Heaviest = messages.Largest(scale.Heaviest);
+  guidance.Vectors.resize(piece.Number.size(), Vector3::Zero());
+  if (!guidance.Weights.empty())
+  {
+    guidance.Weights.resize(piece.Number.size(), 0.0);
+  }
+  return GuidanceSection(mesh.GetGeometry(), guidance, options.Degree, scale);
+}
+
+/// Whether a value is not zero at any owned vertex of the whole surface.
+template <typename IsThere>
+bool AnyOwned(const Messages& messages, const DistributedMesh& mesh, const IsThere& isThere)
+{
+  bool any = false;
+  for (Index v = 0; v < mesh.GetMesh().GetNumberOfVertices() && !any; ++v)
+  {
+    any = mesh.IsOwned(v) && isThere(v);
+  }
+  return messages.Any(any);
+}
+}
+
+DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
+  const DistributedMesh& mesh, const PieceWithSurroundings& piece, const Options& options,
+  const Guidance& guidance)
+{
+  DistributedGuide guide;
+  std::vector<Complex> given;
+  if (options.Alignment == Alignment::PointVectors || options.ConstrainGuidance)
+  {
+    given = GivenSection(messages, mesh, piece, options, guidance);
+    if (!AnyOwned(messages, mesh, [&](Index v) { return given[v] != 0.0; }))
+    {
+      guide.Reason = "its guidance is zero everywhere";
+      return guide;
+    }
+  }
+  if (options.ConstrainBoundary || options.ConstrainGuidance)
+  {
+    guide.IsConstrained = true;
+    processes.Together(
+      [&]
+      {
+        std::vector<std::string> notes;
+        Constraints constraints({ mesh.GetGeometry(), {}, nullptr, given }, options, notes);
+        const auto vertices = static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
+        guide.Kind = std::move(constraints.Kind);
+        guide.Value = std::move(constraints.Value);
+        guide.Kind.resize(vertices, ConstraintKind::None);
+        guide.Value.resize(vertices, 0.0);
+      });
+    mesh.Complete(guide.Kind);
+    mesh.Complete(guide.Value);
+    const auto isOf = [&](ConstraintKind kind)
+    { return AnyOwned(messages, mesh, [&](Index v) { return guide.Kind[v] == kind; }); };
+    if (options.ConstrainBoundary && !isOf(ConstraintKind::Boundary) &&
+      !isOf(ConstraintKind::Given))
+    {
+      guide.Reason = "it has no boundary to constrain";
+    }
+  }
+  if (options.Alignment == Alignment::PointVectors)
+  {
+    guide.IsDrawn = true;
+    guide.Drawn = std::move(given);
+  }
+  return guide;
+}
+}

@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkPDirectionField.h"
+
+#include "Distributable.h"
+#include "DistributedField.h"
+#include "Filters/Blocks.h"
+#include "Filters/ProgressWatch.h"
+#include "Gathering/GatheredSurface.h"
+#include "Gathering/PartsOfSurface.h"
+#include "Gathering/Scattering.h"
+#include "Processes.h"
+#include "Progress.h"
+#include "SurfacePiece.h"
+
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPDirectionFieldPipeline.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+#include <utility>
+
+using DirectionFields::Parallel::GatheredSurface;
+using DirectionFields::Parallel::Processes;
+
+namespace
+{
+/// Adds a warning to the field data.
+void AddWarning(const std::string& warning, vtkPolyData* output)
+{
+  vtkSmartPointer<vtkStringArray> warnings =
+    vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("Warnings"));
+  if (!warnings)
+  {
+    warnings = vtkSmartPointer<vtkStringArray>::New();
+    warnings->SetName("Warnings");
+    output->GetFieldData()->AddArray(warnings);
+  }
+  warnings->InsertNextValue(warning);
+}
+
+/// The warning about polygons that are copies of nothing.
+std::string DescribeLostCopies(vtkIdType count)
+{
+  return "Make ghost cells anew after the filters that take cells away: " + std::to_string(count) +
+    (count == 1 ? " ghost cell is a copy of a polygon that no process has, and shows"
+                : " ghost cells are copies of polygons that no process has, and show") +
+    " no field.";
+}
+}
+
+vtkStandardNewMacro(vtkPDirectionField);
+
+//------------------------------------------------------------------------------
+vtkPDirectionField::vtkPDirectionField()
+  : Controller(nullptr)
+  , Distribution(AUTOMATIC)
+  , GatherLimit(20000000)
+  , Together(nullptr)
+  , WidestType(VTK_FLOAT)
+  , SharedPoints(0)
+  , Exchange(std::make_unique<DirectionFields::Parallel::PointExchange>())
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkPDirectionField::~vtkPDirectionField()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::SetController(vtkMultiProcessController* controller)
+{
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
+  this->GetInformation()->Set(vtkPDirectionFieldPipeline::CONTROLLER(), controller);
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "Distribution: " << this->Distribution << "\n";
+  os << indent << "GatherLimit: " << this->GatherLimit << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkPDirectionField::HasSeveralProcesses() const
+{
+  return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
+vtkExecutive* vtkPDirectionField::CreateDefaultExecutive()
+{
+  return vtkPDirectionFieldPipeline::New();
+}
+
+//------------------------------------------------------------------------------
+int vtkPDirectionField::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (!this->HasSeveralProcesses())
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  DirectionFields::Parallel::AcceptBlocks(info);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPDirectionField::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (!this->HasSeveralProcesses())
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkPDirectionField::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (this->HasSeveralProcesses() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    DirectionFields::Parallel::MakeOutputs(inputVector[0], outputVector);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::AddDistribution(
+  int used, vtkIdType pieces, vtkIdType sharedPoints, vtkPolyData* output) const
+{
+  vtkNew<vtkIdTypeArray> distribution;
+  distribution->SetName("Distribution");
+  distribution->SetNumberOfComponents(3);
+  distribution->SetComponentName(0, "Used");
+  distribution->SetComponentName(1, "Pieces");
+  distribution->SetComponentName(2, "SharedPoints");
+  const vtkIdType values[] = { used, pieces, sharedPoints };
+  distribution->InsertNextTypedTuple(values);
+  output->GetFieldData()->AddArray(distribution);
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ComputeWhole(Processes& processes, int process, vtkInformation* request,
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+{
+  DirectionFields::Parallel::ComputeOnOne(
+    processes, process, this,
+    [&](std::string& error) { return this->Compute(request, input, output, singularities, error); },
+    [this] { return this->IsStopped(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ComputeOnOne(Processes& processes, int process, vtkInformation* request,
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+{
+  const bool isThere = processes.Own() == process;
+  this->ComputeWhole(processes, process, request, input, output, singularities);
+  // The others have no polygons, but arrays of the same names as the surface.
+  GatheredSurface gathered;
+  gathered.Process = process;
+  gathered.Pieces = 1;
+  gathered.FirstPointOf.assign(static_cast<std::size_t>(processes.Count()) + 1, 0);
+  gathered.FirstCellOf = gathered.FirstPointOf;
+  gathered.OwnPointsOf.assign(static_cast<std::size_t>(processes.Count()), 0);
+  gathered.OwnCellsOf = gathered.OwnPointsOf;
+  vtkNew<vtkPolyData> other;
+  other->ShallowCopy(input);
+  RemoveField(other);
+  if (isThere)
+  {
+    gathered.Surface = input;
+    this->AddDistribution(0, 1, 0, output);
+  }
+  DirectionFields::Parallel::ScatterData(processes, gathered, isThere ? output : nullptr, other);
+  if (!isThere)
+  {
+    output->ShallowCopy(other);
+  }
+  DirectionFields::Parallel::AddMissingArrays(processes, process, singularities, singularities);
+  DirectionFields::Parallel::BroadcastFieldData(
+    processes, process, singularities->GetFieldData(), singularities->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* request,
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+{
+  processes.Together([&] { CheckInput(input); });
+  const vtkIdType polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
+  const std::vector<vtkIdType> sizes = processes.AllGather({ polygons });
+  if (std::count(sizes.begin(), sizes.end(), 0) + 1 == processes.Count())
+  {
+    const auto largest = std::max_element(sizes.begin(), sizes.end());
+    this->ComputeOnOne(
+      processes, static_cast<int>(largest - sizes.begin()), request, input, output, singularities);
+    return;
+  }
+  const vtkIdType all = std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0));
+  const bool isLarge = all > this->GatherLimit;
+  std::string warning;
+  if (all > 0 &&
+    (this->Distribution == DISTRIBUTED || (this->Distribution == AUTOMATIC && isLarge)))
+  {
+    std::string reason;
+    if (!DirectionFields::Parallel::CanDistribute())
+    {
+      reason = "this build has no PETSc; install PETSc for complex numbers "
+               "(libpetsc-complex-dev) and build again with DIRECTIONFIELDS_USE_PETSC=ON";
+      if (this->Distribution == DISTRIBUTED)
+      {
+        throw DirectionFields::Parallel::ProcessesError(
+          "Set Distribution to Gather or Automatic, for " + reason + ".");
+      }
+    }
+    else if (this->ComputeDistributed(processes, request, input, output, singularities, reason))
+    {
+      return;
+    }
+    warning = "The surface was gathered on one process, for " + reason + ".";
+  }
+  if (isLarge)
+  {
+    warning += (warning.empty() ? "The" : " The") + std::string(" surface has ") +
+      std::to_string(all) +
+      " polygons, more than GatherLimit. All of them are on one process now, which takes about " +
+      std::to_string(std::max<vtkIdType>(1, all * 67 / 100000000)) +
+      " GB there. Decimate the surface where that is too much.";
+  }
+  this->ComputeGathered(processes, request, input, warning, output, singularities);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation* request,
+  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities, std::string& reason)
+{
+  const bool isDouble =
+    input->GetNumberOfPoints() > 0 && input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  this->WidestType = processes.Largest(isDouble ? 1 : 0) > 0 ? VTK_DOUBLE : VTK_FLOAT;
+  this->Together = &processes;
+  this->Reason.clear();
+  bool isComplete = false;
+  const auto compute = [&]
+  {
+    std::string error;
+    isComplete = this->Compute(request, input, output, singularities, error);
+    if (!isComplete && this->Reason.empty())
+    {
+      throw DirectionFields::Parallel::ProcessesError(error);
+    }
+  };
+  try
+  {
+    processes.Together(compute);
+  }
+  catch (...)
+  {
+    this->Together = nullptr;
+    throw;
+  }
+  this->Together = nullptr;
+  reason = this->Reason;
+  if (isComplete)
+  {
+    DirectionFields::Parallel::SurfacePiece piece;
+    processes.Together([&] { piece = DirectionFields::Parallel::ReadPiece(input); });
+    const vtkIdType lost =
+      DirectionFields::Parallel::ExchangeValues(processes, *this->Exchange, piece, input, output);
+    *this->Exchange = {};
+    const std::vector<vtkIdType> have = processes.AllGather(
+      { input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0 ? vtkIdType(1) : 0 });
+    this->AddDistribution(
+      2, std::accumulate(have.begin(), have.end(), vtkIdType(0)), this->SharedPoints, output);
+    if (lost > 0)
+    {
+      AddWarning(DescribeLostCopies(lost), output);
+      if (processes.Own() == 0)
+      {
+        vtkWarningMacro(<< DescribeLostCopies(lost));
+      }
+    }
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
+  const DirectionFields::Surface& surface, const DirectionFields::Options& options,
+  DirectionFields::SurfaceFigures& figures)
+{
+  if (!this->Together)
+  {
+    return this->Superclass::ComputeField(input, surface, options, figures);
+  }
+  Processes& processes = *this->Together;
+  DirectionFields::Parallel::SurfacePiece piece;
+  DirectionFields::Guidance guidance;
+  processes.Together(
+    [&]
+    {
+      piece = DirectionFields::Parallel::ReadPiece(input);
+      DirectionFields::Check(options);
+      if (!surface.Triangles.empty())
+      {
+        guidance = this->ReadGuidance(input);
+        DirectionFields::Check(guidance, options, surface.Points.size());
+      }
+    });
+  this->Reason = DirectionFields::Parallel::WhyNotDistributed(options);
+  if (this->Reason.empty() && this->GetCellDirections())
+  {
+    this->Reason = "Cell Directions needs the whole surface";
+  }
+  if (this->Reason.empty())
+  {
+    DirectionFields::Parallel::DistributedField distributed =
+      DirectionFields::Parallel::ComputeDistributed(processes, surface, piece, options, guidance,
+        [this](double done)
+        {
+          this->UpdateProgress(0.05 + 0.85 * done);
+          return !this->IsStopped();
+        });
+    this->Reason = distributed.Reason;
+    if (this->Reason.empty())
+    {
+      this->SharedPoints = distributed.SharedPoints;
+      *this->Exchange = std::move(distributed.Exchange);
+      figures = distributed.Figures;
+      return std::move(distributed.Field);
+    }
+  }
+  throw DirectionFields::Stopped();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPDirectionField::IsSpeaker() const
+{
+  return !this->Together || this->Together->Own() == 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkPDirectionField::TypeOfArrays(vtkPolyData* input) const
+{
+  return this->Together ? this->WidestType : this->Superclass::TypeOfArrays(input);
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ReadTogether(const std::function<void()>& read)
+{
+  if (!this->Together)
+  {
+    read();
+    return;
+  }
+  this->Together->Together(
+    [&]
+    {
+      try
+      {
+        read();
+      }
+      catch (const DirectionFields::Stopped&)
+      {
+        throw DirectionFields::Parallel::ProcessesError("");
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkPDirectionField::ComputeGathered(Processes& processes, vtkInformation* request,
+  vtkPolyData* input, const std::string& warning, vtkPolyData* output, vtkPolyData* singularities)
+{
+  std::vector<std::string> arrays;
+  for (const char* const name : { this->GetGuidanceVectors(), this->GetGuidanceWeights() })
+  {
+    const bool isAsked =
+      this->GetAlignment() == ALIGN_POINT_VECTORS || this->GetConstrainGuidance();
+    if (name && isAsked)
+    {
+      arrays.emplace_back(name);
+    }
+  }
+  const GatheredSurface gathered =
+    DirectionFields::Parallel::GatherSurface(processes, input, arrays);
+  const bool isThere = gathered.Surface != nullptr;
+  std::vector<std::string> warnings;
+  if (isThere && !warning.empty())
+  {
+    warnings.push_back(warning);
+  }
+  if (gathered.LostCopies > 0)
+  {
+    warnings.push_back(DescribeLostCopies(gathered.LostCopies));
+  }
+  for (const std::string& one : warnings)
+  {
+    vtkWarningMacro(<< one);
+  }
+  vtkNew<vtkPolyData> whole;
+  vtkNew<vtkPolyData> wholeSingularities;
+  this->ComputeWhole(
+    processes, gathered.Process, request, gathered.Surface, whole, wholeSingularities);
+  if (isThere)
+  {
+    this->AddDistribution(1, gathered.Pieces, gathered.SharedPoints, whole);
+    for (const std::string& one : warnings)
+    {
+      AddWarning(one, whole);
+    }
+  }
+  output->ShallowCopy(input);
+  RemoveField(output);
+  DirectionFields::Parallel::ScatterData(
+    processes, gathered, isThere ? whole.Get() : nullptr, output);
+  DirectionFields::Parallel::ScatterParts(processes, gathered,
+    DirectionFields::Parallel::PartsBelongTo::Cells, isThere ? wholeSingularities.Get() : nullptr,
+    singularities);
+}
+
+//------------------------------------------------------------------------------
+int vtkPDirectionField::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->HasSeveralProcesses())
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
+  vtkDataObject* const singularities = vtkDataObject::GetData(outputVector, 1);
+  Processes processes(this->Controller);
+  return DirectionFields::Parallel::RunTogether(this,
+    [&]
+    {
+      DirectionFields::Parallel::ForEachSurface(processes, vtkDataObject::GetData(inputVector[0]),
+        { output, singularities },
+        [&](vtkPolyData* piece, const std::vector<vtkPolyData*>& outputs)
+        {
+          this->ComputePiece(
+            processes, outputVector->GetInformationObject(0), piece, outputs[0], outputs[1]);
+        });
+    },
+    { output, singularities });
+}
