@@ -1,9 +1,10 @@
 # Includes run downwards only. Between libraries: a library includes from itself and from those that
-# it links (LINKS in its CMakeLists.txt; vtk_module_link in those of the modules VTK and Parallel),
-# and from those that these link. Inside one: a folder includes itself and the folders that its row
-# in the library's Floors.txt names. No rooms (a header and its source) include each other in a
-# circle, and no folder has more than 11 rooms. FILTERS names another directory than the project's
-# own.
+# it links (LINKS in its CMakeLists.txt), and from those that these link. The modules VTK and Parallel
+# include their own headers and those of Pieces and Cluster; of the libraries without VTK they know
+# the public headers only, <DirectionFields/Name.h>, as other programs do. Inside a library: a folder
+# includes itself and the folders that its row in the library's Floors.txt names. No rooms (a header
+# and its source) include each other in a circle, and no folder has more than 11 rooms. FILTERS names
+# another directory than the project's own.
 cmake_minimum_required(VERSION 3.18)
 if (NOT FILTERS)
   set(FILTERS "${CMAKE_CURRENT_LIST_DIR}/../Filters")
@@ -23,14 +24,17 @@ foreach (library IN LISTS libraries)
   elseif (text MATCHES "vtk_module_link")
     string(REGEX MATCHALL "DirectionFields::[A-Z][A-Za-z]+" links "${text}")
     list(TRANSFORM links REPLACE "DirectionFields::" "")
-    list(FILTER links EXCLUDE REGEX "^Filters")
-    list(TRANSFORM links REPLACE "^Core$" "Drawing;Remeshing")
+    # They include from below what is public only, as <DirectionFields/Name.h>.
+    list(FILTER links EXCLUDE REGEX "^(Core|Filters.*)$")
   endif ()
   foreach (link IN LISTS links)
     if (NOT DEFINED reach-${link})
       message(FATAL_ERROR "${library} links ${link}, which is no library below it")
     endif ()
-    list(APPEND reach-${library} ${reach-${link}})
+    list(APPEND reach-${library} ${link})
+    if (NOT text MATCHES "vtk_module_link")
+      list(APPEND reach-${library} ${reach-${link}})
+    endif ()
   endforeach ()
   list(REMOVE_DUPLICATES reach-${library})
   # Which folders each folder may include.

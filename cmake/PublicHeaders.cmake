@@ -18,7 +18,9 @@ function (directionfields_public_headers library)
     install(FILES "${output}" COMPONENT development
       DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/DirectionFields/${folder}")
   endforeach ()
+  # They are made before anything that is linked with the library is compiled.
   add_custom_target("${library}Headers" ALL DEPENDS ${outputs})
+  add_dependencies("${library}" "${library}Headers")
   target_include_directories("${library}" INTERFACE
     "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")

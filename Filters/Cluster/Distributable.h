@@ -4,7 +4,7 @@
 #ifndef Distributable_h
 #define Distributable_h
 
-#include "Options.h"
+#include <DirectionFields/Options.h>
 
 #include <string>
 

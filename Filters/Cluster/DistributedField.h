@@ -4,12 +4,13 @@
 #ifndef DistributedField_h
 #define DistributedField_h
 
-#include "Computation/SurfaceFigures.h"
 #include "ExchangedValues.h"
-#include "Options.h"
 #include "Processes.h"
-#include "Result.h"
 #include "SurfacePiece.h"
+
+#include <DirectionFields/Computation/SurfaceFigures.h>
+#include <DirectionFields/Options.h>
+#include <DirectionFields/Result.h>
 
 #include "vtkType.h"
 

@@ -5,7 +5,7 @@
 
 #include "Support/Threads.h"
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 namespace
 {

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace DirectionFields::Internal
+namespace DirectionFields
 {
 /// A number with the key that it is sorted by.
 template <typename Key>

@@ -4,10 +4,8 @@
 #include "Filters/Blocks.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -170,24 +168,6 @@ void AcceptBlocks(vtkInformation* port)
     { "vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection" })
   {
     port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
-}
-
-void MakeOutputs(vtkInformationVector* input, vtkInformationVector* outputs)
-{
-  vtkDataObject* const given = vtkDataObject::GetData(input);
-  const bool isComposite = vtkCompositeDataSet::SafeDownCast(given) != nullptr;
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkInformation* const information = outputs->GetInformationObject(port);
-    vtkDataObject* const old = information->Get(vtkDataObject::DATA_OBJECT());
-    if (!old || !old->IsA(isComposite ? given->GetClassName() : "vtkPolyData"))
-    {
-      const auto made = isComposite
-        ? vtkSmartPointer<vtkDataObject>::Take(given->NewInstance())
-        : vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkPolyData>::New());
-      information->Set(vtkDataObject::DATA_OBJECT(), made);
-    }
   }
 }
 }

@@ -14,7 +14,6 @@
 
 class vtkDataObject;
 class vtkInformation;
-class vtkInformationVector;
 class vtkPolyData;
 
 namespace DirectionFields::Parallel
@@ -34,9 +33,6 @@ void ForEachSurface(Processes& processes, vtkDataObject* input,
 /// Lets a port take composite datasets as a whole: the pipeline itself would hand over only the
 /// blocks that a process has.
 void AcceptBlocks(vtkInformation* port);
-
-/// Makes outputs of the input's type.
-void MakeOutputs(vtkInformationVector* input, vtkInformationVector* outputs);
 }
 
 #endif

@@ -11,17 +11,16 @@
 #include "Gathering/PartsOfSurface.h"
 #include "Gathering/Scattering.h"
 #include "Processes.h"
-#include "Progress.h"
 #include "SurfacePiece.h"
+
+#include <DirectionFields/Progress.h>
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -126,29 +125,6 @@ int vtkPDirectionField::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkPDirectionField::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (!this->HasSeveralProcesses())
-  {
-    return this->Superclass::FillOutputPortInformation(port, info);
-  }
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkPDirectionField::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (this->HasSeveralProcesses() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    DirectionFields::Parallel::MakeOutputs(inputVector[0], outputVector);
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 void vtkPDirectionField::AddDistribution(
   int used, vtkIdType pieces, vtkIdType sharedPoints, vtkPolyData* output) const
 {
@@ -164,21 +140,23 @@ void vtkPDirectionField::AddDistribution(
 }
 
 //------------------------------------------------------------------------------
-void vtkPDirectionField::ComputeWhole(Processes& processes, int process, vtkInformation* request,
-  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+void vtkPDirectionField::ComputeWhole(Processes& processes, int process, vtkPolyData* input,
+  vtkPolyData* output, vtkPolyData* singularities)
 {
   DirectionFields::Parallel::ComputeOnOne(
     processes, process, this,
-    [&](std::string& error) { return this->Compute(request, input, output, singularities, error); },
+    [&](std::string& error) {
+      return this->Compute({ input }, { output, singularities }, error);
+    },
     [this] { return this->IsStopped(); });
 }
 
 //------------------------------------------------------------------------------
-void vtkPDirectionField::ComputeOnOne(Processes& processes, int process, vtkInformation* request,
-  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+void vtkPDirectionField::ComputeOnOne(Processes& processes, int process, vtkPolyData* input,
+  vtkPolyData* output, vtkPolyData* singularities)
 {
   const bool isThere = processes.Own() == process;
-  this->ComputeWhole(processes, process, request, input, output, singularities);
+  this->ComputeWhole(processes, process, input, output, singularities);
   // The others have no polygons, but arrays of the same names as the surface.
   GatheredSurface gathered;
   gathered.Process = process;
@@ -206,8 +184,8 @@ void vtkPDirectionField::ComputeOnOne(Processes& processes, int process, vtkInfo
 }
 
 //------------------------------------------------------------------------------
-void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* request,
-  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+void vtkPDirectionField::ComputePiece(
+  Processes& processes, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
 {
   processes.Together([&] { CheckInput(input); });
   const vtkIdType polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
@@ -216,7 +194,7 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
   {
     const auto largest = std::max_element(sizes.begin(), sizes.end());
     this->ComputeOnOne(
-      processes, static_cast<int>(largest - sizes.begin()), request, input, output, singularities);
+      processes, static_cast<int>(largest - sizes.begin()), input, output, singularities);
     return;
   }
   const vtkIdType all = std::accumulate(sizes.begin(), sizes.end(), vtkIdType(0));
@@ -236,7 +214,7 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
           "Set Distribution to Gather or Automatic, for " + reason + ".");
       }
     }
-    else if (this->ComputeDistributed(processes, request, input, output, singularities, reason))
+    else if (this->ComputeDistributed(processes, input, output, singularities, reason))
     {
       return;
     }
@@ -250,12 +228,12 @@ void vtkPDirectionField::ComputePiece(Processes& processes, vtkInformation* requ
       std::to_string(std::max<vtkIdType>(1, all * 67 / 100000000)) +
       " GB there. Decimate the surface where that is too much.";
   }
-  this->ComputeGathered(processes, request, input, warning, output, singularities);
+  this->ComputeGathered(processes, input, warning, output, singularities);
 }
 
 //------------------------------------------------------------------------------
-bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation* request,
-  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities, std::string& reason)
+bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkPolyData* input,
+  vtkPolyData* output, vtkPolyData* singularities, std::string& reason)
 {
   const bool isDouble =
     input->GetNumberOfPoints() > 0 && input->GetPoints()->GetDataType() == VTK_DOUBLE;
@@ -266,7 +244,7 @@ bool vtkPDirectionField::ComputeDistributed(Processes& processes, vtkInformation
   const auto compute = [&]
   {
     std::string error;
-    isComplete = this->Compute(request, input, output, singularities, error);
+    isComplete = this->Compute({ input }, { output, singularities }, error);
     if (!isComplete && this->Reason.empty())
     {
       throw DirectionFields::Parallel::ProcessesError(error);
@@ -390,8 +368,8 @@ void vtkPDirectionField::ReadTogether(const std::function<void()>& read)
 }
 
 //------------------------------------------------------------------------------
-void vtkPDirectionField::ComputeGathered(Processes& processes, vtkInformation* request,
-  vtkPolyData* input, const std::string& warning, vtkPolyData* output, vtkPolyData* singularities)
+void vtkPDirectionField::ComputeGathered(Processes& processes, vtkPolyData* input,
+  const std::string& warning, vtkPolyData* output, vtkPolyData* singularities)
 {
   std::vector<std::string> arrays;
   for (const char* const name : { this->GetGuidanceVectors(), this->GetGuidanceWeights() })
@@ -421,8 +399,7 @@ void vtkPDirectionField::ComputeGathered(Processes& processes, vtkInformation* r
   }
   vtkNew<vtkPolyData> whole;
   vtkNew<vtkPolyData> wholeSingularities;
-  this->ComputeWhole(
-    processes, gathered.Process, request, gathered.Surface, whole, wholeSingularities);
+  this->ComputeWhole(processes, gathered.Process, gathered.Surface, whole, wholeSingularities);
   if (isThere)
   {
     this->AddDistribution(1, gathered.Pieces, gathered.SharedPoints, whole);
@@ -457,10 +434,7 @@ int vtkPDirectionField::RequestData(
       DirectionFields::Parallel::ForEachSurface(processes, vtkDataObject::GetData(inputVector[0]),
         { output, singularities },
         [&](vtkPolyData* piece, const std::vector<vtkPolyData*>& outputs)
-        {
-          this->ComputePiece(
-            processes, outputVector->GetInformationObject(0), piece, outputs[0], outputs[1]);
-        });
+        { this->ComputePiece(processes, piece, outputs[0], outputs[1]); });
     },
     { output, singularities });
 }

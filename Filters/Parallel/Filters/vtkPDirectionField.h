@@ -116,8 +116,7 @@ protected:
   ~vtkPDirectionField() override;
 
   vtkExecutive* CreateDefaultExecutive() override;
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool TakesBlocks() const override { return this->HasSeveralProcesses(); }
   ///@{
   /**
    * As vtkDirectionField asks for them, for the piece of this process.
@@ -130,7 +129,6 @@ protected:
   ///@}
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -140,22 +138,21 @@ private:
 
   bool HasSeveralProcesses() const;
   /// The field of one surface. Throws DirectionFields::Parallel::ProcessesError on all processes.
-  void ComputePiece(DirectionFields::Parallel::Processes& processes, vtkInformation* request,
-    vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
+  void ComputePiece(DirectionFields::Parallel::Processes& processes, vtkPolyData* input,
+    vtkPolyData* output, vtkPolyData* singularities);
   /// The same where one process has all polygons.
   void ComputeOnOne(DirectionFields::Parallel::Processes& processes, int process,
-    vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
+    vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
   /// Lets one process compute the field while the others wait.
   void ComputeWhole(DirectionFields::Parallel::Processes& processes, int process,
-    vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
+    vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
   /// The same by gathering.
   /// @param warning why it is gathered, where the user asked for something else; else empty
-  void ComputeGathered(DirectionFields::Parallel::Processes& processes, vtkInformation* request,
-    vtkPolyData* input, const std::string& warning, vtkPolyData* output,
-    vtkPolyData* singularities);
+  void ComputeGathered(DirectionFields::Parallel::Processes& processes, vtkPolyData* input,
+    const std::string& warning, vtkPolyData* output, vtkPolyData* singularities);
   /// The same without gathering. False where it cannot be done, for the reason that is set.
-  bool ComputeDistributed(DirectionFields::Parallel::Processes& processes, vtkInformation* request,
-    vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities, std::string& reason);
+  bool ComputeDistributed(DirectionFields::Parallel::Processes& processes, vtkPolyData* input,
+    vtkPolyData* output, vtkPolyData* singularities, std::string& reason);
   /// Adds the array Distribution to the field data.
   void AddDistribution(
     int used, vtkIdType pieces, vtkIdType sharedPoints, vtkPolyData* output) const;

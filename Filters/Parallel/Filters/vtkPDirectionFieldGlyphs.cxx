@@ -12,7 +12,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -84,29 +83,6 @@ int vtkPDirectionFieldGlyphs::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-int vtkPDirectionFieldGlyphs::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (!this->HasSeveralProcesses())
-  {
-    return this->Superclass::FillOutputPortInformation(port, info);
-  }
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkPDirectionFieldGlyphs::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (this->HasSeveralProcesses() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    DirectionFields::Parallel::MakeOutputs(inputVector[0], outputVector);
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 void vtkPDirectionFieldGlyphs::DrawPiece(
   Processes& processes, vtkPolyData* input, vtkPolyData* output)
 {
@@ -116,7 +92,7 @@ void vtkPDirectionFieldGlyphs::DrawPiece(
   {
     DirectionFields::Parallel::ComputeOnOne(
       processes, process, this,
-      [&](std::string& error) { return this->Compute(surface, glyphs, error); },
+      [&](std::string& error) { return this->Compute({ surface }, { glyphs }, error); },
       [this] { return this->IsStopped(); });
   };
   const std::vector<vtkIdType> sizes =

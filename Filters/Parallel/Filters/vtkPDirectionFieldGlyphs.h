@@ -53,10 +53,8 @@ protected:
   ~vtkPDirectionFieldGlyphs() override;
 
   vtkExecutive* CreateDefaultExecutive() override;
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  bool TakesBlocks() const override { return this->HasSeveralProcesses(); }
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -7,18 +7,13 @@
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/ComparisonToPolyData.h"
-#include "Support/AlgorithmProgress.h"
-#include "Support/CompositeOutputs.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/Progress.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -105,32 +100,9 @@ int vtkCompareDirectionFields::FillInputPortInformation(int, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
-int vtkCompareDirectionFields::FillOutputPortInformation(int, vtkInformation* info)
+void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other,
+  const DirectionFields::Progress& progress, vtkPolyData* output, vtkPolyData* matches)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkCompareDirectionFields::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    DirectionFields::MakeOutputsLike(inputVector[0], outputVector);
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other, double begin,
-  double end, vtkPolyData* output, vtkPolyData* matches)
-{
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this, begin, end);
-  const DirectionFields::Progress progress(report);
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
   DirectionFields::CheckPolyData(other);
   output->ShallowCopy(input);
@@ -175,7 +147,8 @@ void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other, 
 
 //------------------------------------------------------------------------------
 void vtkCompareDirectionFields::CompareBlocks(vtkCompositeDataSet* input, vtkDataObject* other,
-  vtkCompositeDataSet* output, vtkCompositeDataSet* matches)
+  const DirectionFields::Progress& progress, vtkCompositeDataSet* output,
+  vtkCompositeDataSet* matches)
 {
   vtkSmartPointer<vtkCompositeDataIterator> at;
   at.TakeReference(input->NewIterator());
@@ -202,53 +175,32 @@ void vtkCompareDirectionFields::CompareBlocks(vtkCompositeDataSet* input, vtkDat
     }
     vtkNew<vtkPolyData> difference;
     vtkNew<vtkPolyData> blockMatches;
-    this->Compare(
-      block, otherBlock, done / blocks, (done + 1.0) / blocks, difference, blockMatches);
+    this->Compare(block, otherBlock, progress.Part(done / blocks, (done + 1.0) / blocks),
+      difference, blockMatches);
     output->SetDataSet(at, difference);
     matches->SetDataSet(at, blockMatches);
   }
 }
 
 //------------------------------------------------------------------------------
-int vtkCompareDirectionFields::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkCompareDirectionFields::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
-  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
-  vtkDataObject* const other = vtkDataObject::GetData(inputVector[1]);
-  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
-  vtkDataObject* const matches = vtkDataObject::GetData(outputVector, 1);
-  if (!input || !other || !output || !matches)
+  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(inputs[0]))
   {
-    return 0;
+    auto* const differences = vtkCompositeDataSet::SafeDownCast(outputs[0]);
+    auto* const matches = vtkCompositeDataSet::SafeDownCast(outputs[1]);
+    differences->CopyStructure(composite);
+    matches->CopyStructure(composite);
+    this->CompareBlocks(composite, inputs[1], progress, differences, matches);
+    return;
   }
-  std::string error;
-  const auto compare = [&]
+  auto* const surface = vtkPolyData::SafeDownCast(inputs[1]);
+  if (!surface)
   {
-    if (auto* const composite = vtkCompositeDataSet::SafeDownCast(input))
-    {
-      auto* const differences = vtkCompositeDataSet::SafeDownCast(output);
-      auto* const allMatches = vtkCompositeDataSet::SafeDownCast(matches);
-      differences->CopyStructure(composite);
-      allMatches->CopyStructure(composite);
-      this->CompareBlocks(composite, other, differences, allMatches);
-    }
-    else
-    {
-      auto* const surface = vtkPolyData::SafeDownCast(other);
-      if (!surface)
-      {
-        throw std::invalid_argument(
-          "The second input is a composite dataset, the first one a single surface. Give the composite one first.");
-      }
-      this->Compare(vtkPolyData::SafeDownCast(input), surface, 0.0, 1.0,
-        vtkPolyData::SafeDownCast(output), vtkPolyData::SafeDownCast(matches));
-    }
-    this->UpdateProgress(1.0);
-  };
-  if (DirectionFields::RunFilter(compare, { output, matches }, error))
-  {
-    return 1;
+    throw std::invalid_argument(
+      "The second input is a composite dataset, the first one a single surface. Give the composite one first.");
   }
-  vtkErrorMacro(<< error);
-  return 0;
+  this->Compare(vtkPolyData::SafeDownCast(inputs[0]), surface, progress,
+    vtkPolyData::SafeDownCast(outputs[0]), vtkPolyData::SafeDownCast(outputs[1]));
 }

@@ -43,20 +43,17 @@
 #ifndef vtkCompareDirectionFields_h
 #define vtkCompareDirectionFields_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 class vtkCompositeDataSet;
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkCompareDirectionFields : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkCompareDirectionFields : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkCompareDirectionFields* New();
-  vtkTypeMacro(vtkCompareDirectionFields, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkCompareDirectionFields, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
 
   ///@{
   /**
@@ -89,19 +86,19 @@ protected:
   ~vtkCompareDirectionFields() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  bool TakesBlocks() const override { return true; }
 
 private:
   vtkCompareDirectionFields(const vtkCompareDirectionFields&) = delete;
   void operator=(const vtkCompareDirectionFields&) = delete;
 
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  /// @param begin, end the part of the progress
-  void Compare(vtkPolyData* input, vtkPolyData* other, double begin, double end,
+  /// Compares two surfaces. Throws DirectionFields::Stopped.
+  void Compare(vtkPolyData* input, vtkPolyData* other, const DirectionFields::Progress& progress,
     vtkPolyData* output, vtkPolyData* matches);
-  void CompareBlocks(vtkCompositeDataSet* input, vtkDataObject* other, vtkCompositeDataSet* output,
+  void CompareBlocks(vtkCompositeDataSet* input, vtkDataObject* other,
+    const DirectionFields::Progress& progress, vtkCompositeDataSet* output,
     vtkCompositeDataSet* matches);
 
   bool MatchSingularities;

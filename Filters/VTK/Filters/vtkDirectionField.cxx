@@ -8,17 +8,14 @@
 #include "Conversion/Output/CellDirections.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
-#include "OptionTable.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
 #include "Support/DirectionFieldCache.h"
-#include "Support/FilterRun.h"
 #include "Support/Summary.h"
-#include "Support/Threads.h"
 #include "Support/Warnings.h"
 
+#include <DirectionFields/OptionTable.h>
+
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -116,10 +113,7 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
 #define HAND_ON(name, ...) options.name = static_cast<decltype(options.name)>(this->name);
   DIRECTIONFIELDS_OPTIONS(HAND_ON, HAND_ON, HAND_ON)
 #undef HAND_ON
-  if (options.NumberOfThreads == 0)
-  {
-    options.NumberOfThreads = DirectionFields::DefaultThreads();
-  }
+  options.NumberOfThreads = this->ThreadsToUse();
   return options;
 }
 
@@ -158,33 +152,29 @@ DirectionFields::Result vtkDirectionField::ComputeField(vtkPolyData* input,
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionField::ComputeOutputs(
-  vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+void vtkDirectionField::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
+  auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
+  auto* const singularities = vtkPolyData::SafeDownCast(outputs[1]);
   const DirectionFields::Options options = this->MakeOptions();
-  DirectionFields::Threads threads(options.NumberOfThreads);
-  const DirectionFields::Threads::Scope scope(threads);
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  const DirectionFields::Progress progress(report);
-
   this->ReadTogether(
     [&]
     {
       DirectionFields::CheckPolyData(input);
-      this->Last->SetInput(input, TimeOf(request, input), progress.Part(0.0, ProgressRead));
+      this->Last->SetInput(
+        input, TimeOf(this->GetOutputInformation(0), input), progress.Part(0.0, ProgressRead));
     });
   DirectionFields::SurfaceFigures figures;
   const DirectionFields::Result field =
     this->ComputeField(input, this->Last->GetSurface().Mesh, options, figures);
-  if (field.Aborted || DirectionFields::IsAborted(this))
-  {
-    throw DirectionFields::Stopped();
-  }
+  this->ThrowIfStopped(field.Aborted);
   this->Last->SetField(field);
   const std::vector<std::string> warnings = DirectionFields::Warnings(field, options);
-  for (const std::string& warning : this->IsSpeaker() ? warnings : std::vector<std::string>{})
+  if (this->IsSpeaker())
   {
-    vtkWarningMacro(<< warning);
+    this->Warn(warnings);
   }
 
   const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
@@ -202,49 +192,21 @@ void vtkDirectionField::ComputeOutputs(
   {
     DirectionFields::AddSummary(summary, data->GetFieldData());
   }
-  this->UpdateProgress(1.0);
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionField::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkDirectionField::ThreadsToUse() const
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* singularities = vtkPolyData::GetData(outputVector, 1);
-  if (!input || !output || !singularities)
-  {
-    return 0;
-  }
-  std::string error;
-  const bool isRight =
-    this->Compute(outputVector->GetInformationObject(0), input, output, singularities, error) ||
-    error.empty();
-  if (!isRight)
-  {
-    vtkErrorMacro(<< error);
-  }
-  return isRight ? 1 : 0;
+  return this->NumberOfThreads > 0 ? this->NumberOfThreads : this->Superclass::ThreadsToUse();
 }
 
 //------------------------------------------------------------------------------
-bool vtkDirectionField::Compute(vtkInformation* request, vtkPolyData* input, vtkPolyData* output,
-  vtkPolyData* singularities, std::string& error)
+void vtkDirectionField::Release(bool)
 {
-  bool isComplete = false;
-  error.clear();
-  DirectionFields::RunFilter(
-    [&]
-    {
-      this->ComputeOutputs(request, input, output, singularities);
-      isComplete = true;
-    },
-    { output, singularities }, error);
   if (!this->KeepStages)
   {
     this->ReleaseStages();
   }
-  return isComplete;
 }
 
 //------------------------------------------------------------------------------
@@ -260,19 +222,7 @@ void vtkDirectionField::ReadTogether(const std::function<void()>& read)
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionField::CheckInput(vtkPolyData* input)
-{
-  DirectionFields::CheckPolyData(input);
-}
-
-//------------------------------------------------------------------------------
 void vtkDirectionField::RemoveField(vtkPolyData* output)
 {
   DirectionFields::RemoveFieldArrays(output);
-}
-
-//------------------------------------------------------------------------------
-bool vtkDirectionField::IsStopped()
-{
-  return DirectionFields::IsAborted(this);
 }

@@ -173,8 +173,8 @@
 #ifndef vtkDirectionField_h
 #define vtkDirectionField_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <functional> // For std::function
 #include <memory>     // For std::unique_ptr
@@ -190,11 +190,11 @@ struct Surface;
 struct SurfaceFigures;
 }
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionField : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionField : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkDirectionField* New();
-  vtkTypeMacro(vtkDirectionField, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectionField, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -539,22 +539,15 @@ protected:
   vtkDirectionField();
   ~vtkDirectionField() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  void Release(bool hasFailed) override;
+  int ThreadsToUse() const override;
 
-  ///@{
   /**
-   * What a filter of several processes is made of. CheckInput throws a std::exception with a sentence for the
-   * user where the input contradicts itself. Compute fills the outputs, or empties them and returns false with
-   * the error, which is empty where somebody stopped the filter; request has the time of the outputs. RemoveField
-   * takes away the arrays that an earlier filter left.
+   * Takes away the arrays that an earlier filter left.
    */
-  static void CheckInput(vtkPolyData* input);
-  bool Compute(vtkInformation* request, vtkPolyData* input, vtkPolyData* output,
-    vtkPolyData* singularities, std::string& error);
   static void RemoveField(vtkPolyData* output);
-  bool IsStopped();
-  ///@}
 
   ///@{
   /**
@@ -579,10 +572,6 @@ protected:
 private:
   vtkDirectionField(const vtkDirectionField&) = delete;
   void operator=(const vtkDirectionField&) = delete;
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void ComputeOutputs(
-    vtkInformation* request, vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
 
   int Degree;
   double EnergyBias;

@@ -8,14 +8,10 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/GlyphsToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
 #include "Support/GlyphSurfaceCache.h"
-#include "Support/Threads.h"
 
 #include "vtkCommand.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -108,8 +104,10 @@ DirectionFields::GlyphOptions vtkDirectionFieldGlyphs::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output)
+void vtkDirectionFieldGlyphs::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
   DirectionFields::CheckPolyData(input);
   if (input->GetNumberOfPoints() == 0)
   {
@@ -118,72 +116,32 @@ void vtkDirectionFieldGlyphs::DrawGlyphs(vtkPolyData* input, vtkPolyData* output
     return;
   }
   const DirectionFields::PointDirections field = DirectionFields::RequireDirections(input);
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
   if (this->BlockDepth == 0)
   {
     // Somebody has removed the observers: there is one block, as far as can be told.
     this->Surfaces->Begin();
   }
   DirectionFields::GlyphSurface& surface =
-    this->Surfaces->Next(input, DirectionFields::Progress(report).Part(0.0, ProgressRead));
+    this->Surfaces->Next(input, progress.Part(0.0, ProgressRead));
   const DirectionFields::Glyphs glyphs = DirectionFields::MakeGlyphs(surface, field,
     this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressDrawn));
-  if (glyphs.Aborted || DirectionFields::IsAborted(this))
-  {
-    throw DirectionFields::Stopped();
-  }
-  DirectionFields::AddGlyphs(glyphs, input->GetPoints()->GetDataType(), output);
-  this->UpdateProgress(1.0);
+  this->ThrowIfStopped(glyphs.Aborted);
+  DirectionFields::AddGlyphs(
+    glyphs, input->GetPoints()->GetDataType(), vtkPolyData::SafeDownCast(outputs[0]));
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionFieldGlyphs::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkDirectionFieldGlyphs::Release(bool hasFailed)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !output)
+  if (hasFailed)
   {
-    return 0;
-  }
-  std::string error;
-  if (this->Compute(input, output, error) || error.empty())
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< error);
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkDirectionFieldGlyphs::Compute(vtkPolyData* input, vtkPolyData* output, std::string& error)
-{
-  bool isComplete = false;
-  error.clear();
-  const auto draw = [&]
-  {
-    this->DrawGlyphs(input, output);
-    isComplete = true;
-  };
-  if (!DirectionFields::RunFilter(
-        draw, { output }, error, "Lower Maximum Number Of Glyphs or decimate the surface"))
-  {
-    // What is kept may be what the memory lacks.
+    // The surfaces that are kept may take the memory that is too little.
     this->ReleaseSurfaces();
   }
-  return isComplete;
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldGlyphs::CheckInput(vtkPolyData* input)
+const char* vtkDirectionFieldGlyphs::MemoryAdvice() const
 {
-  DirectionFields::CheckPolyData(input);
-}
-
-//------------------------------------------------------------------------------
-bool vtkDirectionFieldGlyphs::IsStopped()
-{
-  return DirectionFields::IsAborted(this);
+  return "Lower Maximum Number Of Glyphs or decimate the surface";
 }

@@ -66,8 +66,8 @@
 #ifndef vtkDirectionFieldGlyphs_h
 #define vtkDirectionFieldGlyphs_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -78,11 +78,11 @@ class GlyphSurfaceCache;
 struct GlyphOptions;
 }
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldGlyphs : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldGlyphs : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkDirectionFieldGlyphs* New();
-  vtkTypeMacro(vtkDirectionFieldGlyphs, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectionFieldGlyphs, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum GlyphTypes
@@ -200,19 +200,10 @@ protected:
   vtkDirectionFieldGlyphs();
   ~vtkDirectionFieldGlyphs() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
-  ///@{
-  /**
-   * What a filter of several processes is made of. CheckInput throws a std::exception with a sentence for the
-   * user where the input contradicts itself. Compute fills the output, or empties it and returns false with the
-   * error, which is empty where somebody stopped the filter.
-   */
-  static void CheckInput(vtkPolyData* input);
-  bool Compute(vtkPolyData* input, vtkPolyData* output, std::string& error);
-  bool IsStopped();
-  ///@}
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  const char* MemoryAdvice() const override;
+  void Release(bool hasFailed) override;
 
 private:
   vtkDirectionFieldGlyphs(const vtkDirectionFieldGlyphs&) = delete;
@@ -224,9 +215,6 @@ private:
   /// What the pipeline says before and after an input, and before and after each of its blocks.
   void BeginBlocks();
   void EndBlocks();
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void DrawGlyphs(vtkPolyData* input, vtkPolyData* output);
 
   int GlyphType;
   int GlyphMode;

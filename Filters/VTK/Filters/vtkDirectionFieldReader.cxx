@@ -8,14 +8,10 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
-#include "Exchange/FieldImport.h"
-#include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/Exchange/FieldImport.h>
 
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -68,18 +64,17 @@ void vtkDirectionFieldReader::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldReader::ReadField(
-  vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities)
+void vtkDirectionFieldReader::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
+  auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
+  auto* const singularities = vtkPolyData::SafeDownCast(outputs[1]);
   if (!this->FileName || !*this->FileName)
   {
     throw std::invalid_argument(
       "There is no FileName. Choose a .rosy, .ffield, .rawfield or .obj file.");
   }
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  const DirectionFields::Progress progress(report);
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
   DirectionFields::CheckPolyData(input);
   const DirectionFields::FieldFile file = DirectionFields::ReadFieldFile(this->FileName);
   const DirectionFields::TriangulatedPolyData surface =
@@ -87,10 +82,7 @@ void vtkDirectionFieldReader::ReadField(
   const DirectionFields::ImportedField imported = DirectionFields::ImportField(file, surface.Mesh,
     static_cast<DirectionFields::FieldOn>(this->FieldOn), DirectionFields::HasOnlyTriangles(input),
     progress.Part(ProgressRead, ProgressImported));
-  for (const std::string& warning : imported.Warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn(imported.Warnings);
   output->ShallowCopy(input);
   DirectionFields::AddGivenField(
     surface, imported.Field, output, progress.Part(ProgressImported, 1.0));
@@ -103,26 +95,4 @@ void vtkDirectionFieldReader::ReadField(
   {
     DirectionFields::AddSummary(summary, data->GetFieldData());
   }
-  this->UpdateProgress(1.0);
-}
-
-//------------------------------------------------------------------------------
-int vtkDirectionFieldReader::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* singularities = vtkPolyData::GetData(outputVector, 1);
-  if (!input || !output || !singularities)
-  {
-    return 0;
-  }
-  std::string error;
-  if (DirectionFields::RunFilter(
-        [&] { this->ReadField(input, output, singularities); }, { output, singularities }, error))
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< error);
-  return 0;
 }

@@ -39,14 +39,14 @@
 #ifndef vtkDirectionFieldReader_h
 #define vtkDirectionFieldReader_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldReader : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldReader : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkDirectionFieldReader* New();
-  vtkTypeMacro(vtkDirectionFieldReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectionFieldReader, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -77,15 +77,12 @@ protected:
   vtkDirectionFieldReader();
   ~vtkDirectionFieldReader() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
 
 private:
   vtkDirectionFieldReader(const vtkDirectionFieldReader&) = delete;
   void operator=(const vtkDirectionFieldReader&) = delete;
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void ReadField(vtkPolyData* input, vtkPolyData* output, vtkPolyData* singularities);
 
   char* FileName;
   int FieldOn;

@@ -7,19 +7,13 @@
 #include "Conversion/Input/PolyDataToGuidance.h"
 #include "Conversion/Output/EditedPolyData.h"
 #include "Conversion/Output/RefinedPolyData.h"
-#include "PrescribedSingularities/EditedResult.h"
-#include "Support/AlgorithmProgress.h"
-#include "Support/CompositeOutputs.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
 #include "Support/SingularityEditorCache.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/PrescribedSingularities/EditedResult.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -123,25 +117,6 @@ int vtkDirectionFieldSingularities::FillInputPortInformation(int port, vtkInform
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionFieldSingularities::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkDirectionFieldSingularities::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    DirectionFields::MakeOutputsLike(inputVector[0], outputVector);
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 DirectionFields::EditOptions vtkDirectionFieldSingularities::MakeOptions() const
 {
   DirectionFields::EditOptions options;
@@ -154,11 +129,9 @@ DirectionFields::EditOptions vtkDirectionFieldSingularities::MakeOptions() const
 
 //------------------------------------------------------------------------------
 void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
-  const std::vector<WantedSingularity>& wanted, double begin, double end, vtkPolyData* output,
-  vtkPolyData* singularities)
+  const std::vector<WantedSingularity>& wanted, const DirectionFields::Progress& progress,
+  vtkPolyData* output, vtkPolyData* singularities)
 {
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this, begin, end);
-  const DirectionFields::Progress progress(report);
   DirectionFields::SingularityEditorCache::Block& block =
     this->Last->Next(input, this->KeepConstraints, progress.Part(0.0, ProgressRead));
   if (!block.Editor)
@@ -194,10 +167,7 @@ void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
       "The surface is one of several pieces, and singularities of each are edited by themselves: fields do "
       "not fit together at the seams. Edit the whole surface before it is distributed.");
   }
-  for (const std::string& warning : warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn(warnings);
   output->ShallowCopy(surface);
   DirectionFields::AddEditedField(*edits->Surface, *edits->Editor, edited, warnings, surface,
     output, singularities, progress.Part(ProgressEdited, 1.0));
@@ -222,31 +192,29 @@ DirectionFields::EditedField vtkDirectionFieldSingularities::EditField(vtkPolyDa
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldSingularities::Edit(
-  vtkDataObject* input, vtkDataObject* points, vtkDataObject* output, vtkDataObject* singularities)
+void vtkDirectionFieldSingularities::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
   this->Last->Begin();
-  if (auto* const surface = vtkPolyData::SafeDownCast(input))
+  if (auto* const surface = vtkPolyData::SafeDownCast(inputs[0]))
   {
     DirectionFields::CheckPolyData(surface);
-    this->EditBlock(surface, DirectionFields::WantedSingularities(points), 0.0, 1.0,
-      vtkPolyData::SafeDownCast(output), vtkPolyData::SafeDownCast(singularities));
+    this->EditBlock(surface, DirectionFields::WantedSingularities(inputs[1]), progress,
+      vtkPolyData::SafeDownCast(outputs[0]), vtkPolyData::SafeDownCast(outputs[1]));
   }
   else
   {
-    this->EditBlocks(vtkCompositeDataSet::SafeDownCast(input), points,
-      vtkCompositeDataSet::SafeDownCast(output), vtkCompositeDataSet::SafeDownCast(singularities));
+    this->EditBlocks(vtkCompositeDataSet::SafeDownCast(inputs[0]), inputs[1], progress,
+      vtkCompositeDataSet::SafeDownCast(outputs[0]), vtkCompositeDataSet::SafeDownCast(outputs[1]));
   }
   this->Last->End();
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  DirectionFields::Progress(report).Report(1.0);
+  progress.Report(1.0);
 }
 
 //------------------------------------------------------------------------------
 void vtkDirectionFieldSingularities::EditBlocks(vtkCompositeDataSet* input, vtkDataObject* points,
-  vtkCompositeDataSet* output, vtkCompositeDataSet* singularities)
+  const DirectionFields::Progress& progress, vtkCompositeDataSet* output,
+  vtkCompositeDataSet* singularities)
 {
   const Blocks blocks = BlocksOf(input);
   for (vtkPolyData* const block : blocks)
@@ -273,35 +241,18 @@ void vtkDirectionFieldSingularities::EditBlocks(vtkCompositeDataSet* input, vtkD
     vtkNew<vtkPolyData> field;
     vtkNew<vtkPolyData> singular;
     const double begin = part * static_cast<double>(k);
-    this->EditBlock(blocks[k], wanted[k], begin, begin + part, field, singular);
+    this->EditBlock(blocks[k], wanted[k], progress.Part(begin, begin + part), field, singular);
     output->SetDataSet(at, field);
     singularities->SetDataSet(at, singular);
   }
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionFieldSingularities::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkDirectionFieldSingularities::Release(bool hasFailed)
 {
-  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
-  vtkDataObject* const points = vtkDataObject::GetData(inputVector[1]);
-  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
-  vtkDataObject* const singularities = vtkDataObject::GetData(outputVector, 1);
-  if (!input || !points || !output || !singularities)
-  {
-    return 0;
-  }
-  std::string error;
-  const bool isRight = DirectionFields::RunFilter(
-    [&] { this->Edit(input, points, output, singularities); }, { output, singularities }, error);
-  if (!isRight || !this->KeepStages)
+  if (hasFailed || !this->KeepStages)
   {
     // A block that was stopped in the middle of an edit is as good as new, but one that was not read to its end is not.
     this->Last->Clear();
   }
-  if (!isRight)
-  {
-    vtkErrorMacro(<< error);
-  }
-  return isRight ? 1 : 0;
 }

@@ -50,8 +50,8 @@
 #ifndef vtkDirectionFieldSingularities_h
 #define vtkDirectionFieldSingularities_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -61,7 +61,6 @@ class vtkCompositeDataSet;
 
 namespace DirectionFields
 {
-class Progress;
 class SingularityEditor;
 class SingularityEditorCache;
 struct EditedField;
@@ -69,11 +68,12 @@ struct EditOptions;
 struct WantedSingularity;
 }
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldSingularities : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldSingularities
+  : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkDirectionFieldSingularities* New();
-  vtkTypeMacro(vtkDirectionFieldSingularities, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectionFieldSingularities, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What the points are to the singularities that the field has.
@@ -205,26 +205,24 @@ protected:
   ~vtkDirectionFieldSingularities() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  void Release(bool hasFailed) override;
+  bool TakesBlocks() const override { return true; }
 
 private:
   vtkDirectionFieldSingularities(const vtkDirectionFieldSingularities&) = delete;
   void operator=(const vtkDirectionFieldSingularities&) = delete;
 
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void Edit(vtkDataObject* input, vtkDataObject* points, vtkDataObject* output,
-    vtkDataObject* singularities);
+  /// Edits one surface. Throws DirectionFields::Stopped.
   void EditBlock(vtkPolyData* input, const std::vector<DirectionFields::WantedSingularity>& wanted,
-    double begin, double end, vtkPolyData* output, vtkPolyData* singularities);
+    const DirectionFields::Progress& progress, vtkPolyData* output, vtkPolyData* singularities);
   DirectionFields::EditedField EditField(vtkPolyData* surface,
     DirectionFields::SingularityEditor& editor,
     const std::vector<DirectionFields::WantedSingularity>& wanted,
     const DirectionFields::Progress& progress, std::vector<std::string>& warnings);
-  void EditBlocks(vtkCompositeDataSet* input, vtkDataObject* points, vtkCompositeDataSet* output,
+  void EditBlocks(vtkCompositeDataSet* input, vtkDataObject* points,
+    const DirectionFields::Progress& progress, vtkCompositeDataSet* output,
     vtkCompositeDataSet* singularities);
   DirectionFields::EditOptions MakeOptions() const;
 

@@ -8,12 +8,8 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StreamlinesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
-#include "Support/Threads.h"
 
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -100,9 +96,11 @@ DirectionFields::StreamlineOptions vtkDirectionFieldStreamlines::MakeOptions() c
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldStreamlines::TraceLines(
-  vtkPolyData* input, vtkPointSet* seeds, vtkPolyData* lines, vtkPolyData* nodes)
+void vtkDirectionFieldStreamlines::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
+  auto* const seeds = vtkPointSet::SafeDownCast(inputs[1]);
   DirectionFields::CheckPolyData(input);
   if (input->GetNumberOfPoints() == 0)
   {
@@ -116,21 +114,15 @@ void vtkDirectionFieldStreamlines::TraceLines(
                                 "or choose another SeedType.");
   }
   const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
-    input, DirectionFields::Progress(report).Part(0.0, 0.5 * ProgressRead));
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
+  const DirectionFields::TriangulatedPolyData surface =
+    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, 0.5 * ProgressRead));
   const DirectionFields::GivenField field(surface.Mesh, directions);
-  DirectionFields::Progress(report).Report(ProgressRead);
+  progress.Report(ProgressRead);
   const DirectionFields::Streamlines traced = DirectionFields::TraceStreamlines(field, directions,
     this->SeedType == POINTS ? DirectionFields::NearestPlaces(surface.Mesh, seeds)
                              : std::vector<DirectionFields::StreamlineSeed>(),
     this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressTraced));
-  if (traced.Aborted || DirectionFields::IsAborted(this))
-  {
-    throw DirectionFields::Stopped();
-  }
+  this->ThrowIfStopped(traced.Aborted);
   if (traced.IsLimited)
   {
     vtkWarningMacro(<< "There are " << this->MaximumNumberOfLines
@@ -138,30 +130,13 @@ void vtkDirectionFieldStreamlines::TraceLines(
                        " SeparatingDistance for fewer lines.");
   }
   const int type = input->GetPoints()->GetDataType();
-  DirectionFields::AddLines(traced, type, lines);
-  DirectionFields::AddNodes(traced, field.GetDegree(), surface, type, nodes);
-  this->UpdateProgress(1.0);
+  DirectionFields::AddLines(traced, type, vtkPolyData::SafeDownCast(outputs[0]));
+  DirectionFields::AddNodes(
+    traced, field.GetDegree(), surface, type, vtkPolyData::SafeDownCast(outputs[1]));
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionFieldStreamlines::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+const char* vtkDirectionFieldStreamlines::MemoryAdvice() const
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPointSet* seeds = vtkPointSet::GetData(inputVector[1]);
-  vtkPolyData* lines = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* nodes = vtkPolyData::GetData(outputVector, 1);
-  if (!input || !lines || !nodes)
-  {
-    return 0;
-  }
-  std::string error;
-  if (DirectionFields::RunFilter([&] { this->TraceLines(input, seeds, lines, nodes); },
-        { lines, nodes }, error,
-        "Raise Separating Distance, lower Maximum Streamline Length, or decimate the surface"))
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< error);
-  return 0;
+  return "Raise Separating Distance, lower Maximum Streamline Length, or decimate the surface";
 }

@@ -66,8 +66,8 @@
 #ifndef vtkDirectionFieldStreamlines_h
 #define vtkDirectionFieldStreamlines_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 class vtkPointSet;
 
@@ -76,11 +76,12 @@ namespace DirectionFields
 struct StreamlineOptions;
 }
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldStreamlines : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldStreamlines
+  : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkDirectionFieldStreamlines* New();
-  vtkTypeMacro(vtkDirectionFieldStreamlines, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectionFieldStreamlines, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum SeedTypes
@@ -189,8 +190,9 @@ protected:
   ~vtkDirectionFieldStreamlines() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  const char* MemoryAdvice() const override;
 
 private:
   vtkDirectionFieldStreamlines(const vtkDirectionFieldStreamlines&) = delete;
@@ -198,9 +200,6 @@ private:
 
   /// The options of the tracing, from the properties.
   DirectionFields::StreamlineOptions MakeOptions() const;
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void TraceLines(vtkPolyData* input, vtkPointSet* seeds, vtkPolyData* lines, vtkPolyData* nodes);
 
   int SeedType;
   double SeparatingDistance;

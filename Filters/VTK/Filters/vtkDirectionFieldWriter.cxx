@@ -6,10 +6,11 @@
 #include "Conversion/Input/GivenPolyData.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Exchange/FieldExport.h"
-#include "Options.h"
 #include "Support/DefaultThreads.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/Exchange/FieldExport.h>
+#include <DirectionFields/Options.h>
+#include <DirectionFields/Support/Threads.h>
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"

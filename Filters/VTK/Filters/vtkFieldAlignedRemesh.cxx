@@ -10,10 +10,8 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/FilterRun.h"
 
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -103,16 +101,17 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* i
 }
 
 //------------------------------------------------------------------------------
-void vtkFieldAlignedRemesh::MakeMesh(
-  vtkPolyData* input, vtkPolyData* output, vtkPolyData* irregular)
+void vtkFieldAlignedRemesh::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
+  auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
   DirectionFields::CheckPolyData(input);
   if (!this->Last || !DirectionFields::IsSurfaceOf(input, this->Last->Surface))
   {
     this->Last.reset();
-    const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-    this->Last = std::make_unique<Stages>(DirectionFields::PolyDataToSurface(
-      input, DirectionFields::Progress(report).Part(0.0, ProgressRead)));
+    this->Last = std::make_unique<Stages>(
+      DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)));
   }
   const DirectionFields::RemeshOptions options = this->MakeOptions(input);
   const int degree = this->Element == QUADS ? 4 : 6;
@@ -142,43 +141,33 @@ void vtkFieldAlignedRemesh::MakeMesh(
       return report(done);
     });
   this->SetProgressText(nullptr);
-  if (mesh.Aborted || DirectionFields::IsAborted(this))
-  {
-    throw DirectionFields::Stopped();
-  }
+  this->ThrowIfStopped(mesh.Aborted);
   warnings.insert(warnings.end(), mesh.Notes.begin(), mesh.Notes.end());
-  for (const std::string& warning : warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn(warnings);
   DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
   DirectionFields::AddReport(mesh.Repaired, warnings, output->GetFieldData());
-  DirectionFields::AddIrregularVertices(
-    mesh, degree, input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, irregular);
-  this->UpdateProgress(1.0);
+  DirectionFields::AddIrregularVertices(mesh, degree,
+    input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
+    vtkPolyData::SafeDownCast(outputs[1]));
 }
 
 //------------------------------------------------------------------------------
-int vtkFieldAlignedRemesh::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkFieldAlignedRemesh::Release(bool)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* irregular = vtkPolyData::GetData(outputVector, 1);
-  if (!input || !output || !irregular)
-  {
-    return 0;
-  }
-  std::string error;
-  const bool isRight = DirectionFields::RunFilter([&] { this->MakeMesh(input, output, irregular); },
-    { output, irregular }, error, "Lower Number Of Faces or decimate the surface");
   if (!this->KeepStages)
   {
     this->Last.reset();
   }
-  if (!isRight)
-  {
-    vtkErrorMacro(<< error);
-  }
-  return isRight ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFieldAlignedRemesh::MemoryAdvice() const
+{
+  return "Lower Number Of Faces or decimate the surface";
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldAlignedRemesh::ThreadsToUse() const
+{
+  return this->NumberOfThreads > 0 ? this->NumberOfThreads : this->Superclass::ThreadsToUse();
 }

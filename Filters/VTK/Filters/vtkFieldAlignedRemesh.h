@@ -51,8 +51,8 @@
 #ifndef vtkFieldAlignedRemesh_h
 #define vtkFieldAlignedRemesh_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For the kept stages
 
@@ -61,11 +61,11 @@ namespace DirectionFields
 struct RemeshOptions;
 }
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkFieldAlignedRemesh : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkFieldAlignedRemesh : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkFieldAlignedRemesh* New();
-  vtkTypeMacro(vtkFieldAlignedRemesh, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFieldAlignedRemesh, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Elements
@@ -182,17 +182,17 @@ protected:
   vtkFieldAlignedRemesh();
   ~vtkFieldAlignedRemesh() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  const char* MemoryAdvice() const override;
+  void Release(bool hasFailed) override;
+  int ThreadsToUse() const override;
 
 private:
   vtkFieldAlignedRemesh(const vtkFieldAlignedRemesh&) = delete;
   void operator=(const vtkFieldAlignedRemesh&) = delete;
 
   DirectionFields::RemeshOptions MakeOptions(vtkPolyData* input) const;
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void MakeMesh(vtkPolyData* input, vtkPolyData* output, vtkPolyData* irregular);
 
   int Element;
   int SizeMode;

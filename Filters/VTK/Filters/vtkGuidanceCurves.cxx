@@ -6,11 +6,8 @@
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Guidance/CurveGuidance.h"
-#include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/Guidance/CurveGuidance.h>
 
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
@@ -19,7 +16,6 @@
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -132,14 +128,13 @@ int vtkGuidanceCurves::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-void vtkGuidanceCurves::AddGuidance(vtkPolyData* input, vtkDataObject* curves, vtkPolyData* output)
+void vtkGuidanceCurves::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  const DirectionFields::Progress progress(report);
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
+  auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
   DirectionFields::CheckPolyData(input);
-  const Curves lines = LinesOf(curves);
+  const Curves lines = LinesOf(inputs[1]);
   const DirectionFields::TriangulatedPolyData surface =
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
   DirectionFields::CurveGuidanceOptions options;
@@ -165,26 +160,4 @@ void vtkGuidanceCurves::AddGuidance(vtkPolyData* input, vtkDataObject* curves, v
   {
     AddArrays<vtkFloatArray>(guidance, output->GetPointData());
   }
-  this->UpdateProgress(1.0);
-}
-
-//------------------------------------------------------------------------------
-int vtkGuidanceCurves::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkDataObject* curves = vtkDataObject::GetData(inputVector[1]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!input || !curves || !output)
-  {
-    return 0;
-  }
-  std::string error;
-  if (DirectionFields::RunFilter(
-        [&] { this->AddGuidance(input, curves, output); }, { output }, error))
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< error);
-  return 0;
 }

@@ -35,14 +35,14 @@
 #ifndef vtkGuidanceCurves_h
 #define vtkGuidanceCurves_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkGuidanceCurves : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkGuidanceCurves : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkGuidanceCurves* New();
-  vtkTypeMacro(vtkGuidanceCurves, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkGuidanceCurves, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -93,15 +93,12 @@ protected:
   ~vtkGuidanceCurves() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
 
 private:
   vtkGuidanceCurves(const vtkGuidanceCurves&) = delete;
   void operator=(const vtkGuidanceCurves&) = delete;
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void AddGuidance(vtkPolyData* input, vtkDataObject* curves, vtkPolyData* output);
 
   int Degree;
   double Radius;

@@ -9,12 +9,8 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StripesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/DefaultThreads.h"
-#include "Support/FilterRun.h"
-#include "Support/Threads.h"
 
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -66,9 +62,10 @@ void vtkStripePattern::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkStripePattern::MakePattern(
-  vtkPolyData* input, vtkPolyData* lines, vtkPolyData* bands, vtkPolyData* branchPoints)
+void vtkStripePattern::Execute(
+  const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
   DirectionFields::CheckPolyData(input);
   if (input->GetNumberOfPoints() == 0)
   {
@@ -79,11 +76,8 @@ void vtkStripePattern::MakePattern(
   const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
   const std::vector<double> spacings =
     DirectionFields::PointValues(input, this->SpacingArray, "SpacingArray");
-  const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-  const DirectionFields::TriangulatedPolyData surface = DirectionFields::PolyDataToSurface(
-    input, DirectionFields::Progress(report).Part(0.0, 0.5 * ProgressRead));
-  DirectionFields::Threads threads(DirectionFields::DefaultThreads());
-  const DirectionFields::Threads::Scope scope(threads);
+  const DirectionFields::TriangulatedPolyData surface =
+    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, 0.5 * ProgressRead));
   const DirectionFields::GivenField field(surface.Mesh, directions);
   DirectionFields::StripeOptions options;
   options.Direction = static_cast<DirectionFields::StripeDirection>(this->StripeDirection);
@@ -98,10 +92,7 @@ void vtkStripePattern::MakePattern(
   }
   const DirectionFields::StripePattern pattern = DirectionFields::MakeStripes(
     field, options, spacing, DirectionFields::ReportTo(this, ProgressRead, ProgressMade));
-  if (pattern.Aborted || DirectionFields::IsAborted(this))
-  {
-    throw DirectionFields::Stopped();
-  }
+  this->ThrowIfStopped(pattern.Aborted);
   if (pattern.LineOffset != this->LineOffset)
   {
     vtkWarningMacro(<< "Stripes of a line field (degree 2) have no left and right side: LineOffset "
@@ -115,31 +106,14 @@ void vtkStripePattern::MakePattern(
                        " Direction Field, or raise Spacing.");
   }
   const int type = input->GetPoints()->GetDataType();
-  DirectionFields::AddStripeLines(pattern, type, lines);
-  DirectionFields::AddStripeBands(input, surface, pattern, bands);
-  DirectionFields::AddStripeSingularities(surface, pattern, type, branchPoints);
-  this->UpdateProgress(1.0);
+  DirectionFields::AddStripeLines(pattern, type, vtkPolyData::SafeDownCast(outputs[0]));
+  DirectionFields::AddStripeBands(input, surface, pattern, vtkPolyData::SafeDownCast(outputs[1]));
+  DirectionFields::AddStripeSingularities(
+    surface, pattern, type, vtkPolyData::SafeDownCast(outputs[2]));
 }
 
 //------------------------------------------------------------------------------
-int vtkStripePattern::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+const char* vtkStripePattern::MemoryAdvice() const
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* lines = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* bands = vtkPolyData::GetData(outputVector, 1);
-  vtkPolyData* branchPoints = vtkPolyData::GetData(outputVector, 2);
-  if (!input || !lines || !bands || !branchPoints)
-  {
-    return 0;
-  }
-  std::string error;
-  if (DirectionFields::RunFilter([&] { this->MakePattern(input, lines, bands, branchPoints); },
-        { lines, bands, branchPoints }, error,
-        "Raise Spacing, turn Bands off, or decimate the surface"))
-  {
-    return 1;
-  }
-  vtkErrorMacro(<< error);
-  return 0;
+  return "Raise Spacing, turn Bands off, or decimate the surface";
 }

@@ -59,14 +59,14 @@
 #ifndef vtkStripePattern_h
 #define vtkStripePattern_h
 
+#include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkStripePattern : public vtkPolyDataAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkStripePattern : public vtkDirectionFieldAlgorithm
 {
 public:
   static vtkStripePattern* New();
-  vtkTypeMacro(vtkStripePattern, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkStripePattern, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum StripeDirections
@@ -134,16 +134,13 @@ protected:
   vtkStripePattern();
   ~vtkStripePattern() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(
+    const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
+  const char* MemoryAdvice() const override;
 
 private:
   vtkStripePattern(const vtkStripePattern&) = delete;
   void operator=(const vtkStripePattern&) = delete;
-
-  /// Everything but the handling of errors. Throws DirectionFields::Stopped.
-  void MakePattern(
-    vtkPolyData* input, vtkPolyData* lines, vtkPolyData* bands, vtkPolyData* branchPoints);
 
   int StripeDirection;
   double Spacing;

@@ -4,7 +4,7 @@
 #ifndef AlgorithmProgress_h
 #define AlgorithmProgress_h
 
-#include "Progress.h"
+#include <DirectionFields/Progress.h>
 
 class vtkAlgorithm;
 

@@ -3,7 +3,7 @@
 
 #include "Support/DefaultThreads.h"
 
-#include "Support/Threads.h"
+#include <DirectionFields/Support/Threads.h>
 
 #include "vtkSMPTools.h"
 

@@ -5,7 +5,8 @@
 #define DirectionFieldCache_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "DirectionField.h"
+
+#include <DirectionFields/DirectionField.h>
 
 #include <memory>
 #include <optional>

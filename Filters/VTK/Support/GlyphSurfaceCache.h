@@ -5,8 +5,9 @@
 #define GlyphSurfaceCache_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Glyphs.h"
-#include "Progress.h"
+
+#include <DirectionFields/Glyphs.h>
+#include <DirectionFields/Progress.h>
 
 #include "vtkType.h"
 

@@ -4,7 +4,7 @@
 #ifndef SameSurface_h
 #define SameSurface_h
 
-#include "Surface.h"
+#include <DirectionFields/Surface.h>
 
 #include <cstring>
 #include <vector>

@@ -4,9 +4,9 @@
 #ifndef Summary_h
 #define Summary_h
 
-#include "Computation/SurfaceFigures.h"
-#include "Options.h"
-#include "Result.h"
+#include <DirectionFields/Computation/SurfaceFigures.h>
+#include <DirectionFields/Options.h>
+#include <DirectionFields/Result.h>
 
 #include <string>
 

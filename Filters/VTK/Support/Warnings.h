@@ -4,8 +4,8 @@
 #ifndef Warnings_h
 #define Warnings_h
 
-#include "Options.h"
-#include "Result.h"
+#include <DirectionFields/Options.h>
+#include <DirectionFields/Result.h>
 
 #include <string>
 #include <vector>

@@ -5,7 +5,8 @@
 
 #include "Conversion/Input/CellCorners.h"
 #include "Conversion/Input/FieldArrays.h"
-#include "Support/RadixSort.h"
+
+#include <DirectionFields/Support/RadixSort.h>
 
 #include <algorithm>
 #include <cstdint>

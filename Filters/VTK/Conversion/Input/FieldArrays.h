@@ -4,9 +4,9 @@
 #ifndef FieldArrays_h
 #define FieldArrays_h
 
-#include "Support/LargeArray.h"
-#include "Support/Threads.h"
-#include "Types.h"
+#include <DirectionFields/Support/LargeArray.h>
+#include <DirectionFields/Support/Threads.h>
+#include <DirectionFields/Types.h>
 
 #include "vtkNew.h"
 #include "vtkType.h"

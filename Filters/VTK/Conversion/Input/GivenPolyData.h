@@ -4,9 +4,9 @@
 #ifndef GivenPolyData_h
 #define GivenPolyData_h
 
-#include "Exchange/FieldExport.h"
-#include "Interpolation/GivenField.h"
-#include "Surface.h"
+#include <DirectionFields/Exchange/FieldExport.h>
+#include <DirectionFields/Interpolation/GivenField.h>
+#include <DirectionFields/Surface.h>
 
 #include <vector>
 

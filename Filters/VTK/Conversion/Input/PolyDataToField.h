@@ -4,7 +4,7 @@
 #ifndef PolyDataToField_h
 #define PolyDataToField_h
 
-#include "Interpolation/GivenField.h"
+#include <DirectionFields/Interpolation/GivenField.h>
 
 class vtkPolyData;
 

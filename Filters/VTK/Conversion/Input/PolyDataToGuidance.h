@@ -4,7 +4,7 @@
 #ifndef PolyDataToGuidance_h
 #define PolyDataToGuidance_h
 
-#include "Options.h"
+#include <DirectionFields/Options.h>
 
 #include <vector>
 

@@ -6,7 +6,8 @@
 #include "Conversion/Input/DuplicatePolygons.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/Triangulator.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/Support/Threads.h>
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"

@@ -5,7 +5,8 @@
 #define PolyDataToSurface_h
 
 #include "Conversion/Input/TriangulatedPolyData.h"
-#include "Progress.h"
+
+#include <DirectionFields/Progress.h>
 
 #include <vector>
 

@@ -5,7 +5,8 @@
 #define SplitPolyData_h
 
 #include "Conversion/Input/TriangulatedPolyData.h"
-#include "DirectionField.h"
+
+#include <DirectionFields/DirectionField.h>
 
 #include "vtkType.h"
 

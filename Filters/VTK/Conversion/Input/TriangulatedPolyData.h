@@ -4,7 +4,7 @@
 #ifndef TriangulatedPolyData_h
 #define TriangulatedPolyData_h
 
-#include "Surface.h"
+#include <DirectionFields/Surface.h>
 
 #include "vtkType.h"
 

@@ -3,7 +3,7 @@
 
 #include "Conversion/Input/Triangulator.h"
 
-#include "Soup/PolygonEars.h"
+#include <DirectionFields/Soup/PolygonEars.h>
 
 #include "vtkCallbackCommand.h"
 

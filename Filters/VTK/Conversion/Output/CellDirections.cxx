@@ -6,9 +6,10 @@
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Distance/ClosestPoints.h"
-#include "Exchange/FaceField.h"
-#include "Interpolation/GivenField.h"
+
+#include <DirectionFields/Distance/ClosestPoints.h>
+#include <DirectionFields/Exchange/FaceField.h>
+#include <DirectionFields/Interpolation/GivenField.h>
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -4,9 +4,10 @@
 #ifndef ComparisonToPolyData_h
 #define ComparisonToPolyData_h
 
-#include "Comparison/FieldDerivatives.h"
-#include "Comparison/FieldDifference.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+
+#include <DirectionFields/Comparison/FieldDerivatives.h>
+#include <DirectionFields/Comparison/FieldDifference.h>
 
 #include <vector>
 

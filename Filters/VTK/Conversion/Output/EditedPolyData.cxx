@@ -6,8 +6,9 @@
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
-#include "Distance/ClosestPoints.h"
-#include "PrescribedSingularities/EditedResult.h"
+
+#include <DirectionFields/Distance/ClosestPoints.h>
+#include <DirectionFields/PrescribedSingularities/EditedResult.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

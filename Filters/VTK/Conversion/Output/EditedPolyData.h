@@ -5,8 +5,9 @@
 #define EditedPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "PrescribedSingularities/SingularityEditor.h"
-#include "Progress.h"
+
+#include <DirectionFields/PrescribedSingularities/SingularityEditor.h>
+#include <DirectionFields/Progress.h>
 
 #include <string>
 #include <vector>

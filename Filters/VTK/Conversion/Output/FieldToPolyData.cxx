@@ -5,7 +5,6 @@
 
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/SplitPolyData.h"
-#include "Support/VectorMath.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -83,7 +82,7 @@ void WriteDirections(const Result& field, const std::vector<Value*>& directions,
         const Vector3* vector = vectors.data();
         for (Index i = first; i < last; ++i)
         {
-          moduli[i] = static_cast<Value>(Modulus(field.Representation[i]));
+          moduli[i] = static_cast<Value>(std::sqrt(std::norm(field.Representation[i])));
           for (Value* const tuples : directions)
           {
             WriteVector(*vector++, tuples, i);

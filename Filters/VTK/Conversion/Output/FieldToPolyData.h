@@ -5,8 +5,9 @@
 #define FieldToPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "DirectionField.h"
-#include "Progress.h"
+
+#include <DirectionFields/DirectionField.h>
+#include <DirectionFields/Progress.h>
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #ifndef GlyphsToPolyData_h
 #define GlyphsToPolyData_h
 
-#include "Glyphs.h"
+#include <DirectionFields/Glyphs.h>
 
 class vtkPolyData;
 

@@ -5,7 +5,8 @@
 #define RefinedPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "PrescribedSingularities/SurfaceRefinement.h"
+
+#include <DirectionFields/PrescribedSingularities/SurfaceRefinement.h>
 
 #include "vtkSmartPointer.h"
 

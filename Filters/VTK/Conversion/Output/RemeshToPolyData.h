@@ -5,7 +5,8 @@
 #define RemeshToPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Remesh.h"
+
+#include <DirectionFields/Remesh.h>
 
 class vtkPolyData;
 

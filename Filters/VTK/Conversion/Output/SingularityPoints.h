@@ -4,9 +4,10 @@
 #ifndef SingularPoints_h
 #define SingularPoints_h
 
-#include "Computation/SurfaceFigures.h"
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "DirectionField.h"
+
+#include <DirectionFields/Computation/SurfaceFigures.h>
+#include <DirectionFields/DirectionField.h>
 
 class vtkPolyData;
 

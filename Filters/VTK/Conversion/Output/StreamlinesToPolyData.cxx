@@ -4,8 +4,9 @@
 #include "Conversion/Output/StreamlinesToPolyData.h"
 
 #include "Conversion/Input/FieldArrays.h"
-#include "Distance/ClosestPoints.h"
-#include "Support/Threads.h"
+
+#include <DirectionFields/Distance/ClosestPoints.h>
+#include <DirectionFields/Support/Threads.h>
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

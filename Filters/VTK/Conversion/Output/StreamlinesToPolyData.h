@@ -5,7 +5,8 @@
 #define LinesToPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Streamlines.h"
+
+#include <DirectionFields/Streamlines.h>
 
 class vtkPointSet;
 class vtkPolyData;

@@ -5,7 +5,8 @@
 #define StripesToPolyData_h
 
 #include "Conversion/Input/PolyDataToSurface.h"
-#include "Stripes.h"
+
+#include <DirectionFields/Stripes.h>
 
 class vtkPolyData;
 
