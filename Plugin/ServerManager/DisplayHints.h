@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the hints of a filter say of how its output looks; see vtkSMDirectionFieldDisplay.
+ * Reads the hints of a filter about the look of its output; see vtkSMDirectionFieldDisplay.
  */
 
 #ifndef DisplayHints_h
@@ -22,8 +22,8 @@ void ForNested(vtkPVXMLElement* element, const std::string& name,
 /// Calls `visit` with the elements DirectionFieldDisplay for the output that a display shows.
 void ForDisplay(vtkSMProxy* display, const std::function<void(vtkPVXMLElement*)>& visit);
 
-/// Gives a proxy the properties that an element names, those for which `isFree` is true. Other
-/// versions of ParaView may lack one; what is shown looks a little different then.
+/// Gives a proxy the properties that an element names and for which `isFree` is true. Other
+/// versions of ParaView may lack one; then the display looks a little different.
 void SetProperties(vtkSMProxy* proxy, vtkPVXMLElement* element,
   const std::function<bool(const std::string&)>& isFree);
 }

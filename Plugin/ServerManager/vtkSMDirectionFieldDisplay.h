@@ -29,8 +29,9 @@
  *
  * The values of a property have semicolons between them. A Glyph is chosen among those that the
  * display offers. A ColorMap is given to an array that has none; the Legend, to the legend of an
- * array where one is shown for the first time (vtkSMDirectionFieldRepresentationProxy). Nothing is changed that the
- * caller has set, or that the user has saved as a default of this display or of this color map.
+ * array where one is shown for the first time (vtkSMDirectionFieldRepresentationProxy). Nothing is
+ * changed that the caller has set, or that the user has saved as a default of this display or of
+ * this color map.
  */
 
 #ifndef vtkSMDirectionFieldDisplay_h

@@ -93,7 +93,7 @@ public:
   /**
    * How a surface in pieces is solved for: gathered on one process (1), distributed (2), so that
    * nothing of it is ever whole on one process, which needs a build with PETSc, or gathered up to
-   * GatherLimit and distributed beyond (0, default). What can only be had of the whole surface is
+   * GatherLimit and distributed beyond (0, default). Where an option needs the whole surface it is
    * gathered, and a warning says why. Without PETSc distributing is an error, and beyond
    * GatherLimit a warning.
    */

@@ -4,9 +4,9 @@
  * @class vtkPDirectionFieldPipeline
  * @brief the executive of filters that several processes must execute together
  *
- * Where a filter upstream fails on one process, pipelines do not execute what follows there, for
- * which the other processes would wait for ever. This executive lets all processes agree on whether
- * to execute its filter.
+ * Where a filter upstream fails on one process, pipelines do not execute the following filters
+ * there, for which the other processes would wait for ever. This executive lets all processes agree
+ * on whether to execute its filter.
  */
 
 #ifndef vtkPDirectionFieldPipeline_h
@@ -31,7 +31,7 @@ public:
   static vtkInformationObjectBaseKey* CONTROLLER();
 
   /**
-   * What a pipeline has of its inputs, as all processes of its filter have it: 0 with an error
+   * The result of a pipeline's inputs, agreed on by all processes of its filter: 0 with an error
    * where any has failed. Only asks the others in the passes of an update, and where the filter has
    * several processes.
    */

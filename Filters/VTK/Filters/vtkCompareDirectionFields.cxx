@@ -27,10 +27,12 @@ vtkStandardNewMacro(vtkCompareDirectionFields);
 
 namespace
 {
-// Where the phases of the progress end: reading the inputs, comparing the directions. The rest is matching.
+// Where the phases of the progress end: reading the inputs, comparing the directions. The rest is
+// matching.
 constexpr double ProgressRead = 0.2;
 constexpr double ProgressCompared = 0.5;
-/// How far points of the same surface may be apart that two programs have written, relative to its size.
+/// How far points of the same surface may be apart that two programs have written, relative to its
+/// size.
 constexpr double SamePlace = 1e-4;
 
 /// Throws std::invalid_argument where two surfaces are not the same.

@@ -4,37 +4,40 @@
  * @class vtkCompareDirectionFields
  * @brief says how far two direction fields on one surface are apart
  *
- * vtkCompareDirectionFields compares two fields of the same degree n, of other options or from other programs
- * (vtkDirectionFieldReader), on the same surface: the angle between their directions at each point, modulo 360 / n degrees,
- * and the singularities of the one matched with those of the other. It does not matter which of the n directions is
- * called Direction0.
+ * vtkCompareDirectionFields compares two fields of the same degree n, of other options or from
+ * other programs (vtkDirectionFieldReader), on the same surface: the angle between their directions
+ * at each point, modulo 360 / n degrees, and matches the singularities of the two fields. It does
+ * not matter which of the n directions is called Direction0.
  *
- * With DivergenceAndCurl it also gives divergence and curl of vector fields and line fields, n = 1 and 2. For one field
- * alone give it twice.
+ * With DivergenceAndCurl it also gives divergence and curl of vector fields and line fields, n = 1
+ * and 2. For one field alone give it twice.
  *
  * @section Input Input
- * Both ports: a vtkPolyData with the point arrays `Direction0`, ... that vtkDirectionField gives. They have the same points
- * and the same cells. Where port 0 has a composite dataset, port 1 has one of the same structure, or one surface that
- * is compared with all.
+ * Both ports: a vtkPolyData with the point arrays `Direction0`, ... that vtkDirectionField gives.
+ * They have the same points and the same cells. Where port 0 has a composite dataset, port 1 has
+ * one of the same structure, or one surface that is compared with all.
  *
  * @section Output Output
  * Port 0: the first surface with
- * - point data `AngleDifference`: double, active scalars. The angle between a direction of the one field and the nearest
- *   of the other, in degrees, 0 to 180 / n. Not a number where one of them has no direction.
- * - field data `MeanAngleDifference` (weighted by area) and `MaximumAngleDifference`: double, degrees. Ghosts do not
- *   count.
- * - field data `MatchedSingularities`: int, three components: how many match, and how many of the first and of the
- *   second field have no match; `MeanMatchDistance` and `MaximumMatchDistance`: double, in the surface's unit of
- *   length. Only with MatchSingularities.
- * - cell data `Divergence0`, `Curl0`, `Divergence1`, `Curl1`: double, of the unit vectors of the first and the second
- *   field in 1 / length; moduli for n = 2, whose vectors have no sign. Not a number in singular triangles of line
- *   fields, the mean over the triangles of a polygon. Only with DivergenceAndCurl.
+ * - point data `AngleDifference`: double, active scalars. The angle between a direction of the one
+ *   field and the nearest of the other, in degrees, 0 to 180 / n. Not a number where one of them
+ *   has no direction.
+ * - field data `MeanAngleDifference` (weighted by area) and `MaximumAngleDifference`: double,
+ *   degrees. Ghosts do not count.
+ * - field data `MatchedSingularities`: int, three components: how many match, and how many of the
+ *   first and of the second field have no match; `MeanMatchDistance` and `MaximumMatchDistance`:
+ *   double, in the surface's unit of length. Only with MatchSingularities.
+ * - cell data `Divergence0`, `Curl0`, `Divergence1`, `Curl1`: double, of the unit vectors of the
+ *   first and the second field in 1 / length; moduli for n = 2, whose vectors have no sign. Not a
+ *   number in singular triangles of line fields, the mean over the triangles of a polygon. Only
+ *   with DivergenceAndCurl.
  *
- * Port 1: with MatchSingularities a vertex for each singularity of both fields where the field vanishes, and a line
- * between each two that match; point data `Field` (int, 0 or 1), `SingularityIndex` (int), `Match` (vtkIdType, the
- * other point or -1), `MatchDistance` (double, along the surface; not a number without match) and `CellId`.
- * Singularities match if their indices are the same: the two that are nearest to each other along the surface, then the
- * next two, and so on.
+ * Port 1: with MatchSingularities a vertex for each singularity of both fields where the field
+ * vanishes, and a line between each two that match; point data `Field` (int, 0 or 1),
+ * `SingularityIndex` (int), `Match` (vtkIdType, the other point or -1), `MatchDistance` (double,
+ * along the surface; not a number without match) and `CellId`. Singularities match if their indices
+ * are the same: the two that are nearest to each other along the surface, then the next two, and so
+ * on.
  *
  * @sa
  * vtkDirectionField vtkDirectionFieldReader
@@ -74,7 +77,8 @@ public:
 
   ///@{
   /**
-   * Give divergence and curl of both fields, for degree 1 and 2; an error for other degrees. Default off.
+   * Give divergence and curl of both fields, for degree 1 and 2; an error for other degrees.
+   * Default off.
    */
   vtkSetMacro(DivergenceAndCurl, bool);
   vtkGetMacro(DivergenceAndCurl, bool);

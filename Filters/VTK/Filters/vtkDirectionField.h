@@ -48,24 +48,26 @@
  *   agree on it. (0, 0, 0) at points that no triangle uses. `Direction0` is the active vectors; the
  *   active scalars stay what they were. Arrays `Direction{n}` ... `Direction15` that an earlier
  *   filter left are removed.
- * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, the length of the section that was solved
- *   for: 1 in the mean square over each connected component, and everywhere with UnitLength; 0 at unused points. It
- *   says how far the solution faded, as it does near singularities and far from constraints, not how certain the
- *   directions are.
- * - point data `EnergyDensity`: 1 component, type as above, in 1 / length^2. How much the directions turn around the
- *   point, whatever the length of u: the square of the gradient of the n-th power of the unit direction. Large near
- *   singularities, 0 where the field is parallel.
+ * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, the length of the
+ *   section that was solved for: 1 in the mean square over each connected component, and everywhere
+ *   with UnitLength; 0 at unused points. It says how far the solution faded, as it does near
+ *   singularities and far from constraints, not how certain the directions are.
+ * - point data `EnergyDensity`: 1 component, type as above, in 1 / length^2. How much the
+ *   directions turn around the point, whatever the length of u: the square of the gradient of the
+ *   n-th power of the unit direction. Large near singularities, 0 where the field is parallel.
  * - cell data `SingularityIndex`: int, in units of 1/n. The index of the field inside the cell: 0
  *   where it is regular, 1 for n = 4 means a quarter turn in the direction of a walk around the
  *   cell, negative values a turn against it. For a polygon or a strip the sum over its triangles.
  *   0 on vertices, lines and cells that take no part. Over a closed surface the values sum up to n
  *   times the Euler characteristic, exactly.
- * - cell data `Direction0`, `Direction1`, ...: 3 components, double or float as the points. With CellDirections: the
- *   directions at the cell's centroid, unit vectors in the plane of the cell, or of that of its triangles which the
- *   centroid is in, counter-clockwise. Zero on vertices, lines and cells that take no part.
- * - point data `FaceSingularityIndex`: int, in units of 1/n. With CellDirections: the index of the point that programs
- *   find which know the directions of the triangles only, by the least rotation from one to the next. 0 on the boundary;
- *   of points that became one, at the first. Over a closed surface the values sum up to n times the Euler characteristic.
+ * - cell data `Direction0`, `Direction1`, ...: 3 components, double or float as the points. With
+ *   CellDirections: the directions at the cell's centroid, unit vectors in the plane of the cell,
+ *   or of that of its triangles which the centroid is in, counter-clockwise. Zero on vertices,
+ *   lines and cells that take no part.
+ * - point data `FaceSingularityIndex`: int, in units of 1/n. With CellDirections: the index of the
+ *   point that programs find which know the directions of the triangles only, by the least rotation
+ *   from one to the next. 0 on the boundary; of points that became one, at the first. Over a closed
+ *   surface the values sum up to n times the Euler characteristic.
  * - field data, one tuple per connected component, ordered by their first cells:
  *   - `Eigenvalue`: double. lambda, the smoothness energy of the smoothest field, in 1 / length^2.
  *   - `Residual`: double. |A u - lambda M u| / |A u| reached by the solver.
@@ -81,22 +83,25 @@
  *     the smoothest field, more for any other.
  *   - `SystemResidual`: double. Relative residual of the linear system that gave an aligned or
  *     constrained field; for least squares that of the normal equations. 0 for the smoothest.
- *   - with UnitLength only, `UnitEnergy`: double, components Before and After. The energy of the unit directions of the
- *     smoothest, aligned or constrained field, and that of the output; no unit, the same at any scale.
- *   - with UnitLength only, `CancelledPairs` and `UnitSteps`: int. The pairs of singularities that were cancelled, and the
- *     steps of diffusion and descent.
+ *   - with UnitLength only, `UnitEnergy`: double, components Before and After. The energy of the
+ *     unit directions of the smoothest, aligned or constrained field, and that of the output; no
+ *     unit, the same at any scale.
+ *   - with UnitLength only, `CancelledPairs` and `UnitSteps`: int. The pairs of singularities that
+ *     were cancelled, and the steps of diffusion and descent.
  * - field data `Repairs`: int, one tuple. How much had to be mended, by named components:
  *   CollapsedTriangles, DuplicateTriangles, ReversedTriangles, DegenerateTriangles,
  *   NonManifoldEdges, NonManifoldPoints, NonOrientableComponents, MergedPoints. 0 for a clean
  *   surface.
- * - field data `Summary`: string, one tuple; on port 1, too. One line in ASCII that says what the field is like:
- *   "32 singularities (20 +, 12 -), index sum 8, converged in 15 iterations". The singularities are the points of port 1
- *   and how many of them have a positive and a negative index; the sum is that of all components, in units of 1/n,
- *   followed by "over 3 components" where there are several; the iterations are the most that a component took, and are
- *   left out where none was needed. Where the solver did not reach its tolerance it says "not converged (residual 2e-05)"
- *   or "1 of 3 components not converged (residual 2e-05)", with the largest residual. There follow, where they apply,
- *   "aligned", "120 points constrained", and "unit length with 31 % less energy", from the sums of `UnitEnergy`. An input
- *   without triangles has "no field, for there are no triangles".
+ * - field data `Summary`: string, one tuple; on port 1, too. One line in ASCII that describes the
+ *   field: "32 singularities (20 +, 12 -), index sum 8, converged in 15 iterations". The
+ *   singularities are the points of port 1 and how many of them have a positive and a negative
+ *   index; the sum is that of all components, in units of 1/n, followed by "over 3 components"
+ *   where there are several; the iterations are the most that a component took, and are left out
+ *   where none was needed. Where the solver did not reach its tolerance it says "not converged
+ *   (residual 2e-05)" or "1 of 3 components not converged (residual 2e-05)", with the largest
+ *   residual. There follow, where they apply, "aligned", "120 points constrained", and "unit length
+ *   with 31 % less energy", from the sums of `UnitEnergy`. An input without triangles has "no
+ *   field, for there are no triangles".
  *
  * Where there are any, also
  * - field data `Warnings`: string. The warnings of this run, one a tuple.
@@ -108,8 +113,8 @@
  *   tangent vectors of the larger and the smaller signed curvature; (0, 0, 0) where the two are
  *   equal.
  * - point data `MeanCurvature`, `GaussianCurvature`: type as above, in 1 / length and 1 / length^2.
- *   The mean curvature is positive where the surface is convex. On sharp edges, where the surface is
- *   bent and not curved, they follow the size of the triangles.
+ *   The mean curvature is positive where the surface is convex. On sharp edges, where the surface
+ *   is bent and not curved, they follow the size of the triangles.
  * - point data `OriginalPointIds`: vtkIdType, only where the surface was split because it is no
  *   manifold. The input's point of each point; the points that were split off come last, with the
  *   point data of their originals, and the polygons and strips use them.
@@ -122,10 +127,11 @@
  * - `SingularityIndex`: int, in units of 1/n.
  * - `Index`: double. The same in full turns, SingularityIndex / n.
  * - `CellId`: vtkIdType. The cell of the input with the triangle.
- * - `Size`: float, in the input's unit of length. The diameter of a ball that shows the singularity: |SingularityIndex|
- *   times 0.022 of the diagonal of the box around the surface, or times 0.4 of the mean distance of the singularities
- *   (the square root of area / number) where that is less, so that many of them do not cover the surface. Other pieces'
- *   cells do not count; each block of a composite input has a box of its own.
+ * - `Size`: float, in the input's unit of length. The diameter of a ball that shows the
+ *   singularity: |SingularityIndex| times 0.022 of the diagonal of the box around the surface, or
+ *   times 0.4 of the mean distance of the singularities (the square root of area / number) where
+ *   that is less, so that many of them do not cover the surface. Other pieces' cells do not count;
+ *   each block of a composite input has a box of its own.
  * - `Normals`: 3-component float, active normals. Unit outward normal of the triangle.
  *
  * @warning
@@ -133,12 +139,12 @@
  * outputs are empty.
  *
  * @warning
- * A component that cannot be oriented (a Möbius strip, a Klein bottle) has its field computed on both
- * sides at once, with a warning. The directions are smooth everywhere, and on a closed component the
- * indices sum up to n times the Euler characteristic. Only what depends on a side has a seam, as few
- * edges as may be: the normal about which the directions follow each other, and the sign of the mean
- * curvature. Larger and smaller curvature change places there, hence they guide fields of degree 4 but
- * none of degree 2, with a warning.
+ * A component that cannot be oriented (a Möbius strip, a Klein bottle) has its field computed on
+ * both sides at once, with a warning. The directions are smooth everywhere, and on a closed
+ * component the indices sum up to n times the Euler characteristic. Only arrays that depend on a
+ * side have a seam, as few edges as may be: the normal about which the directions follow each other, and the
+ * sign of the mean curvature. Larger and smaller curvature change places there, hence they guide
+ * fields of degree 4 but none of degree 2, with a warning.
  *
  * @warning
  * A surface that is no manifold is split into sheets, with a warning: at an edge of more than two
@@ -159,10 +165,10 @@
  *
  * @warning
  * Without alignment and constraints the field is determined up to one rotation per connected
- * component, which makes it closest to the x axis on average. In a time series whose points move and
- * whose cells stay it is closest to the field of the step that this filter computed before, lest it
- * jump; on another visit of a step it may differ by that rotation. On symmetric shapes (a sphere,
- * say) one of several optimal fields is chosen; the same input always gives the same field.
+ * component, which makes it closest to the x axis on average. In a time series whose points move
+ * and whose cells stay it is closest to the field of the step that this filter computed before,
+ * lest it jump; on another visit of a step it may differ by that rotation. On symmetric shapes (a
+ * sphere, say) one of several optimal fields is chosen; the same input always gives the same field.
  *
  * @warning
  * Every connected component of the mesh counts. Polygons that share places but no points, as along
@@ -257,8 +263,8 @@ public:
   /**
    * Threads to compute with. 0, the default: as many as VTK's SMP backend has, or, with the backend
    * Sequential, as the process may run at once, but no more than the environment variables
-   * VTK_SMP_MAX_THREADS and OMP_NUM_THREADS say. Results have the same bytes for any number. Clamped to
-   * 0 ... 1024.
+   * VTK_SMP_MAX_THREADS and OMP_NUM_THREADS say. Results have the same bytes for any number.
+   * Clamped to 0 ... 1024.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -267,7 +273,7 @@ public:
   ///@{
   /**
    * Keep mesh, matrices, eigenvectors and curvature of the last surface as long as the filter, so
-   * that executions with changed properties redo only what depends on these; for changes of the
+   * that executions with changed properties redo only the dependent stages; for changes of the
    * AlignmentStrength the first aligned field prepares, in a twentieth of its time. Off frees that
    * memory after each execution. Default on.
    */
@@ -290,13 +296,13 @@ public:
 
   ///@{
   /**
-   * Which points of exactly the same coordinates are one in the computation. Surfaces whose triangles
-   * share places but no points (STL files, texture seams) fall into pieces where none are (0). All
-   * are (1), or those at the ends of boundary edges that coincide with exactly one other boundary
-   * edge (2, default): what merely touches, at a point or along an edge of several surfaces, stays
-   * apart then. The output keeps the input's points; those that are one have the same directions.
-   * Points that are only close to each other stay apart: vtkCleanPolyData merges these. Repairs
-   * counts the points.
+   * Which points of exactly the same coordinates are one in the computation. Surfaces whose
+   * triangles share places but no points (STL files, texture seams) fall into pieces where none are
+   * (0). All are (1), or those at the ends of boundary edges that coincide with exactly one other
+   * boundary edge (2, default): surfaces that merely touch, at a point or along an edge of several
+   * ones, stay apart then. The output keeps the input's points; those that are one have the
+   * same directions. Points that are only close to each other stay apart: vtkCleanPolyData merges
+   * these. Repairs counts the points.
    */
   vtkSetClampMacro(MergePoints, int, MERGE_POINTS_OFF, MERGE_POINTS_AUTOMATIC);
   vtkGetMacro(MergePoints, int);
@@ -306,9 +312,10 @@ public:
   ///@{
   /**
    * Whether the energy is taken on the intrinsic Delaunay triangulation of the surface's points:
-   * the same surface, as if its triangles had been chosen better. Slivers spoil the field less then,
-   * and Eigenvalue, SmoothnessEnergy and the like are those of this triangulation. All the rest
-   * (curvature, constraints, singularities) stays with the surface's own triangles. Default off.
+   * the same surface, as if its triangles had been chosen better. Slivers spoil the field less
+   * then, and Eigenvalue, SmoothnessEnergy and the like are those of this triangulation. All the
+   * rest (curvature, constraints, singularities) stays with the surface's own triangles. Default
+   * off.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -317,8 +324,8 @@ public:
 
   ///@{
   /**
-   * Give the directions at the cells' centroids, too, as cell data, and the singularities that programs find which know
-   * these only, as the point data FaceSingularityIndex. Default off.
+   * Give the directions at the cells' centroids, too, as cell data, and the singularities that
+   * programs find which know these only, as the point data FaceSingularityIndex. Default off.
    */
   vtkSetMacro(CellDirections, bool);
   vtkGetMacro(CellDirections, bool);
@@ -327,12 +334,14 @@ public:
 
   ///@{
   /**
-   * Go on from the smoothest, aligned or constrained field to one whose directions have less energy. The eigenvector
-   * and the linear systems minimize the energy of a section whose length is free: where it fades, its directions bend
-   * and make singularities in pairs. With this the representation vectors all have the length 1: diffusion and
-   * projection, descent in the phases, cancellation of pairs of singularities and moves of single ones lower the energy of
-   * the directions themselves. The result is a local minimum, no global one; it starts from the global optimum above,
-   * and is never worse than that one's directions. For any degree, alignment and constraint. Default off.
+   * Go on from the smoothest, aligned or constrained field to one whose directions have less
+   * energy. The eigenvector and the linear systems minimize the energy of a section whose length is
+   * free: where it fades, its directions bend and make singularities in pairs. With this the
+   * representation vectors all have the length 1: diffusion and projection, descent in the phases,
+   * cancellation of pairs of singularities and moves of single ones lower the energy of the
+   * directions themselves. The result is a local minimum, no global one; it starts from the global
+   * optimum above, and is never worse than that one's directions. For any degree, alignment and
+   * constraint. Default off.
    */
   vtkSetMacro(UnitLength, bool);
   vtkGetMacro(UnitLength, bool);
@@ -341,9 +350,10 @@ public:
 
   ///@{
   /**
-   * With UnitLength: what a singularity of index 1/n costs when pairs are cancelled, in units of 2 pi ln 2. That much
-   * energy one more subdivision of the mesh would add for it, so that 1 makes the choice of a mesh once more subdivided.
-   * The more it costs, the fewer singularities remain, and the more the field bends. Range 0 to 4, default 0.
+   * With UnitLength: what a singularity of index 1/n costs when pairs are cancelled, in units of 2
+   * pi ln 2. That much energy one more subdivision of the mesh would add for it, so that 1 makes
+   * the choice of a mesh once more subdivided. The more it costs, the fewer singularities remain,
+   * and the more the field bends. Range 0 to 4, default 0.
    */
   vtkSetClampMacro(SingularityCost, double, 0.0, 4.0);
   vtkGetMacro(SingularityCost, double);
@@ -376,10 +386,10 @@ public:
   ///@{
   /**
    * Which principal direction a field of degree 2 is drawn or constrained to: that of the larger
-   * signed curvature (0, default) or of the smaller (1), which change places where the surface turns
-   * from convex to concave, or the direction in which the surface is bent least (2) or most (3), which
-   * do not. Curvature is positive where the surface is convex, as seen from outside where it is
-   * closed. Fields of degree 4 have both directions.
+   * signed curvature (0, default) or of the smaller (1), which change places where the surface
+   * turns from convex to concave, or the direction in which the surface is bent least (2) or most
+   * (3), which do not. Curvature is positive where the surface is convex, as seen from outside
+   * where it is closed. Fields of degree 4 have both directions.
    */
   vtkSetClampMacro(CurvatureDirection, int, MAXIMUM_CURVATURE, MOST_BENT);
   vtkGetMacro(CurvatureDirection, int);
@@ -387,10 +397,10 @@ public:
 
   ///@{
   /**
-   * Radius of the surroundings of a point that its curvature is averaged over, in edges of the mesh:
-   * 0 to 32. 0, the default, finds it for each point by how much of the curvature is noise. The
-   * larger, the smoother are principal directions and curvature on scans, and the less they know of
-   * small features; below about 2 nothing is averaged.
+   * Radius of the surroundings of a point that its curvature is averaged over, in edges of the
+   * mesh: 0 to 32. 0, the default, finds it for each point by how much of the curvature is noise.
+   * The larger, the smoother are principal directions and curvature on scans, and the less they
+   * know of small features; below about 2 nothing is averaged.
    */
   vtkSetClampMacro(CurvatureScale, double, 0.0, 32.0);
   vtkGetMacro(CurvatureScale, double);
@@ -409,9 +419,9 @@ public:
 
   ///@{
   /**
-   * Whether to take Shift, which is lambda_1 - lambda_t in 1 / length^2, instead of AlignmentStrength:
-   * for those who know the spectrum of their surface. Default off; Shift has the range 0 to
-   * VTK_DOUBLE_MAX and the default 0.
+   * Whether to take Shift, which is lambda_1 - lambda_t in 1 / length^2, instead of
+   * AlignmentStrength: for those who know the spectrum of their surface. Default off; Shift has the
+   * range 0 to VTK_DOUBLE_MAX and the default 0.
    */
   vtkSetMacro(UseShift, bool);
   vtkGetMacro(UseShift, bool);
@@ -422,10 +432,10 @@ public:
 
   ///@{
   /**
-   * Name of the point array of 3 components that the field follows where Alignment is Point
-   * Vectors or ConstrainGuidance is on; there, it is an error if there is no such array. The
-   * vectors are projected to the tangent plane; what is left of their length is a weight. Null, the
-   * default, an empty name and "None" are no array.
+   * Name of the point array of 3 components that the field follows where Alignment is Point Vectors
+   * or ConstrainGuidance is on; there, it is an error if there is no such array. The vectors are
+   * projected to the tangent plane; their remaining length is a weight. Null, the default, an empty
+   * name and "None" are no array.
    */
   vtkSetStringMacro(GuidanceVectors);
   vtkGetStringMacro(GuidanceVectors);
@@ -453,9 +463,9 @@ public:
 
   ///@{
   /**
-   * Constrain the points on sharp edges to the sharpest of their edges. Default off. An edge is sharp
-   * where the normals of its two triangles differ by more than FeatureAngle, in degrees: range 0 to
-   * 180, default 30.
+   * Constrain the points on sharp edges to the sharpest of their edges. Default off. An edge is
+   * sharp where the normals of its two triangles differ by more than FeatureAngle, in degrees:
+   * range 0 to 180, default 30.
    */
   vtkSetMacro(ConstrainSharpEdges, bool);
   vtkGetMacro(ConstrainSharpEdges, bool);
@@ -466,9 +476,9 @@ public:
 
   ///@{
   /**
-   * Chains of sharp edges that are shorter than this, in parts of the square root of the component's
-   * area, count as noise unless they are much sharper than the edges around, or lead from boundary
-   * to boundary. Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.1.
+   * Chains of sharp edges that are shorter than this, in parts of the square root of the
+   * component's area, count as noise unless they are much sharper than the edges around, or lead
+   * from boundary to boundary. Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.1.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumFeatureLength, double);
@@ -497,9 +507,9 @@ public:
   ///@{
   /**
    * A curvature constraint is dropped where it differs by more than ConsistencyAngle from the
-   * constraint of a neighbour, in degrees, after transport and modulo 360 / n: range 0 to 180, default
-   * 30. With DropConstraintsAtSingularities, default off, so are the curvature constraints of triangles
-   * around which the constraints wind, as Pellenard et al. have it.
+   * constraint of a neighbour, in degrees, after transport and modulo 360 / n: range 0 to 180,
+   * default 30. With DropConstraintsAtSingularities, default off, so are the curvature constraints
+   * of triangles around which the constraints wind, as Pellenard et al. have it.
    */
   vtkSetClampMacro(ConsistencyAngle, double, 0.0, 180.0);
   vtkGetMacro(ConsistencyAngle, double);
@@ -551,13 +561,14 @@ protected:
 
   ///@{
   /**
-   * What Compute asks for, for filters whose surface goes on on other processes. ComputeField gives the field of
-   * the triangles of an input: surface has all its points, so that ids stay the user's, and figures become those
-   * of the whole surface. It throws DirectionFields::Stopped, or returns what was aborted. The
-   * options are those of the properties, the guidance is that of the input's arrays, empty where nothing asks for
-   * it. IsSpeaker is false where another process gives the warnings. ReadTogether does the reading of the input,
-   * which comes before ComputeField. TypeOfArrays is VTK_DOUBLE where arrays and points of the field are to be
-   * double, by default as the input's points are.
+   * The parts of Execute that filters of several processes replace, whose surface goes on on other
+   * processes. ComputeField gives the field of the triangles of an input: surface has all its
+   * points, so that ids stay the user's, and figures become those of the whole surface. It throws
+   * DirectionFields::Stopped, or returns what was aborted. The options are those of the properties,
+   * the guidance is read from the input's arrays, empty where no option uses it. IsSpeaker is false
+   * where another process gives the warnings. ReadTogether does the reading of the input, which
+   * comes before ComputeField. TypeOfArrays is VTK_DOUBLE where arrays and points of the field are
+   * to be double, by default as the input's points are.
    */
   virtual DirectionFields::Result ComputeField(vtkPolyData* input,
     const DirectionFields::Surface& surface, const DirectionFields::Options& options,
@@ -604,8 +615,7 @@ private:
   bool ConstrainGuidance;
   int ConstraintSolver;
 
-  /// What is kept of the last input, so that another strength or constraint does not start from
-  /// nothing.
+  /// Data of the last input, so that another strength or constraint does not start from nothing.
   std::unique_ptr<DirectionFields::DirectionFieldCache> Last;
 };
 

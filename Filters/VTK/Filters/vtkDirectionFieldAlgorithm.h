@@ -4,9 +4,9 @@
  * @class vtkDirectionFieldAlgorithm
  * @brief base of the filters for direction fields
  *
- * vtkDirectionFieldAlgorithm runs a filter with the threads that it may use, reports its errors, and
- * empties its outputs where it has one or was stopped. Filters that take composite datasets as a
- * whole get outputs of the same class.
+ * vtkDirectionFieldAlgorithm runs a filter with the threads that it may use, reports its errors,
+ * and empties its outputs where it has one or was stopped. Filters that take composite datasets as
+ * a whole get outputs of the same class.
  */
 
 #ifndef vtkDirectionFieldAlgorithm_h
@@ -53,8 +53,8 @@ protected:
   ///@{
   /**
    * The threads to execute with, by default as many as VTK's backend has; advice where there is too
-   * little memory, the beginning of a sentence; and whether the filter takes composite datasets as a
-   * whole, by default not.
+   * little memory, the beginning of a sentence; and whether the filter takes composite datasets as
+   * a whole, by default not.
    */
   virtual int ThreadsToUse() const;
   virtual const char* MemoryAdvice() const;
@@ -63,9 +63,9 @@ protected:
 
   ///@{
   /**
-   * For filters of several processes. CheckInput throws a std::exception with a sentence for the user
-   * where the input contradicts itself. Compute fills the outputs, or empties them and returns false
-   * with the error, which is empty where somebody stopped the filter.
+   * For filters of several processes. CheckInput throws a std::exception with a sentence for the
+   * user where the input contradicts itself. Compute fills the outputs, or empties them and returns
+   * false with the error, which is empty where somebody stopped the filter.
    */
   static void CheckInput(vtkPolyData* input);
   bool Compute(const Ports& inputs, const Ports& outputs, std::string& error);

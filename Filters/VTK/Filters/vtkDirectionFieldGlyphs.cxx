@@ -41,8 +41,8 @@ vtkDirectionFieldGlyphs::vtkDirectionFieldGlyphs()
   this->Scale = defaults.Scale;
   this->Offset = defaults.Offset;
   this->FollowSurface = defaults.FollowSurface;
-  // The pipeline says when an input begins and ends, and newer ones do for each of its blocks, too. Each
-  // block is a call of RequestData.
+  // The pipeline says when an input begins and ends, and newer ones do for each of its blocks, too.
+  // Each block is a call of RequestData.
   this->AddObserver(vtkCommand::StartEvent, this, &vtkDirectionFieldGlyphs::BeginBlocks);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkDirectionFieldGlyphs::EndBlocks);
 }

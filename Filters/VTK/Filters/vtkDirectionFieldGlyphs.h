@@ -34,10 +34,10 @@
  * @section Output Output
  * Polygons, or lines for the glyph type Lines, with points that are double if the input's are, else
  * float, and
- * - point data `Normals`: 3-component float, active normals. Unit normals of the surface on the side that the glyph is
- *   on; for Tubes those of the tubes.
- * - cell data `Location`: vtkIdType. Number of the glyph that the cell belongs to, from 0; arms on both sides of a place
- *   are one glyph.
+ * - point data `Normals`: 3-component float, active normals. Unit normals of the surface on the
+ *   side that the glyph is on; for Tubes those of the tubes.
+ * - cell data `Location`: vtkIdType. Number of the glyph that the cell belongs to, from 0; arms on
+ *   both sides of a place are one glyph.
  * - cell data `PointId`: vtkIdType. The point of the input that the glyph is on, or for glyphs that
  *   are spread evenly the nearest corner of the triangle that it is on.
  * - cell data `Branch`: int. Which direction the cell shows: k on a point means Direction{k}, in
@@ -46,15 +46,15 @@
  *   singularities, where directions are the less certain.
  * - cell data `Direction`: 3-component float. The unit tangent vector that the cell shows.
  *
- * None of the arrays is the active scalars or vectors, so that viewers draw the glyphs in one color until they are told
- * to color by one. Beside them there are
+ * None of the arrays is the active scalars or vectors, so that viewers draw the glyphs in one color
+ * until they are told to color by one. Beside them there are
  * - field data `NumberOfGlyphs`: vtkIdType, one tuple.
  * - field data `Spacing`: double, one tuple. The least distance between evenly spread glyphs that
  *   was kept, in the input's unit of length. For glyphs on all points the mean of the lengths that
  *   their sizes go by. 0 without glyphs.
  *
- * The places depend on the points and cells of the input only: another field on the same surface has its glyphs at the
- * same places, and in less time, because they are kept (ReleaseSurfaces).
+ * The places depend on the points and cells of the input only: another field on the same surface
+ * has its glyphs at the same places, and in less time, because they are kept (ReleaseSurfaces).
  *
  * @warning
  * At a place where the interpolated field vanishes, the middle of a singularity, there is no glyph.
@@ -130,12 +130,13 @@ public:
 
   ///@{
   /**
-   * Which side of the surface the glyphs are on: automatically (0, default), which is the outside of connected
-   * components that are closed, whatever their winding, and both sides of those that have a boundary or cannot be
-   * oriented, since either may face the camera; the front (1), where the cells' winding says that the normals are, and
-   * the directions themselves for n > 2; the back (2); both (3). Outside is where the signed volume of a component says
-   * so, by itself: the inner wall of a hollow body has its glyphs in the material. Components are connected across
-   * seams, where points share places. Clamped to 0 ... 3.
+   * Which side of the surface the glyphs are on: automatically (0, default), which is the outside
+   * of connected components that are closed, whatever their winding, and both sides of those that
+   * have a boundary or cannot be oriented, since either may face the camera; the front (1), where
+   * the cells' winding says that the normals are, and the directions themselves for n > 2; the back
+   * (2); both (3). Outside is where the signed volume of a component says so, by itself: the inner
+   * wall of a hollow body has its glyphs in the material. Components are connected across seams,
+   * where points share places. Clamped to 0 ... 3.
    */
   vtkSetClampMacro(Side, int, SIDE_AUTOMATIC, SIDE_BOTH);
   vtkGetMacro(Side, int);
@@ -145,7 +146,8 @@ public:
   /**
    * Least distance between the centers of glyphs that are spread evenly, in the input's unit of
    * length. 0: as small as MaximumNumberOfGlyphs allows. A spacing that asks for more glyphs than
-   * that is enlarged; one beyond the diagonal of the box around the surface is taken for that. Range 0 to VTK_DOUBLE_MAX, default 0.
+   * that is enlarged; one beyond the diagonal of the box around the surface is taken for that.
+   * Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Spacing, double);
@@ -171,8 +173,8 @@ public:
 
   ///@{
   /**
-   * Height of the glyphs above the surface, on the side that they are on, relative to the same; negative heights are
-   * beyond the surface, on its other side. Range -1 to 1, default 0.04.
+   * Height of the glyphs above the surface, on the side that they are on, relative to the same;
+   * negative heights are beyond the surface, on its other side. Range -1 to 1, default 0.04.
    */
   vtkSetClampMacro(Offset, double, -1.0, 1.0);
   vtkGetMacro(Offset, double);
@@ -190,9 +192,9 @@ public:
   ///@}
 
   /**
-   * Frees what is kept of the surface between executions, now: its triangles, the places of the glyphs and which side is
-   * outside. As long as points and cells stay the same, whatever becomes of the field, the next executions begin with
-   * that. It takes some 60 bytes a triangle.
+   * Frees what is kept of the surface between executions, now: its triangles, the places of the
+   * glyphs and which side is outside. As long as points and cells stay the same, whatever becomes
+   * of the field, the next executions begin with that. It takes some 60 bytes a triangle.
    */
   void ReleaseSurfaces();
 
@@ -212,7 +214,7 @@ private:
   /// The options of the drawing, from the properties.
   DirectionFields::GlyphOptions MakeOptions() const;
 
-  /// What the pipeline says before and after an input, and before and after each of its blocks.
+  /// Called by the pipeline before and after an input, and before and after each of its blocks.
   void BeginBlocks();
   void EndBlocks();
 

@@ -25,11 +25,12 @@ vtkStandardNewMacro(vtkDirectionFieldReader);
 
 namespace
 {
-// Where the phases of the progress end: reading the input and the file, laying the one on the other.
+// Where the phases of the progress end: reading the input and the file, laying the one on the
+// other.
 constexpr double ProgressRead = 0.3;
 constexpr double ProgressImported = 0.8;
 
-/// One line that says what the field is like.
+/// One line that describes the field.
 std::string SummaryOf(const DirectionFields::Result& field)
 {
   const auto& indices = field.SingularityIndex;

@@ -34,7 +34,7 @@ using DirectionFields::WantedSingularity;
 // Where the phases of the progress end: reading the inputs, the edit. The rest is writing.
 constexpr double ProgressRead = 0.3;
 constexpr double ProgressEdited = 0.9;
-// So often the surface is refined where that is needed.
+// The largest number of refinements of the surface.
 constexpr int MostRefinements = 4;
 
 using Blocks = std::vector<vtkPolyData*>;
@@ -252,7 +252,8 @@ void vtkDirectionFieldSingularities::Release(bool hasFailed)
 {
   if (hasFailed || !this->KeepStages)
   {
-    // A block that was stopped in the middle of an edit is as good as new, but one that was not read to its end is not.
+    // An edit that was stopped leaves its block intact, but a block that was not read to its end is
+    // incomplete.
     this->Last->Clear();
   }
 }

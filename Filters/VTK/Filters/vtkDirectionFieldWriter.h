@@ -4,26 +4,28 @@
  * @class vtkDirectionFieldWriter
  * @brief writes a direction field to files that other programs read
  *
- * vtkDirectionFieldWriter writes the field of the first output of vtkDirectionField, or any other surface with such
- * arrays, in the format that the end of FileName says:
- * - .rosy: one direction for each triangle, and the degree (QuadWild and others that use vcglib, which take degree 4
- *   only; Palacios and Zhang's has rows for points);
+ * vtkDirectionFieldWriter writes the field of the first output of vtkDirectionField, or any other
+ * surface with such arrays, in the format that the end of FileName says:
+ * - .rosy: one direction for each triangle, and the degree (QuadWild and others that use vcglib,
+ *   which take degree 4 only; Palacios and Zhang's has rows for points);
  * - .ffield: two directions for each triangle (vcglib, QuadWild); degree 4 only;
- * - .rawfield: all n directions for each triangle, counter-clockwise (Directional), and beside it NAME.sing;
+ * - .rawfield: all n directions for each triangle, counter-clockwise (Directional), and beside it
+ *   NAME.sing;
  * - .sing: the singularities alone.
  *
- * Beside the file it writes the mesh that the rows belong to, NAME.obj, and for .rosy NAME.sharp, the sharp edges that
- * QuadWild does not look for where a mesh comes with a field. Numbers have up to 17 digits, by which they are read back
- * to the last bit, and a decimal point in any locale.
+ * Beside the file it writes the mesh that the rows belong to, NAME.obj, and for .rosy NAME.sharp,
+ * the sharp edges that QuadWild does not look for where a mesh comes with a field. Numbers have up
+ * to 17 digits, by which they are read back to the last bit, and a decimal point in any locale.
  *
- * NAME.obj, and what else stands beside, is only replaced if an earlier run wrote it: a mesh of that name that came from
- * elsewhere stays, and the writer reports an error.
+ * NAME.obj and the files beside it are only replaced if an earlier run wrote them: a mesh of that
+ * name that came from elsewhere stays, and the writer reports an error.
  *
  * @section Input Input
- * A vtkPolyData of triangles with the point arrays `Direction0`, ..., or with cell arrays of these names
- * (vtkDirectionField::SetCellDirections). For FieldOn CELLS the directions of the cells are written; where there are
- * none, those of the points, interpolated to the centroids. Vertices and lines are ignored. Polygons of more corners
- * and strips are an error, for the other programs would number triangles in their own way.
+ * A vtkPolyData of triangles with the point arrays `Direction0`, ..., or with cell arrays of these
+ * names (vtkDirectionField::SetCellDirections). For FieldOn CELLS the directions of the cells are
+ * written; where there are none, those of the points, interpolated to the centroids. Vertices and
+ * lines are ignored. Polygons of more corners and strips are an error, for the other programs would
+ * number triangles in their own way.
  *
  * @sa
  * vtkDirectionFieldReader vtkDirectionField
@@ -60,9 +62,9 @@ public:
 
   ///@{
   /**
-   * What the rows of the file are for: the triangles (0, default), or the points (1), as Palacios and Zhang's .rosy
-   * files have them, and Directional for its vertex bundles. Singularities are points for CELLS, triangles for
-   * POINTS.
+   * What the rows of the file are for: the triangles (0, default), or the points (1), as Palacios
+   * and Zhang's .rosy files have them, and Directional for its vertex bundles. Singularities are
+   * points for CELLS, triangles for POINTS.
    */
   vtkSetClampMacro(FieldOn, int, CELLS, POINTS);
   vtkGetMacro(FieldOn, int);
@@ -70,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Angle between the normals of two triangles, in degrees, above which their edge is sharp, for the .sharp file. The
-   * same as vtkDirectionField::SetFeatureAngle. Range 0 to 180, default 30.
+   * Angle between the normals of two triangles, in degrees, above which their edge is sharp, for
+   * the .sharp file. The same as vtkDirectionField::SetFeatureAngle. Range 0 to 180, default 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -79,8 +81,9 @@ public:
 
   ///@{
   /**
-   * Chains of sharp edges that are shorter count as noise, unless they stand out, in parts of the square root of the
-   * area. The same as vtkDirectionField::SetMinimumFeatureLength. Range 0 to VTK_DOUBLE_MAX, default 0.1.
+   * Chains of sharp edges that are shorter count as noise, unless they stand out, in parts of the
+   * square root of the area. The same as vtkDirectionField::SetMinimumFeatureLength. Range 0 to
+   * VTK_DOUBLE_MAX, default 0.1.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumFeatureLength, double);

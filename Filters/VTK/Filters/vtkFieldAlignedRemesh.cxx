@@ -30,7 +30,7 @@ constexpr double ProgressRead = 0.05;
 constexpr double ProgressMade = 0.95;
 }
 
-/// The surface that the last mesh was made of, and what is kept of that.
+/// The surface that the last mesh was made of, and its mesher, which keeps its stages.
 struct vtkFieldAlignedRemesh::Stages
 {
   explicit Stages(DirectionFields::TriangulatedPolyData&& surface)

@@ -4,34 +4,37 @@
  * @class vtkFieldAlignedRemesh
  * @brief makes a mesh of quads, or of triangles, that follows a direction field
  *
- * vtkFieldAlignedRemesh covers a surface with a new mesh of quads of about the same size whose edges follow a
- * cross field, or of equilateral triangles along a field of degree 6. Boundaries, sharp edges and
- * corners become edges and vertices of the mesh. Away from the field's singularities every vertex is
- * regular: four quads, or six triangles, meet there.
+ * vtkFieldAlignedRemesh covers a surface with a new mesh of quads of about the same size whose
+ * edges follow a cross field, or of equilateral triangles along a field of degree 6. Boundaries,
+ * sharp edges and corners become edges and vertices of the mesh. Away from the field's
+ * singularities every vertex is regular: four quads, or six triangles, meet there.
  *
- * The mesh is cut out by an integer-grid map: coordinates on the surface whose gradients follow the field
- * and that agree across every edge up to a map of the grid onto itself (D. Bommes et al.: Integer-Grid
- * Maps for Reliable Quad Meshing, 2013). The grid's points are inserted into the triangles of the
- * surface, and all other vertices are removed by local operations, which cannot change the topology: whatever
- * the map is like, the mesh is manifold, consistently wound, and has as many boundaries and handles
- * as the surface. Where the map folds, some triangles are among the quads.
+ * The mesh is cut out by an integer-grid map: coordinates on the surface whose gradients follow the
+ * field and that agree across every edge up to a map of the grid onto itself (D. Bommes et al.:
+ * Integer-Grid Maps for Reliable Quad Meshing, 2013). The grid's points are inserted into the
+ * triangles of the surface, and all other vertices are removed by local operations, which cannot
+ * change the topology: whatever the map is like, the mesh is manifold, consistently wound, and has
+ * as many boundaries and handles as the surface. Where the map folds, some triangles are among the
+ * quads.
  *
  * @section Input Input
- * A vtkPolyData: triangles, polygons or triangle strips. If it has a direction field of degree 4 (6 for
- * triangles), as output port 0 of vtkDirectionField does in the point arrays `Direction0`, `Direction1`, ...,
- * the mesh follows that, else a field of unit length along boundary and sharp edges is computed.
+ * A vtkPolyData: triangles, polygons or triangle strips. If it has a direction field of degree 4 (6
+ * for triangles), as output port 0 of vtkDirectionField does in the point arrays `Direction0`,
+ * `Direction1`, ..., the mesh follows that, else a field of unit length along boundary and sharp
+ * edges is computed.
  *
  * @section Output Output
- * Port 0: polygons, wound as the input, with its point data interpolated and its cell data copied, except
- * the arrays of the field, and
- * - point data `VertexKind`: signed char. 0 on the surface, 1 on the boundary, 2 on a sharp edge, 3 corner,
- *   4 singularity of the field.
+ * Port 0: polygons, wound as the input, with its point data interpolated and its cell data copied,
+ * except the arrays of the field, and
+ * - point data `VertexKind`: signed char. 0 on the surface, 1 on the boundary, 2 on a sharp edge, 3
+ *   corner, 4 singularity of the field.
  * - point data `FieldIndex`: int. The singularity's index in units of 1/n, 0 elsewhere.
  * - cell data `Regular`: signed char. 1 for cells of the map's grid.
- * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices` (those that
- *   are no points of the grid, but could not be removed), `FlippedTriangles` (of the map): int.
- * - field data `EdgeLength`, the one that was asked for, and `MaximumDistance`, how far the middle of a
- *   face is from the surface: double, in the input's unit.
+ * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices`
+ *   (those that are no points of the grid, but could not be removed), `FlippedTriangles` (of the
+ *   map): int.
+ * - field data `EdgeLength`, the one that was asked for, and `MaximumDistance`, how far the middle
+ *   of a face is from the surface: double, in the input's unit.
  * - field data `EulerCharacteristic`: int, two components, of the surface and of the mesh.
  * - field data `Repairs` and `Warnings`, as vtkDirectionField.
  *
@@ -40,9 +43,9 @@
  * The same input gives the same bytes, whatever the number of threads.
  *
  * @warning
- * A component with one side only, like a Moebius strip, is cut open along a line of the new mesh and joined again
- * there; polygons are wound the other way on the other side of that line. Sheets that meet in edges of more than two
- * triangles share their vertices there.
+ * A component with one side only, like a Moebius strip, is cut open along a line of the new mesh
+ * and joined again there; polygons are wound the other way on the other side of that line. Sheets
+ * that meet in edges of more than two triangles share their vertices there.
  *
  * @sa
  * vtkDirectionField
@@ -76,7 +79,7 @@ public:
 
   ///@{
   /**
-   * What the mesh is made of: QUADS (0, default), or TRIANGLES (1).
+   * The faces of the mesh: QUADS (0, default), or TRIANGLES (1).
    */
   vtkSetClampMacro(Element, int, QUADS, TRIANGLES);
   vtkGetMacro(Element, int);
@@ -99,7 +102,7 @@ public:
 
   ///@{
   /**
-   * About how many faces there are to be, over all components. Range 1 to 10000000, default 5000.
+   * The approximate number of faces, over all components. Range 1 to 10000000, default 5000.
    */
   vtkSetClampMacro(NumberOfFaces, int, 1, 10000000);
   vtkGetMacro(NumberOfFaces, int);
@@ -107,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Wanted length of the edges, in the input's unit of length. Range 0 to VTK_DOUBLE_MAX, default 1; 0 is an
-   * error where the SizeMode asks for it.
+   * Wanted length of the edges, in the input's unit of length. Range 0 to VTK_DOUBLE_MAX, default
+   * 1; 0 is an error where the SizeMode asks for it.
    */
   vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
@@ -116,8 +119,9 @@ public:
 
   ///@{
   /**
-   * Name of a point array of 1 component: the wanted length of edges relative to elsewhere, from 1/8 to 8. An
-   * error if there is none. Null, the default, an empty name and "None" are no array: the same everywhere.
+   * Name of a point array of 1 component: the wanted length of edges relative to elsewhere, from
+   * 1/8 to 8. An error if there is none. Null, the default, an empty name and "None" are no array:
+   * the same everywhere.
    */
   vtkSetStringMacro(SizingArray);
   vtkGetStringMacro(SizingArray);
@@ -125,9 +129,9 @@ public:
 
   ///@{
   /**
-   * Quads only: triangles are joined in pairs, and the quads between them change. Where that leaves bad faces, and without
-   * smoothing, a mesh of twice the edge length is made, and every face of it split into quads. No effect on
-   * meshes of triangles. Default off.
+   * Quads only: triangles are joined in pairs, and the quads between them change. Where that leaves
+   * bad faces, and without smoothing, a mesh of twice the edge length is made, and every face of it
+   * split into quads. No effect on meshes of triangles. Default off.
    */
   vtkSetMacro(PureQuads, bool);
   vtkGetMacro(PureQuads, bool);
@@ -136,7 +140,8 @@ public:
 
   ///@{
   /**
-   * Make edges of the mesh of edges sharper than FeatureAngle. The boundary always becomes that. Default on.
+   * Make edges of the mesh of edges sharper than FeatureAngle. The boundary always becomes edges of
+   * the mesh. Default on.
    */
   vtkSetMacro(KeepFeatures, bool);
   vtkGetMacro(KeepFeatures, bool);
@@ -145,8 +150,8 @@ public:
 
   ///@{
   /**
-   * Angle between the normals of two faces above which their edge is sharp, in degrees. Range 0 to 180,
-   * default 40.
+   * Angle between the normals of two faces above which their edge is sharp, in degrees. Range 0 to
+   * 180, default 40.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -154,8 +159,8 @@ public:
 
   ///@{
   /**
-   * Steps in which vertices move along the surface so that faces become regular. 0: they stay where the grid
-   * has them. Range 0 to 1000, default 12.
+   * Steps in which vertices move along the surface so that faces become regular. 0: they stay where
+   * the grid has them. Range 0 to 1000, default 12.
    */
   vtkSetClampMacro(SmoothingIterations, int, 0, 1000);
   vtkGetMacro(SmoothingIterations, int);
@@ -172,7 +177,8 @@ public:
 
   ///@{
   /**
-   * Threads to compute with; 0 (default) for as many as the process may run at once. Range 0 to 1024.
+   * Threads to compute with; 0 (default) for as many as the process may run at once. Range 0 to
+   * 1024.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);

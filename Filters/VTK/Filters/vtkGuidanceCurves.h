@@ -4,29 +4,31 @@
  * @class vtkGuidanceCurves
  * @brief makes guidance vectors and weights for direction fields of curves on a surface
  *
- * vtkGuidanceCurves turns strokes into the guidance of vtkDirectionField: poly lines and splines that were placed on the
- * surface, feature edges, contours, curves of a design. The tangents of the curves are laid into the nearest triangles and
- * carried to their corners; there they are added up as n-th powers, so that
+ * vtkGuidanceCurves turns strokes into the guidance of vtkDirectionField: poly lines and splines
+ * that were placed on the surface, feature edges, contours, curves of a design. The tangents of the
+ * curves are laid into the nearest triangles and carried to their corners; there they are added up
+ * as n-th powers, so that
  * - curves that are drawn in opposite senses agree for even n;
- * - curves that cross at right angles agree for cross fields (n = 4), and cancel for line fields (n = 2), which get no
- *   guidance there.
+ * - curves that cross at right angles agree for cross fields (n = 4), and cancel for line fields (n
+ *   = 2), which get no guidance there.
  *
- * With a Radius, vertices farther away are guided, too, with weights that fall with the distance along the surface as a
- * Gaussian does.
+ * With a Radius, vertices farther away are guided, too, with weights that fall with the distance
+ * along the surface as a Gaussian does.
  *
- * For hard constraints take Radius 0 and vtkDirectionField's ConstrainGuidance with both arrays; to draw the field only, its
- * Alignment ALIGN_POINT_VECTORS with GuidanceVectors, whose lengths are the weights.
+ * For hard constraints take Radius 0 and vtkDirectionField's ConstrainGuidance with both arrays; to
+ * draw the field only, its Alignment ALIGN_POINT_VECTORS with GuidanceVectors, whose lengths are
+ * the weights.
  *
  * @section Input Input
- * Port 0: a surface of polygons or strips. Port 1: a vtkPolyData with lines, or a composite dataset of such. Its polygons and
- * vertices do not count.
+ * Port 0: a surface of polygons or strips. Port 1: a vtkPolyData with lines, or a composite dataset
+ * of such. Its polygons and vertices do not count.
  *
  * @section Output Output
  * The surface with the point data
- * - `GuidanceVectors`: 3 components, double if the points are, else float. One of the n directions, of the length of the
- *   weight; zero where there is no guidance.
- * - `GuidanceWeights`: 1 component of the same type, 0 to 1. 1 on a curve, less with the distance from it and where curves do
- *   not agree.
+ * - `GuidanceVectors`: 3 components, double if the points are, else float. One of the n directions,
+ *   of the length of the weight; zero where there is no guidance.
+ * - `GuidanceWeights`: 1 component of the same type, 0 to 1. 1 on a curve, less with the distance
+ *   from it and where curves do not agree.
  *
  * @sa
  * vtkDirectionField
@@ -63,8 +65,8 @@ public:
 
   ///@{
   /**
-   * How far from the curves points are guided, along the surface, in its unit of length. 0: only the corners of the
-   * triangles that the curves run through. Range 0 to VTK_DOUBLE_MAX, default 0.
+   * How far from the curves points are guided, along the surface, in its unit of length. 0: only
+   * the corners of the triangles that the curves run through. Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
@@ -72,8 +74,8 @@ public:
 
   ///@{
   /**
-   * The standard deviation of the Gaussian by which weights fall with the distance, relative to Radius. Range 0.01 to
-   * 100, default 0.5.
+   * The standard deviation of the Gaussian by which weights fall with the distance, relative to
+   * Radius. Range 0.01 to 100, default 0.5.
    */
   vtkSetClampMacro(Falloff, double, 0.01, 100.0);
   vtkGetMacro(Falloff, double);
@@ -81,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Parts of the curves that are farther from the surface are left out, in its unit of length. 0: none. Range 0 to
-   * VTK_DOUBLE_MAX, default 0.
+   * Parts of the curves that are farther from the surface are left out, in its unit of length. 0:
+   * none. Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);

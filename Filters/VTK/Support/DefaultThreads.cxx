@@ -19,7 +19,7 @@ int DefaultThreads()
   {
     return vtkSMPTools::GetEstimatedNumberOfThreads();
   }
-  // VTK's default backend has one thread only, which says nothing about what the user wants.
+  // VTK's default backend has one thread only, which does not tell the user's wish.
   const char* most = std::getenv("VTK_SMP_MAX_THREADS");
   const int number = most ? std::atoi(most) : 0;
   return number > 0 ? std::min(number, Threads::GetDefaultNumber()) : 0;

@@ -6,8 +6,8 @@
 
 namespace DirectionFields
 {
-/// The number of threads where the user does not say any: as many as VTK's SMP backend has; 0, which
-/// leaves the choice to Core, where the backend has but one and no environment variable says otherwise.
+/// The number of threads where the user sets none: the number of VTK's SMP backend; 0, which leaves
+/// the choice to Core, where the backend has but one and no environment variable says otherwise.
 int DefaultThreads();
 }
 

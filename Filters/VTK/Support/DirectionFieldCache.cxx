@@ -28,7 +28,7 @@ void DirectionFieldCache::SetInput(
     surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
     surface->CellOfTriangle == this->Surface->CellOfTriangle &&
     surface->FirstCell == this->Surface->FirstCell;
-  // What belongs to the old surface goes before the solver of the new one needs memory.
+  // The old surface's data are released before the solver of the new one needs memory.
   this->Solver.reset();
   this->Surface = std::move(surface);
   this->Solver.emplace(

@@ -20,9 +20,10 @@ namespace DirectionFields
 class DirectionFieldCache
 {
 public:
-  /// Reads the surface of an input. The solver is kept where the points and the triangles are the same
-  /// as before, whatever became of the input's data. They are compared by value: modification times
-  /// do not tell, for they change with each array, and do not change where points are moved in place.
+  /// Reads the surface of an input. The solver is kept where the points and the triangles are the
+  /// same as before, even if the input's data changed. They are compared by value: modification
+  /// times do not tell, for they change with each array, and do not change where points are moved
+  /// in place.
   ///
   /// Where only the points have changed and the time, the field of the time before is the reference
   /// of the new one's phase, so that it does not jump.

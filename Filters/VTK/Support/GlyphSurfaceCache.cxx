@@ -57,7 +57,7 @@ GlyphSurface& GlyphSurfaceCache::Next(vtkPolyData* input, const Progress& progre
     if (!block.Glyphs || !IsSameSurface(surface->Mesh, block.Surface->Mesh) ||
       ghostPoints != block.GhostPoints)
     {
-      // What belongs to the old surface goes before the new one needs memory.
+      // The old surface's data are released before the new one needs memory.
       block = {};
       auto glyphs = std::make_unique<GlyphSurface>(
         std::shared_ptr<const DirectionFields::Surface>(surface, &surface->Mesh),

@@ -22,18 +22,18 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// The surfaces of the last input, one for each of its blocks, with the places of glyphs on them. In the
-/// next execution a block whose points and cells are the same keeps its surface, whatever became of its
-/// data; blocks are compared in their order.
+/// The surfaces of the last input, one for each of its blocks, with the places of glyphs on them.
+/// In the next execution a block whose points and cells are the same keeps its surface, even if its
+/// data changed; blocks are compared in their order.
 class GlyphSurfaceCache
 {
 public:
   /// The next block is the first one.
   void Begin();
-  /// The surface of the next block. Throws Stopped, and what PolyDataToSurface throws.
+  /// The surface of the next block. Throws as PolyDataToSurface does.
   /// @param input has passed CheckPolyData
   GlyphSurface& Next(vtkPolyData* input, const Progress& progress);
-  /// Forgets what was not asked for since Begin.
+  /// Forgets blocks that were not asked for since Begin.
   void End();
 
 private:

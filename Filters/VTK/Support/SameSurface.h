@@ -11,8 +11,8 @@
 
 namespace DirectionFields
 {
-/// Whether two arrays have the same bytes. The values' own comparison would not do: unused points may
-/// have NaN, which is never equal.
+/// Whether two arrays have the same bytes. The values' own comparison would not do: unused points
+/// may have NaN, which is never equal.
 template <typename T>
 bool SameBytes(const std::vector<T>& a, const std::vector<T>& b)
 {

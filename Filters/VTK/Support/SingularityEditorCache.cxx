@@ -102,7 +102,7 @@ SingularityEditorCache::Block& SingularityEditorCache::Next(
   {
     return entry.Kept;
   }
-  // What belongs to the old surface goes before the new one needs memory.
+  // The old surface's data are released before the new one needs memory.
   entry = {};
   entry.Kept = Make(input, std::move(surface), keepsConstraints);
   entry.Field = std::move(field);

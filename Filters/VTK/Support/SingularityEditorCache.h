@@ -20,9 +20,9 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// The fields of the last input, one for each of its blocks, with all that edits of their singularities need. In the next
-/// execution a block whose points, cells, directions and constraints are the same keeps its solver; blocks are compared
-/// in their order.
+/// The fields of the last input, one for each of its blocks, with all data for edits of their
+/// singularities. In the next execution a block whose points, cells, directions and constraints are
+/// the same keeps its solver; blocks are compared in their order.
 class SingularityEditorCache
 {
 public:
@@ -34,12 +34,12 @@ public:
 
   /// The next block is the first one.
   void Begin() { this->Position = 0; }
-  /// What the next block needs. Its Editor is null where it has no triangles. Throws Stopped,
-  /// std::invalid_argument for directions that are not there, and what PolyDataToSurface throws.
+  /// The data of the next block. Its Editor is null where it has no triangles. Throws as
+  /// PolyDataToSurface does, and std::invalid_argument for missing directions.
   /// @param input            has passed CheckPolyData
   /// @param keepsConstraints whether the points that ConstraintKind tells keep their directions
   Block& Next(vtkPolyData* input, bool keepsConstraints, const Progress& progress);
-  /// Forgets what was not asked for since Begin.
+  /// Forgets blocks that were not asked for since Begin.
   void End() { this->Blocks.resize(this->Position); }
   void Clear() { this->Blocks.clear(); }
   /// The same for an input that is not kept.

@@ -74,7 +74,7 @@ std::string DescribeConvergence(
   return text.str();
 }
 
-/// What the field was made with beyond smoothness; empty for the smoothest field.
+/// The options beyond smoothness that shaped the field; empty for the smoothest field.
 std::string DescribeGuidance(const std::vector<ComponentReport>& components, const Options& options)
 {
   bool aligned = false;

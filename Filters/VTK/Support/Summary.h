@@ -12,12 +12,12 @@
 
 namespace DirectionFields
 {
-/// One line in ASCII that says what a field is like: how many singularities it has, their sum, how the
-/// solver ended, and what the field was made with. For instance
+/// One line in ASCII that describes a field: the number of its singularities, their sum, how the
+/// solver ended, and the options that shaped it. For instance
 ///
 ///     32 singularities (20 +, 12 -), index sum 8, converged in 15 iterations
 ///
-/// The documentation of vtkDirectionField tells what else it may say.
+/// The documentation of vtkDirectionField lists the other parts.
 /// @param figures of the whole surface
 std::string Summary(const SurfaceFigures& figures, const Result& field, const Options& options);
 }

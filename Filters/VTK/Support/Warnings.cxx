@@ -10,7 +10,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// What was mended in the input; empty if nothing was.
+/// The repairs of the input; empty if there were none.
 std::string Describe(const Repairs& repaired)
 {
   std::ostringstream text;

@@ -12,7 +12,7 @@
 
 namespace DirectionFields
 {
-/// What the user is to know of a field: one text each if the surface had to be mended, if an option
+/// The warnings about a field: one text each if the surface had to be repaired, if an option
 /// changed nothing, if a linear system was not solved, and if an eigenvalue problem was not. Each
 /// names the remedy.
 std::vector<std::string> Warnings(const Result& field, const Options& options);

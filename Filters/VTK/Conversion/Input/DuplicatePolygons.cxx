@@ -24,8 +24,8 @@ std::uint64_t Scrambled(std::uint64_t z)
   return z ^ (z >> 31);
 }
 
-/// The same number for polygons around the same points, and mostly another for any others. 0 for those
-/// of three corners or less.
+/// The same number for polygons around the same points, and mostly different numbers for other
+/// polygons. 0 for polygons of at most three corners.
 template <typename Id>
 std::uint32_t KeyOf(const Id* corners, vtkIdType size)
 {
@@ -46,7 +46,7 @@ std::uint32_t KeyOf(const Id* corners, vtkIdType size)
   return distinct > 3 ? std::max(static_cast<std::uint32_t>(sum >> 32), 1u) : 0;
 }
 
-/// The corners without those that repeat the one before.
+/// The corners without consecutive repetitions.
 template <typename Id>
 std::vector<vtkIdType> Cycle(const Id* corners, vtkIdType size)
 {

@@ -14,8 +14,8 @@ class vtkCellArray;
 namespace DirectionFields
 {
 /// Which polygons of more than three corners go around the same points as an earlier one, whichever
-/// corner they start at, in the same or in the opposite direction. Corners that are repeated one after
-/// the other count once. Takes time linear in the corners.
+/// corner they start at, in the same or in the opposite direction. Corners that are repeated one
+/// after the other count once. Takes time linear in the corners.
 class DuplicatePolygons
 {
 public:

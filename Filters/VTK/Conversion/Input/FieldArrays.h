@@ -24,8 +24,8 @@ class vtkPoints;
 
 namespace DirectionFields
 {
-/// The names of the field's arrays. The field filter writes them, and the glyph filter looks for some
-/// of them.
+/// The names of the field's arrays. The field filter writes them, and the glyph filter looks for
+/// some of them.
 namespace ArrayNames
 {
 constexpr const char* RepresentationMagnitude = "RepresentationMagnitude";
@@ -45,13 +45,13 @@ constexpr const char* Summary = "Summary";
 
 /// The name of the array of the k-th direction at each point, k = 0 ... n-1.
 std::string Direction(int k);
-/// Whether an array holds a vector or a number that says what the field of a degree is at a point,
-/// and hence is zero at points that the field does not reach.
+/// Whether an array describes the field of a degree at a point, and hence is zero at points that
+/// the field does not reach.
 bool IsOfTheField(const char* name, int degree);
 }
 
-/// Calls body(begin, end) for pieces of the tuples 0 ... tuples - 1, on the threads of the computation.
-/// There may be more tuples than Index can number.
+/// Calls body(begin, end) for pieces of the tuples 0 ... tuples - 1, on the threads of the
+/// computation. There may be more tuples than Index can number.
 template <typename Body>
 void ForEachPieceOfTuples(std::size_t tuples, const Body& body)
 {
@@ -72,8 +72,8 @@ vtkNew<ArrayT> MakeArray(const char* name, int components, std::size_t tuples)
   return array;
 }
 
-/// The value in a type that may have a smaller range: what exceeds the range becomes the largest
-/// value.
+/// The value in a type that may have a smaller range: a value beyond the range becomes the largest
+/// one.
 template <typename To, typename From>
 To Narrowed(From value)
 {

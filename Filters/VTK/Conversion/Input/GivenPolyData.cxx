@@ -17,7 +17,7 @@ namespace DirectionFields
 {
 namespace
 {
-/// The number of the cell arrays Direction0, Direction1, ... of three components; 0 without such.
+/// The number of the cell arrays Direction0, Direction1, ... of three components; 0 without any.
 int DegreeOfCells(vtkPolyData* polyData)
 {
   int degree = 0;

@@ -14,7 +14,8 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Throws std::invalid_argument, with the filter that helps, where a polygon has more than three corners or there are strips.
+/// Throws std::invalid_argument, with the filter that helps, where a polygon has more than three
+/// corners or there are strips.
 void RequireTriangles(vtkPolyData* polyData);
 /// Whether all polygons are triangles, there are no strips, and no cell is hidden.
 bool HasOnlyTriangles(vtkPolyData* polyData);

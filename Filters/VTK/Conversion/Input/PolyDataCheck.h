@@ -12,9 +12,9 @@ class vtkPolyData;
 namespace DirectionFields
 {
 /// Throws std::invalid_argument or std::out_of_range with a sentence for the user where polydata
-/// contradicts itself, as what a damaged file gives may: offsets of cells that do not ascend from 0 to
-/// the number of corners, vertices and lines at points that are not there, point or cell arrays with
-/// too few tuples, ghost marks that are none. Takes no longer than reading the offsets.
+/// contradicts itself, as damaged files do: offsets of cells that do not ascend from 0 to the
+/// number of corners, vertices and lines at points that are not there, point or cell arrays with
+/// too few tuples, invalid ghost marks. Takes no longer than reading the offsets.
 ///
 /// The corners of polygons and strips are left to CheckCorners.
 void CheckPolyData(vtkPolyData* polyData);

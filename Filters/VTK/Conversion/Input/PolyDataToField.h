@@ -10,17 +10,18 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// The directions in the point data of a vtkPolyData, which must outlive them: what Direction Field or a
-/// reader left there. Degree is the number of the consecutive arrays Direction0, Direction1, ...; 0 if
-/// there is none. Magnitude is 1 where there is no array RepresentationMagnitude. Throws
-/// std::invalid_argument where one of these has another number of components, 3 and 1.
+/// The directions in the point data of a vtkPolyData, which must outlive them: the arrays of
+/// Direction Field or of a reader. Degree is the number of the consecutive arrays Direction0,
+/// Direction1, ...; 0 if there is none. Magnitude is 1 where there is no array
+/// RepresentationMagnitude. Throws std::invalid_argument where a direction has not 3 components or
+/// the magnitude not 1.
 ///
 /// GivenField makes a field of it and of the surface of PolyDataToSurface.
 /// @param polyData has passed CheckPolyData
 PointDirections FindDirections(vtkPolyData* polyData);
 
-/// The same for input that must have a field: throws std::invalid_argument with a sentence for the user
-/// where there is none.
+/// The same for input that must have a field: throws std::invalid_argument with a sentence for the
+/// user where there is none.
 PointDirections RequireDirections(vtkPolyData* polyData);
 }
 

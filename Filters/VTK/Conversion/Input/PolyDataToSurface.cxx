@@ -36,7 +36,8 @@ constexpr vtkIdType MostPoints = std::numeric_limits<Index>::max();
 constexpr vtkIdType MostTriangles = std::numeric_limits<Index>::max() / 3;
 /// Points or triangles that a thread takes at a time.
 constexpr Index PieceSize = 1 << 14;
-/// Cells between two reports of the progress. They take some milliseconds even where ears must be cut.
+/// Cells between two reports of the progress. They take some milliseconds even where ears must be
+/// cut.
 constexpr vtkIdType CellsPerReport = 16384;
 
 /// Copies points of one type; false if they are of another.
@@ -119,7 +120,7 @@ bool AllAreSame(Index count, const Body& isSame)
            }) == 0;
 }
 
-/// Whether points of one type have these very bytes, those of NaN, too.
+/// Whether points of one type have these very bytes, NaN included.
 template <typename Value>
 bool SamePoints(vtkDataArray* points, const std::vector<Vector3>& copies)
 {
@@ -162,7 +163,7 @@ bool AreCopied(vtkPolyData* polyData)
     polyData->GetStrips()->GetNumberOfCells() == 0 && polyData->GetPolys()->IsHomogeneous() == 3;
 }
 
-/// What vtkGhostType says of the points or the cells; nothing where there is no such array.
+/// The array vtkGhostType of the points or the cells; null where there is none.
 class GhostMarks
 {
 public:

@@ -19,7 +19,8 @@ namespace DirectionFields
 {
 namespace
 {
-/// The points of the input, then those that were split off, each with the data of its original.
+/// The points of the input, then the points that were split off, each with the data of its
+/// original.
 void SplitPoints(const std::vector<Index>& originalPoint, vtkPolyData* output)
 {
   const auto points = static_cast<vtkIdType>(originalPoint.size());
@@ -43,8 +44,8 @@ void SplitPoints(const std::vector<Index>& originalPoint, vtkPolyData* output)
   output->GetPointData()->AddArray(originals);
 }
 
-/// Gives a polygon or a strip the points of its triangles, the first that claims a corner of the cell
-/// first.
+/// Gives a polygon or a strip the points of its triangles, the first that claims a corner of the
+/// cell first.
 /// @param first, last the cell's triangles are first ... last - 1
 /// @param corners     of the cell; where a triangle's point stands, its point of the split surface
 ///                    takes the place

@@ -18,7 +18,8 @@ struct TriangulatedPolyData
 {
   /// All points of the vtkPolyData, so that point ids stay the user's.
   Surface Mesh;
-  /// The cell of a triangle, in the numbering of the vtkPolyData: vertices, lines, polygons, strips.
+  /// The cell of a triangle, in the numbering of the vtkPolyData: vertices, lines, polygons,
+  /// strips.
   vtkIdType Cell(std::size_t triangle) const
   {
     return this->CellOfTriangle.empty() ? this->FirstCell + static_cast<vtkIdType>(triangle)

@@ -14,7 +14,8 @@ namespace DirectionFields
 {
 namespace
 {
-/// From this number of corners on VTK takes long, and a fan would have a corner of too many triangles.
+/// From this number of corners on VTK takes long, and a fan would have a corner of too many
+/// triangles.
 constexpr std::size_t ManyCorners = 256;
 /// A polygon of fewer corners has no two loops.
 constexpr std::size_t FewestWithLoops = 6;
@@ -25,8 +26,8 @@ Triangulator::Triangulator(vtkPoints* points, TriangulatedPolyData& result)
   , Result(result)
 {
   this->Polygon->Points->SetDataTypeToDouble();
-  // vtkPolygon warns about each polygon that it cannot cut, but a fan is an answer to those.
-  // An observer keeps the warnings from the screen.
+  // vtkPolygon warns about each polygon that it cannot cut, but such a polygon becomes a fan. An
+  // observer keeps the warnings from the screen.
   vtkNew<vtkCallbackCommand> silence;
   this->Polygon->AddObserver("WarningEvent", silence);
   this->Polygon->AddObserver("ErrorEvent", silence);
@@ -57,7 +58,7 @@ void Triangulator::AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* p
   }
   if (corners < 3)
   {
-    // Nothing but repetitions: one collapsed triangle, so that the cell is counted as such.
+    // Nothing but repetitions: one collapsed triangle, so that the cell is counted as collapsed.
     this->AddTriangle(cell, points[0], points[0], points[0]);
   }
   else if (corners == 3 || !this->Cut())

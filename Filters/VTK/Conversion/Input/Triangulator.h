@@ -26,8 +26,8 @@ public:
 
   /// Unrolls a triangle strip; all its triangles are wound as the first one is.
   void AddStrip(vtkIdType cell, vtkIdType size, const vtkIdType* points);
-  /// Cuts a polygon by its ears; one that cannot be cut so becomes a fan, or any other set of triangles
-  /// if it has many corners.
+  /// Cuts a polygon by its ears; one that cannot be cut so becomes a fan, or any other set of
+  /// triangles if it has many corners.
   void AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* points);
   /// Cuts a polygon as one that was added before, which has the same corners.
   /// @param isReversed the polygons run in opposite directions
@@ -37,8 +37,8 @@ private:
   void AddTriangle(vtkIdType cell, vtkIdType i, vtkIdType j, vtkIdType k);
   /// The corners without consecutive repetitions, which would disturb the cutting of ears.
   void SetCorners(vtkIdType size, const vtkIdType* points);
-  /// Cuts the polygon as it is best for that. False if it cannot be cut; else Ears holds the triangles
-  /// as positions in Corners.
+  /// Cuts the polygon as it is best for that. False if it cannot be cut; else Ears holds the
+  /// triangles as positions in Corners.
   bool Cut();
   /// Cuts it with VTK's vtkPolygon.
   bool CutWithVTK();

@@ -8,10 +8,12 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Adds the directions of polydata's field at the centroids of its cells as cell arrays Direction0, Direction1, ..., unit
-/// vectors in the plane of the cell's triangle there, double if the points are, else float; zero for vertices, lines and
-/// cells that take no part. And the point array FaceSingularityIndex: what programs find that know these only
-/// (FaceSingularityIndices, of the triangles' directions); at points that became one it stands at the first.
+/// Adds the directions of polydata's field at the centroids of its cells as cell arrays Direction0,
+/// Direction1, ..., unit vectors in the plane of the cell's triangle there, double if the points
+/// are, else float; zero for vertices, lines and cells that take no part. And the point array
+/// FaceSingularityIndex, the indices found by programs that know only these directions
+/// (FaceSingularityIndices, of the triangles' directions); at points that became one it stands at
+/// the first.
 /// @param polyData whose field was computed
 void AddCellDirections(vtkPolyData* polyData);
 }

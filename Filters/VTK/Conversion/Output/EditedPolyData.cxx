@@ -77,7 +77,7 @@ std::vector<vtkDataObject*> ObjectsOf(vtkCompositeDataSet* composite)
   return objects;
 }
 
-/// What the input says of its points that stays true of the edited field.
+/// Reports of the input about its points that hold for the edited field, too.
 void KeepArrays(vtkPolyData* input, vtkPolyData* output)
 {
   if (input->GetNumberOfPoints() != output->GetNumberOfPoints())
@@ -115,8 +115,8 @@ std::vector<char> ChangedPoints(
   return isChanged;
 }
 
-/// Gives the points of components that keep their field the very numbers of the input: those that come back from the
-/// representation vectors differ by rounding.
+/// Gives the points of components that keep their field the very numbers of the input: numbers
+/// computed from the representation vectors differ by rounding.
 void KeepDirections(const TriangulatedPolyData& surface, const Result& field,
   const EditedField& edited, vtkPolyData* input, vtkPolyData* output)
 {
@@ -172,7 +172,7 @@ void AddFigures(const EditedField& edited, vtkFieldData* data)
   data->AddArray(turning);
 }
 
-/// One line that says what the field is like.
+/// One line that describes the field.
 std::string SummaryOf(const Result& field, const EditedField& edited)
 {
   const std::vector<int>& indices = field.SingularityIndex;

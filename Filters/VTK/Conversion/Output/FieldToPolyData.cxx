@@ -33,8 +33,8 @@ constexpr int MostDirections = 16;
 /// Points whose directions stay in the cache.
 constexpr Index FewPoints = 256;
 
-/// Adds an array of vectors over the points; where there are none, removes one that an earlier run left
-/// in the input.
+/// Adds an array of vectors over the points; where there are none, removes one that an earlier run
+/// left in the input.
 template <typename ArrayT>
 void AddVectors(const char* name, const std::vector<Vector3>& vectors, vtkPointData* data)
 {
@@ -113,7 +113,7 @@ void AddPointArrays(const Result& field, vtkPointData* data, const Progress& pro
   }
   progress.Report(0.5);
   WriteDirections(field, directions, magnitude->GetPointer(0));
-  // What an earlier run of higher degree left in the input is no part of this field.
+  // Arrays that an earlier run of higher degree left in the input are no part of this field.
   for (int k = field.Degree; k < MostDirections; ++k)
   {
     data->RemoveArray(ArrayNames::Direction(k).c_str());
@@ -121,7 +121,7 @@ void AddPointArrays(const Result& field, vtkPointData* data, const Progress& pro
   data->SetActiveVectors(ArrayNames::Direction(0).c_str());
 }
 
-/// Makes what the field says at some points zero.
+/// Sets the field's arrays to zero at some points.
 void ClearField(const std::vector<vtkIdType>& points, int degree, vtkPointData* data)
 {
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
@@ -178,7 +178,7 @@ void AddComponentArray(
   data->AddArray(array);
 }
 
-/// Adds the figures of fields of unit length; removes what an earlier filter left where there are none.
+/// Adds the figures of fields of unit length; removes an earlier filter's where there are none.
 void AddUnitArrays(const Result& field, vtkFieldData* data)
 {
   if (!field.UnitLength)
@@ -229,7 +229,7 @@ void AddComponentArrays(const Result& field, vtkFieldData* data)
   AddUnitArrays(field, data);
 }
 
-/// Adds what the field itself says.
+/// Adds the arrays of the field itself.
 void AddFieldOfType(const TriangulatedPolyData& input, const Result& field, int type,
   vtkPolyData* output, const Progress& progress)
 {
@@ -248,7 +248,7 @@ void AddFieldOfType(const TriangulatedPolyData& input, const Result& field, int 
   // Where a cell was torn apart, some of its points are in no cell: they show no direction.
   ClearField(unused, field.Degree, data);
   AddCellArrays(input, field, output);
-  // What an earlier filter says of its field is not true of this one.
+  // An earlier filter's reports about its field do not hold for this one.
   for (int k = 0; k < MostDirections; ++k)
   {
     output->GetCellData()->RemoveArray(ArrayNames::Direction(k).c_str());

@@ -17,27 +17,28 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Adds the field's point, cell and field data to a copy of the polydata it was computed from, whose
-/// points and cells are split where the surface was split for the field. The directions, the magnitude
-/// and the curvature are double if that is the type given, else float.
+/// Adds the field's point, cell and field data to a copy of the polydata it was computed from,
+/// whose points and cells are split where the surface was split for the field. The directions, the
+/// magnitude and the curvature are double if that is the type given, else float.
 ///
 /// Throws Stopped; the output is incomplete then.
 /// @param type VTK's number of a type
 void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, int type,
   vtkPolyData* output, const Progress& progress = {});
 
-/// The same without the figures of how the field was computed, for one that was not; in the type of the points.
+/// The same without the figures of how the field was computed, for one that was not; in the type of
+/// the points.
 void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPolyData* output,
   const Progress& progress = {});
 
 /// Removes every array that a field may have left in the point, cell and field data.
 void RemoveFieldArrays(vtkPolyData* output);
 
-/// Adds the counts of what was mended, and the warnings if there are any.
+/// Adds the counts of repairs, and the warnings if there are any.
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);
 
-/// Adds the line that says what the field is like.
+/// Adds the line that describes the field.
 void AddSummary(const std::string& summary, vtkFieldData* data);
 }
 

@@ -10,8 +10,8 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Adds points, cells and arrays of the glyphs to an empty output. The points are double if the given
-/// data type is, else float.
+/// Adds points, cells and arrays of the glyphs to an empty output. The points are double if the
+/// given data type is, else float.
 void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* output);
 }
 

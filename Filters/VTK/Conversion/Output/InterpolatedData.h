@@ -8,8 +8,8 @@ class vtkDataSetAttributes;
 
 namespace DirectionFields
 {
-/// Removes what points and cells of another mesh of the same surface cannot have: directions, which are not to be
-/// interpolated, and marks of the input's own points and cells.
+/// Removes arrays that another mesh of the same surface cannot take over: directions, which are not
+/// to be interpolated, and marks of the input's own points and cells.
 void DropWhatIsNotToInterpolate(vtkDataSetAttributes* data);
 }
 

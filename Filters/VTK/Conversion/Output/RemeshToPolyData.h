@@ -12,14 +12,15 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Fills an empty output with a mesh, the data of the surface that it was made of, and its own arrays.
+/// Fills an empty output with a mesh, the data of the surface that it was made of, and its own
+/// arrays.
 /// @param input   of which the surface was made
 /// @param surface the input's triangles, which the mesh refers to
 void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
   vtkPolyData* output);
 
 /// Fills an empty output with the irregular vertices of a mesh.
-/// @param degree        regular vertices have as many edges
+/// @param degree        the number of edges of a regular vertex
 /// @param pointDataType VTK_DOUBLE for points in double precision
 void AddIrregularVertices(
   const RemeshResult& mesh, int degree, int pointDataType, vtkPolyData* output);

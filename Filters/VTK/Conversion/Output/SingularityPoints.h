@@ -15,7 +15,7 @@ namespace DirectionFields
 {
 /// Makes a vertex at the centroid of every triangle whose index is not 0, except for ghosts.
 /// @param figures       of the whole surface, which give the balls their size
-/// @param pointDataType of the input's points; those of the singularities are double or float as well
+/// @param pointDataType of the input's points; the singularities are double or float as well
 void MakeSingularPoints(const TriangulatedPolyData& input, const Result& field,
   const SurfaceFigures& figures, int pointDataType, vtkPolyData* singularities);
 }

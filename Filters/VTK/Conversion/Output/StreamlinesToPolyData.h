@@ -13,15 +13,15 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// The places of a surface that are nearest to points, on the threads of the scope; of points that are not
-/// finite, and where the surface has no triangle, no place.
+/// The places of a surface that are nearest to points, on the threads of the scope; of points that
+/// are not finite, and where the surface has no triangle, no place.
 std::vector<StreamlineSeed> NearestPlaces(const Surface& surface, vtkPointSet* points);
 
-/// Adds points, cells and arrays of lines to an empty output. The points are double if the given data type
-/// is, else float.
+/// Adds points, cells and arrays of lines to an empty output. The points are double if the given
+/// data type is, else float.
 void AddLines(const Streamlines& lines, int pointDataType, vtkPolyData* output);
 
-/// The same for what the lines start and end at.
+/// The same for the nodes at which lines start and end.
 void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& surface,
   int pointDataType, vtkPolyData* output);
 }

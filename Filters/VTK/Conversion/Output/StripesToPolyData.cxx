@@ -66,7 +66,7 @@ vtkNew<ArrayT> MakeValues(const char* name, std::size_t size, const Value& value
   return array;
 }
 
-/// Where the corners of the bands' polygons are points: those that polygons share, or one for each corner.
+/// The points of the corners of the bands' polygons: shared by polygons, or one for each corner.
 struct BandCorners
 {
   explicit BandCorners(const StripePattern& pattern)

@@ -12,11 +12,12 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Adds points, cells and arrays of a pattern's lines to an empty output. Points are double if the given data type is,
-/// else float.
+/// Adds points, cells and arrays of a pattern's lines to an empty output. Points are double if the
+/// given data type is, else float.
 void AddStripeLines(const StripePattern& pattern, int pointDataType, vtkPolyData* output);
 
-/// The same for the bands, with the input's data, and with texture coordinates where the pattern has phases of them.
+/// The same for the bands, with the input's data, and with texture coordinates where the pattern
+/// has phases of them.
 void AddStripeBands(vtkPolyData* input, const TriangulatedPolyData& surface,
   const StripePattern& pattern, vtkPolyData* output);
 
