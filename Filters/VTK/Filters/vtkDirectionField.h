@@ -142,9 +142,9 @@
  * A component that cannot be oriented (a Möbius strip, a Klein bottle) has its field computed on
  * both sides at once, with a warning. The directions are smooth everywhere, and on a closed
  * component the indices sum up to n times the Euler characteristic. Only arrays that depend on a
- * side have a seam, as few edges as may be: the normal about which the directions follow each other, and the
- * sign of the mean curvature. Larger and smaller curvature change places there, hence they guide
- * fields of degree 4 but none of degree 2, with a warning.
+ * side have a seam, as few edges as may be: the normal about which the directions follow each
+ * other, and the sign of the mean curvature. Larger and smaller curvature change places there,
+ * hence they guide fields of degree 4 but none of degree 2, with a warning.
  *
  * @warning
  * A surface that is no manifold is split into sheets, with a warning: at an edge of more than two

@@ -11,12 +11,10 @@
 #include "Support/GlyphSurfaceCache.h"
 
 #include "vtkCommand.h"
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <exception>
 #include <string>
 
 vtkStandardNewMacro(vtkDirectionFieldGlyphs);

@@ -11,7 +11,6 @@
 
 #include <DirectionFields/Exchange/FieldImport.h>
 
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"

@@ -15,7 +15,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <exception>
 #include <stdexcept>
 #include <string>
 

@@ -11,12 +11,10 @@
 #include "Conversion/Output/RemeshToPolyData.h"
 #include "Support/AlgorithmProgress.h"
 
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>

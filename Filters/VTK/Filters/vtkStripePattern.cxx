@@ -10,7 +10,6 @@
 #include "Conversion/Output/StripesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
 
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"

@@ -3,10 +3,15 @@
 
 #include "Conversion/Input/FieldArrays.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <numeric>
 
 namespace DirectionFields
 {
@@ -52,5 +57,43 @@ vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids)
   auto array = MakeArray<vtkIdTypeArray>("", 1, ids.size());
   std::copy(ids.begin(), ids.end(), array->GetPointer(0));
   return array;
+}
+
+vtkNew<vtkIntArray> MakeReasons(
+  std::size_t lines, const std::function<int(std::size_t, int)>& reason)
+{
+  auto array = MakeArray<vtkIntArray>("ReasonForTermination", 2, lines);
+  array->SetComponentName(0, "Start");
+  array->SetComponentName(1, "End");
+  for (std::size_t i = 0; i < lines; ++i)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      array->SetTypedComponent(static_cast<vtkIdType>(i), end, reason(i, end));
+    }
+  }
+  return array;
+}
+
+void SetPolyLines(const std::vector<Vector3>& positions, const std::vector<std::int64_t>& offsets,
+  int pointDataType, vtkPolyData* output)
+{
+  output->SetPoints(MakePoints(positions, pointDataType));
+  std::vector<std::int64_t> connectivity(positions.size());
+  std::iota(connectivity.begin(), connectivity.end(), 0);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(MakeIds(offsets), MakeIds(connectivity));
+  output->SetLines(cells);
+}
+
+void SetVertices(const std::vector<Vector3>& positions, int pointDataType, vtkPolyData* output)
+{
+  output->SetPoints(MakePoints(positions, pointDataType));
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    cells->InsertNextCell({ static_cast<vtkIdType>(i) });
+  }
+  output->SetVerts(cells);
 }
 }

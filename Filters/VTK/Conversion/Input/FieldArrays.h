@@ -14,13 +14,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 class vtkIdTypeArray;
+class vtkIntArray;
 class vtkPoints;
+class vtkPolyData;
 
 namespace DirectionFields
 {
@@ -133,10 +136,33 @@ vtkNew<ArrayT> MakeScalars(const char* name, const std::vector<Value>& values)
   return array;
 }
 
+/// An array of one component with the values that a function gives.
+template <typename ArrayT, typename Value>
+vtkNew<ArrayT> MakeValues(const char* name, std::size_t size, const Value& value)
+{
+  auto array = MakeArray<ArrayT>(name, 1, size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename ArrayT::ValueType>(value(i)));
+  }
+  return array;
+}
+
+/// The array ReasonForTermination of lines.
+/// @param reason of a line's begin (0) or end (1), in the numbers of vtkStreamTracer
+vtkNew<vtkIntArray> MakeReasons(
+  std::size_t lines, const std::function<int(std::size_t, int)>& reason);
+
 /// Points of double precision where pointDataType is VTK_DOUBLE, else of single precision.
 vtkNew<vtkPoints> MakePoints(const std::vector<Vector3>& positions, int pointDataType);
 /// The offsets or the connectivity of cells.
 vtkNew<vtkIdTypeArray> MakeIds(const std::vector<std::int64_t>& ids);
+
+/// Gives an empty output lines, whose points follow each other, or vertices.
+/// @param offsets of the lines' first points, and the number of points
+void SetPolyLines(const std::vector<Vector3>& positions, const std::vector<std::int64_t>& offsets,
+  int pointDataType, vtkPolyData* output);
+void SetVertices(const std::vector<Vector3>& positions, int pointDataType, vtkPolyData* output);
 }
 
 #endif

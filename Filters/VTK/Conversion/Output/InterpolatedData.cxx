@@ -5,13 +5,21 @@
 
 #include "Conversion/Input/FieldArrays.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <string>
 
 namespace DirectionFields
 {
-void DropWhatIsNotToInterpolate(vtkDataSetAttributes* data)
+namespace
+{
+/// Removes arrays that another mesh of the same surface cannot take over.
+void RemoveUnsharedArrays(vtkDataSetAttributes* data)
 {
   for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
   {
@@ -22,6 +30,45 @@ void DropWhatIsNotToInterpolate(vtkDataSetAttributes* data)
     {
       data->RemoveArray(k);
     }
+  }
+}
+}
+
+void InterpolatePointData(vtkPolyData* input, std::size_t count,
+  const std::function<WeightedPoints(std::size_t)>& at, vtkPointData* output)
+{
+  vtkNew<vtkPointData> data;
+  data->ShallowCopy(input->GetPointData());
+  RemoveUnsharedArrays(data);
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  output->InterpolateAllocate(data, static_cast<vtkIdType>(count));
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(3);
+  for (std::size_t i = 0; i < count && data->GetNumberOfArrays() > 0; ++i)
+  {
+    WeightedPoints place = at(i);
+    for (int c = 0; c < 3; ++c)
+    {
+      ids->SetId(c, place.first[c]);
+    }
+    output->InterpolatePoint(data, static_cast<vtkIdType>(i), ids, place.second.data());
+  }
+}
+
+void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface,
+  const std::vector<Index>& triangles, vtkCellData* output)
+{
+  vtkNew<vtkCellData> data;
+  data->ShallowCopy(input->GetCellData());
+  RemoveUnsharedArrays(data);
+  // The index of the field in a cell is not that in its parts.
+  data->RemoveArray(ArrayNames::SingularityIndex);
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  output->CopyAllocate(data, static_cast<vtkIdType>(triangles.size()));
+  for (std::size_t f = 0; f < triangles.size() && data->GetNumberOfArrays() > 0; ++f)
+  {
+    output->CopyData(data, surface.Cell(triangles[f]), static_cast<vtkIdType>(f));
   }
 }
 }

@@ -4,13 +4,34 @@
 #ifndef InterpolatedData_h
 #define InterpolatedData_h
 
-class vtkDataSetAttributes;
+#include "Conversion/Input/TriangulatedPolyData.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+class vtkCellData;
+class vtkPointData;
+class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Removes arrays that another mesh of the same surface cannot take over: directions, which are not
-/// to be interpolated, and marks of the input's own points and cells.
-void DropWhatIsNotToInterpolate(vtkDataSetAttributes* data);
+/// Three points of an input and their weights.
+using WeightedPoints = std::pair<Triangle, std::array<double, 3>>;
+
+/// Gives another mesh of the same surface the input's point data, interpolated. Directions, which
+/// are not to be interpolated, and marks of the input's own points are left out.
+/// @param count of the mesh's points
+void InterpolatePointData(vtkPolyData* input, std::size_t count,
+  const std::function<WeightedPoints(std::size_t)>& at, vtkPointData* output);
+
+/// Gives the cells of another mesh of the same surface the data of the input's cells, with the same
+/// exceptions.
+/// @param triangles the triangle of the surface that each cell lies in
+void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface,
+  const std::vector<Index>& triangles, vtkCellData* output);
 }
 
 #endif

@@ -9,11 +9,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -74,43 +72,6 @@ struct Valences
   std::vector<char> IsBoundary;
 };
 
-void InterpolatePointData(vtkPolyData* input, const TriangulatedPolyData& surface,
-  const RemeshResult& mesh, vtkPointData* out)
-{
-  vtkNew<vtkPointData> in;
-  in->ShallowCopy(input->GetPointData());
-  DropWhatIsNotToInterpolate(in);
-  in->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  out->InterpolateAllocate(in, static_cast<vtkIdType>(mesh.Points.size()));
-  vtkNew<vtkIdList> corners;
-  corners->SetNumberOfIds(3);
-  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
-  {
-    std::array<double, 3> weights = mesh.SourceWeights[v];
-    for (int c = 0; c < 3; ++c)
-    {
-      corners->SetId(c, surface.Mesh.Triangles[mesh.SourceTriangle[v]][c]);
-    }
-    out->InterpolatePoint(in, static_cast<vtkIdType>(v), corners, weights.data());
-  }
-}
-
-void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
-  vtkCellData* out)
-{
-  vtkNew<vtkCellData> in;
-  in->ShallowCopy(input->GetCellData());
-  DropWhatIsNotToInterpolate(in);
-  in->RemoveArray(ArrayNames::SingularityIndex);
-  in->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  in->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
-  out->CopyAllocate(in, static_cast<vtkIdType>(mesh.Faces.size()));
-  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
-  {
-    out->CopyData(in, surface.Cell(mesh.FaceSource[f]), static_cast<vtkIdType>(f));
-  }
-}
-
 template <typename ArrayT>
 void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData* data)
 {
@@ -132,8 +93,13 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
     cells->InsertNextCell(SizeOf(face), ids.data());
   }
   output->SetPolys(cells);
-  InterpolatePointData(input, surface, mesh, output->GetPointData());
-  CopyCellData(input, surface, mesh, output->GetCellData());
+  InterpolatePointData(
+    input, mesh.Points.size(),
+    [&](std::size_t v) {
+      return WeightedPoints(surface.Mesh.Triangles[mesh.SourceTriangle[v]], mesh.SourceWeights[v]);
+    },
+    output->GetPointData());
+  CopyCellData(input, surface, mesh.FaceSource, output->GetCellData());
 
   std::vector<int> kind(mesh.Kind.size());
   std::transform(mesh.Kind.begin(), mesh.Kind.end(), kind.begin(),
@@ -166,20 +132,16 @@ void AddIrregularVertices(
   std::vector<Vector3> places;
   std::vector<int> valence;
   std::vector<int> index;
-  vtkNew<vtkCellArray> vertices;
   for (std::size_t v = 0; v < mesh.Points.size(); ++v)
   {
     if (valences.IsBoundary[v] == 0 && valences.Edges[v] != degree)
     {
-      const auto id = static_cast<vtkIdType>(places.size());
-      vertices->InsertNextCell(1, &id);
       places.push_back(mesh.Points[v]);
       valence.push_back(valences.Edges[v]);
       index.push_back(mesh.FieldIndex[v]);
     }
   }
-  output->SetPoints(MakePoints(places, pointDataType));
-  output->SetVerts(vertices);
+  SetVertices(places, pointDataType, output);
   output->GetPointData()->SetScalars(MakeScalars<vtkIntArray>("Valence", valence));
   output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", index));
 }

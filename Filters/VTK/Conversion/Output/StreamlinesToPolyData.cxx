@@ -8,7 +8,6 @@
 #include <DirectionFields/Distance/ClosestPoints.h>
 #include <DirectionFields/Support/Threads.h>
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -23,7 +22,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace DirectionFields
@@ -31,18 +29,6 @@ namespace DirectionFields
 namespace
 {
 constexpr Index FewPoints = 64;
-
-/// An array of one component with the values that a function gives.
-template <typename ArrayT, typename Value>
-vtkNew<ArrayT> MakeValues(const char* name, std::size_t size, const Value& value)
-{
-  auto array = MakeArray<ArrayT>(name, 1, size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename ArrayT::ValueType>(value(i)));
-  }
-  return array;
-}
 
 void AddSpacing(double spacing, vtkPolyData* output)
 {
@@ -61,17 +47,8 @@ void AddCellArrays(const Streamlines& lines, vtkCellData* data)
     MakeValues<vtkDoubleArray>("Length", size, [&](std::size_t i) { return lines.Length[i]; }));
   data->AddArray(MakeValues<vtkUnsignedCharArray>(
     "Closed", size, [&](std::size_t i) { return lines.Closed[i]; }));
-  auto reason = MakeArray<vtkIntArray>("ReasonForTermination", 2, size);
-  reason->SetComponentName(0, "Start");
-  reason->SetComponentName(1, "End");
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    for (int e = 0; e < 2; ++e)
-    {
-      reason->SetTypedComponent(static_cast<vtkIdType>(i), e, static_cast<int>(lines.Ends[i][e]));
-    }
-  }
-  data->AddArray(reason);
+  data->AddArray(MakeReasons(
+    size, [&](std::size_t i, int end) { return static_cast<int>(lines.Ends[i][end]); }));
   data->AddArray(MakeValues<vtkIdTypeArray>(
     "StartNode", size, [&](std::size_t i) { return lines.EndNodes[i][0]; }));
   data->AddArray(MakeValues<vtkIdTypeArray>(
@@ -110,13 +87,7 @@ std::vector<StreamlineSeed> NearestPlaces(const Surface& surface, vtkPointSet* p
 
 void AddLines(const Streamlines& lines, int pointDataType, vtkPolyData* output)
 {
-  output->SetPoints(MakePoints(lines.Points, pointDataType));
-  std::vector<std::int64_t> connectivity(lines.Points.size());
-  std::iota(connectivity.begin(), connectivity.end(), 0);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(MakeIds(lines.Offsets), MakeIds(connectivity));
-  output->SetLines(cells);
-
+  SetPolyLines(lines.Points, lines.Offsets, pointDataType, output);
   vtkPointData* data = output->GetPointData();
   data->SetNormals(MakeVectors<vtkFloatArray>("Normals", lines.Normals));
   data->SetVectors(MakeVectors<vtkFloatArray>("Direction", lines.Directions));
@@ -139,13 +110,7 @@ void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& 
   {
     positions.push_back(node.Position);
   }
-  output->SetPoints(MakePoints(positions, pointDataType));
-  vtkNew<vtkCellArray> cells;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    cells->InsertNextCell({ static_cast<vtkIdType>(i) });
-  }
-  output->SetVerts(cells);
+  SetVertices(positions, pointDataType, output);
   vtkPointData* data = output->GetPointData();
   data->AddArray(MakeValues<vtkUnsignedCharArray>(
     "NodeType", nodes.size(), [&](std::size_t i) { return nodes[i].Type; }));

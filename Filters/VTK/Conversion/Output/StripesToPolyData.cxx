@@ -8,11 +8,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -22,8 +20,6 @@
 #include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -52,18 +48,6 @@ void AddFigures(const StripePattern& pattern, vtkPolyData* output)
   AddNumber<vtkDoubleArray>("LineOffset", pattern.LineOffset, output);
   AddNumber<vtkDoubleArray>("Misfit", pattern.Misfit, output);
   AddNumber<vtkIntArray>("BranchPoints", pattern.BranchPoints, output);
-}
-
-/// An array of cells or points with the values that a function gives.
-template <typename ArrayT, typename Value>
-vtkNew<ArrayT> MakeValues(const char* name, std::size_t size, const Value& value)
-{
-  auto array = MakeArray<ArrayT>(name, 1, size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename ArrayT::ValueType>(value(i)));
-  }
-  return array;
 }
 
 /// The points of the corners of the bands' polygons: shared by polygons, or one for each corner.
@@ -97,54 +81,11 @@ struct BandCorners
   bool AreShared;
   std::vector<std::int64_t> Ids;
 };
-
-void InterpolatePointData(
-  vtkPolyData* input, const std::vector<StripePoint>& points, vtkPointData* out)
-{
-  vtkNew<vtkPointData> in;
-  in->ShallowCopy(input->GetPointData());
-  DropWhatIsNotToInterpolate(in);
-  in->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  out->InterpolateAllocate(in, static_cast<vtkIdType>(points.size()));
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(3);
-  for (std::size_t i = 0; i < points.size() && in->GetNumberOfArrays() > 0; ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      ids->SetId(c, points[i].Points[c]);
-    }
-    std::array<double, 3> weights = points[i].Weights;
-    out->InterpolatePoint(in, static_cast<vtkIdType>(i), ids, weights.data());
-  }
-}
-
-void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface,
-  const StripePattern& pattern, vtkCellData* out)
-{
-  vtkNew<vtkCellData> in;
-  in->ShallowCopy(input->GetCellData());
-  DropWhatIsNotToInterpolate(in);
-  // The index of the cell's field is no longer that of its parts.
-  in->RemoveArray(ArrayNames::SingularityIndex);
-  in->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  in->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
-  out->CopyAllocate(in, static_cast<vtkIdType>(pattern.BandTriangle.size()));
-  for (std::size_t f = 0; f < pattern.BandTriangle.size() && in->GetNumberOfArrays() > 0; ++f)
-  {
-    out->CopyData(in, surface.Cell(pattern.BandTriangle[f]), static_cast<vtkIdType>(f));
-  }
-}
 }
 
 void AddStripeLines(const StripePattern& pattern, int pointDataType, vtkPolyData* output)
 {
-  output->SetPoints(MakePoints(pattern.LinePositions, pointDataType));
-  std::vector<std::int64_t> connectivity(pattern.LinePositions.size());
-  std::iota(connectivity.begin(), connectivity.end(), 0);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(MakeIds(pattern.LineOffsets), MakeIds(connectivity));
-  output->SetLines(cells);
+  SetPolyLines(pattern.LinePositions, pattern.LineOffsets, pointDataType, output);
   output->GetPointData()->SetNormals(MakeVectors<vtkFloatArray>("Normals", pattern.LineNormals));
   output->GetPointData()->AddArray(MakeScalars<vtkDoubleArray>("ArcLength", pattern.Arc));
 
@@ -153,19 +94,13 @@ void AddStripeLines(const StripePattern& pattern, int pointDataType, vtkPolyData
   data->AddArray(MakeValues<vtkIdTypeArray>("LineId", size, [](std::size_t i) { return i; }));
   data->AddArray(MakeScalars<vtkDoubleArray>("Length", pattern.Length));
   data->AddArray(MakeScalars<vtkUnsignedCharArray>("Closed", pattern.Closed));
-  auto reason = MakeArray<vtkIntArray>("ReasonForTermination", 2, size);
-  reason->SetComponentName(0, "Start");
-  reason->SetComponentName(1, "End");
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    for (int e = 0; e < 2; ++e)
+  data->AddArray(MakeReasons(size,
+    [&](std::size_t i, int end)
     {
-      const int open = pattern.EndSingularities[i][e] == None ? EndsAtBoundary : EndsInSingularity;
-      reason->SetTypedComponent(
-        static_cast<vtkIdType>(i), e, pattern.Closed[i] != 0 ? IsClosed : open);
-    }
-  }
-  data->AddArray(reason);
+      const int open =
+        pattern.EndSingularities[i][end] == None ? EndsAtBoundary : EndsInSingularity;
+      return pattern.Closed[i] != 0 ? IsClosed : open;
+    }));
   data->AddArray(MakeValues<vtkIdTypeArray>(
     "StartNode", size, [&](std::size_t i) { return pattern.EndSingularities[i][0]; }));
   data->AddArray(MakeValues<vtkIdTypeArray>(
@@ -183,7 +118,11 @@ void AddStripeBands(vtkPolyData* input, const TriangulatedPolyData& surface,
   cells->SetData(MakeIds(pattern.BandOffsets), MakeIds(corners.Ids));
   output->SetPolys(cells);
 
-  InterpolatePointData(input, corners.Spread(pattern, pattern.BandPoints), output->GetPointData());
+  const std::vector<StripePoint> places = corners.Spread(pattern, pattern.BandPoints);
+  InterpolatePointData(
+    input, places.size(),
+    [&](std::size_t i) { return WeightedPoints(places[i].Points, places[i].Weights); },
+    output->GetPointData());
   output->GetPointData()->SetNormals(
     MakeVectors<vtkFloatArray>("Normals", corners.Spread(pattern, pattern.BandNormals)));
   if (!corners.AreShared)
@@ -196,7 +135,7 @@ void AddStripeBands(vtkPolyData* input, const TriangulatedPolyData& surface,
     }
     output->GetPointData()->SetTCoords(texture);
   }
-  CopyCellData(input, surface, pattern, output->GetCellData());
+  CopyCellData(input, surface, pattern.BandTriangle, output->GetCellData());
   output->GetCellData()->AddArray(MakeValues<vtkIdTypeArray>("CellId", pattern.BandTriangle.size(),
     [&](std::size_t f) { return surface.Cell(pattern.BandTriangle[f]); }));
   output->GetCellData()->SetScalars(MakeScalars<vtkSignedCharArray>("Stripe", pattern.Stripe));
@@ -209,14 +148,11 @@ void AddStripeSingularities(const TriangulatedPolyData& surface, const StripePat
   const std::vector<StripeSingularity>& all = pattern.Singularities;
   std::vector<Vector3> positions;
   positions.reserve(all.size());
-  vtkNew<vtkCellArray> cells;
   for (const StripeSingularity& singularity : all)
   {
-    cells->InsertNextCell({ static_cast<vtkIdType>(positions.size()) });
     positions.push_back(singularity.Position);
   }
-  output->SetPoints(MakePoints(positions, pointDataType));
-  output->SetVerts(cells);
+  SetVertices(positions, pointDataType, output);
   vtkPointData* data = output->GetPointData();
   data->SetScalars(MakeValues<vtkIntArray>(
     "StripeIndex", all.size(), [&](std::size_t i) { return all[i].StripeIndex; }));
