@@ -34,8 +34,8 @@ int Find(std::vector<int>& parents, int k)
   return k;
 }
 
-/// The first own triangle of each part of a process's mesh, counted over all processes; -1 for parts
-/// of other pieces' triangles only.
+/// The first own triangle of each part of a process's mesh, counted over all processes; -1 for
+/// parts of other pieces' triangles only.
 std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithSurroundings& piece)
 {
   const auto ownTriangles = static_cast<Index>(piece.InputTriangle.size());

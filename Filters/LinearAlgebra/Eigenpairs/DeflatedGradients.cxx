@@ -17,8 +17,8 @@ constexpr int Width = SectionBlock::Width;
 constexpr Index PieceRows = CompactMatrix::PieceRows;
 /// The products of this many rows are added up in single precision, their sums in double precision.
 constexpr Index FewRows = 256;
-/// W gets K v for a section v where v^* K v is above this part of v^* A v; below it K nearly maps v to 0,
-/// and W gets m v.
+/// W gets K v for a section v where v^* K v is above this part of v^* A v; below it K nearly maps v
+/// to 0, and W gets m v.
 constexpr double SmallestPart = 0.01;
 /// The work of a step besides its cycle (see WorkLimit).
 constexpr double WorkPerEntry = 3.0;

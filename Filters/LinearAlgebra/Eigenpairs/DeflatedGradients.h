@@ -10,28 +10,29 @@
 
 namespace DirectionFields::Internal
 {
-/// Conjugate gradients with V-cycles in single precision that leave out a few sections V: they solve
-/// P^* K P t = P^* b, where K = A + shift m, m is the lumped mass and P = 1 - V (W^* V)^-1 W^*. A column of
-/// W is K times one of V, which leaves it out without an error (Nicolaides 1987), or m times it where
-/// K nearly vanishes on it.
+/// Conjugate gradients with V-cycles in single precision that leave out a few sections V: they
+/// solve P^* K P t = P^* b, where K = A + shift m, m is the lumped mass and P = 1 - V (W^* V)^-1
+/// W^*. A column of W is K times one of V, which leaves it out without an error (Nicolaides 1987),
+/// or m times it where K nearly vanishes on it.
 class DeflatedGradients
 {
 public:
-  /// The level, the cycle and the block must outlive the object. The block may change between solves; of it
-  /// count the vectors V and their energy products, except those of the first section. Sections that are
-  /// zero deflate nothing.
+  /// The level, the cycle and the block must outlive the object. The block may change between
+  /// solves; of it count the vectors V and their energy products, except those of the first
+  /// section. Sections that are zero deflate nothing.
   DeflatedGradients(
     const Hierarchy::Level& finest, const Cycle& cycle, const SectionBlock& deflated);
 
   struct Outcome
   {
     int Steps = 0;
-    /// The matrix turned out not to be positive definite: the solution is a section t with t^* K t <= 0.
+    /// The matrix turned out not to be positive definite: the solution is a section t with t^* K t
+    /// <= 0.
     bool Indefinite = false;
   };
 
-  /// Takes steps until the norm of the residual has fallen by the reduction, which is below 1, or the
-  /// most steps have been taken. Throws Stopped.
+  /// Takes steps until the norm of the residual has fallen by the reduction, which is below 1, or
+  /// the most steps have been taken. Throws Stopped.
   /// @param cycles counts a V-cycle for each step
   Outcome Solve(const ComplexVector& rightHandSide, double shift, double reduction, int mostSteps,
     SolveCounter& cycles, ComplexVector& solution);
@@ -39,8 +40,8 @@ public:
 private:
   /// Fills in W and the inverses.
   void Prepare(double shift);
-  /// t = 0, r = P^* b / size; returns ‖r‖^2. With a residual of unit length nothing leaves the range of
-  /// single precision.
+  /// t = 0, r = P^* b / size; returns ‖r‖^2. With a residual of unit length nothing leaves the
+  /// range of single precision.
   double Begin(const ComplexVector& rightHandSide, double size);
   /// z = P B r for the V-cycle B; returns Re r^* z.
   double Precondition();

@@ -22,32 +22,35 @@ namespace
 {
 constexpr int Width = SectionBlock::Width;
 constexpr Index PieceRows = CompactMatrix::PieceRows;
-/// How far one Jacobi-Davidson step solves its correction equation: with the eigenvalue that is in the
-/// equation, to go further is of no use. Besides its V-cycles each step takes as long as two of them.
+/// How far one Jacobi-Davidson step solves its correction equation: with the eigenvalue that is in
+/// the equation, to go further is of no use. Besides its V-cycles each step takes as long as two of
+/// them.
 constexpr double InnerReduction = 0.001;
-/// Nor does a step go below this part of the residual of the step before: near other eigenvalues steps gain
-/// little, however far they go.
+/// Nor does a step go below this part of the residual of the step before: near other eigenvalues
+/// steps gain little, however far they go.
 constexpr double InnerPart = 0.1;
-/// How far it goes where all steps are kept: that space gains by each of them, so many short steps pay.
+/// How far it goes where all steps are kept: that space gains by each of them, so many short steps
+/// pay.
 constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 8;
 constexpr int MostInnerStepsInSpace = 6;
-/// How far the last step goes, in parts of the tolerance: the residual of the pair is a little larger
-/// than that of the equation.
+/// How far the last step goes, in parts of the tolerance: the residual of the pair is a little
+/// larger than that of the equation.
 constexpr double Margin = 0.9;
-/// A step that does not reduce the residual by this factor is slow, unless it halves the value, as where the
-/// smallest one is 0. FewSlowSteps of them in a row, or a matrix that is not positive definite, show that other
-/// eigenvalues are near: from there on all steps are kept. So does a step of MostInnerSteps that does not reach
-/// ReductionOfLongStep. The iteration has stalled where slow steps in a row have taken MostSlowCycles V-cycles.
+/// A step that does not reduce the residual by this factor is slow, unless it halves the value, as
+/// where the smallest one is 0. FewSlowSteps of them in a row, or a matrix that is not positive
+/// definite, show that other eigenvalues are near: from there on all steps are kept. So does a step
+/// of MostInnerSteps that does not reach ReductionOfLongStep. The iteration has stalled where slow
+/// steps in a row have taken MostSlowCycles V-cycles.
 constexpr double SlowReduction = 0.7;
 constexpr double ReductionOfLongStep = 0.2;
 constexpr int FewSlowSteps = 2;
 constexpr int MostSlowCycles = 100;
-/// The iteration goes on to this residual though a larger one be allowed: mixtures of sections, and others than the
-/// smallest, leave residuals above.
+/// The iteration goes on to this residual though a larger one be allowed: mixtures of sections, and
+/// others than the smallest, leave residuals above.
 constexpr double TellingResidual = 1e-5;
-/// The work of a step besides its cycles (see WorkLimit), by the row: with the space of all steps for each of
-/// its sections.
+/// The work of a step besides its cycles (see WorkLimit), by the row: with the space of all steps
+/// for each of its sections.
 constexpr double StepWork = 250.0;
 constexpr double SpaceWork = 30.0;
 /// That of a hierarchy, by the entry of its matrices.
@@ -102,7 +105,8 @@ Projected Project(
       for (int column = 0; column < count; ++column)
       {
         const SectionProducts& section = *sections[column];
-        // The block's own products are of no use: their rounding would exceed a vanishing eigenvalue.
+        // The block's own products are of no use: their rounding would exceed a vanishing
+        // eigenvalue.
         WideSum energy;
         WideSum mass;
         for (Index v = begin; v < end; ++v)
@@ -204,9 +208,9 @@ struct Figures
   }
 };
 
-/// The iteration on the finest level. Each step adds to the space of u and the last step the solution t of
-/// the correction equation P^* (A - theta M) P t = r, r = theta M u - A u, and takes the space's smallest
-/// Ritz vector for u.
+/// The iteration on the finest level. Each step adds to the space of u and the last step the
+/// solution t of the correction equation P^* (A - theta M) P t = r, r = theta M u - A u, and takes
+/// the space's smallest Ritz vector for u.
 class Iteration
 {
 public:
@@ -247,8 +251,8 @@ public:
   }
 
 private:
-  /// Scales u to unit length and finds its value, its residual vector and how large that is. False where
-  /// they are not finite.
+  /// Scales u to unit length and finds its value, its residual vector and how large that is. False
+  /// where they are not finite.
   bool MeasureU()
   {
     const Index rows = this->Block.Rows();
@@ -285,8 +289,8 @@ private:
     return std::isfinite(this->Relative);
   }
 
-  /// Keeps u where it is the best so far, and counts slow steps. Whether the iteration has converged,
-  /// stalled or used up its V-cycles.
+  /// Keeps u where it is the best so far, and counts slow steps. Whether the iteration has
+  /// converged, stalled or used up its V-cycles.
   bool IsDone()
   {
     const double reduction = this->IsLong ? ReductionOfLongStep : SlowReduction;
@@ -309,8 +313,8 @@ private:
       this->Cycles.GetCount() - this->GoodCycles >= MostSlowCycles || this->IsTooMuchWork();
   }
 
-  /// Whether another solver is the better choice. How much work is still to come is judged by the second half
-  /// of what has been done.
+  /// Whether another solver is the better choice. How much work is still to come is judged by the
+  /// second half of what has been done.
   bool IsTooMuchWork()
   {
     if (!this->Settings.Limit)
@@ -378,7 +382,8 @@ private:
     }
   }
 
-  /// Takes the smallest Ritz vector of the next pairs' sections, u, the correction and the last step.
+  /// Takes the smallest Ritz vector of the next pairs' sections, u, the correction and the last
+  /// step.
   bool StepWithLast(ComplexVector correction)
   {
     SectionProducts t(this->Matrices, std::move(correction));

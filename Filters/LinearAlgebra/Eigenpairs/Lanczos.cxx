@@ -23,14 +23,16 @@ constexpr int KrylovDimension = 24;
 constexpr int KeptDimension = 8;
 /// The iteration takes at least this many solves, even if the residual is small before.
 constexpr int FewestSolves = 6;
-/// Nor does it end while a step lets the smallest eigenvalue fall by more than this part of the tolerance, or of
-/// the loosest one that still tells it from the next: residuals of sections whose eigenvalues are next to nothing
-/// are small at once.
+/// Nor does it end while a step lets the smallest eigenvalue fall by more than this part of the
+/// tolerance, or of the loosest one that still tells it from the next: residuals of sections whose
+/// eigenvalues are next to nothing are small at once.
 constexpr double MostRise = 0.1;
 constexpr double LoosestTolerance = 1e-3;
-/// A residual up to this is not reached before the smallest pair has come out, unless the shift hides it.
+/// A residual up to this is not reached before the smallest pair has come out, unless the shift
+/// hides it.
 constexpr double TellingResidual = 1e-5;
-/// By how much less the residual has to be where that of another pair has passed for the smallest one's.
+/// By how much less the residual has to be where that of another pair has passed for the smallest
+/// one's.
 constexpr double Tightening = 0.1;
 /// The rounding errors of a factorization, relative to u^* diag(A) u.
 constexpr double Rounding = 1e-14;
@@ -92,8 +94,8 @@ public:
     double norm = std::sqrt(std::max(0.0, w.dot(massW).real()));
     if (norm <= 1e-14 * size)
     {
-      // The space is invariant: the remainder of w is rounding. The iteration continues in any other
-      // direction.
+      // The space is invariant: the remainder of w is rounding. The iteration continues in any
+      // other direction.
       norm = 0.0;
       for (Eigen::Index k = 0; k < w.size(); ++k)
       {
@@ -117,8 +119,8 @@ public:
     this->Diagonalize();
   }
 
-  /// The part by which the last step has raised the largest Ritz value: 1 over the value of A + shift M for its
-  /// smallest eigenvalue, so far.
+  /// The part by which the last step has raised the largest Ritz value: 1 over the value of A +
+  /// shift M for its smallest eigenvalue, so far.
   double Rise() const { return (this->Largest - this->LargestBefore) / this->Largest; }
 
   /// The operator applied to the Ritz vector of its largest eigenvalue: one step better than the
@@ -187,8 +189,8 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
   pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);
 }
 
-/// Factors A plus the smallest multiple of M that makes it definite, at least NextToNothing, which is returned.
-/// Throws std::runtime_error, and Stopped.
+/// Factors A plus the smallest multiple of M that makes it definite, at least NextToNothing, which
+/// is returned. Throws std::runtime_error, and Stopped.
 double FactorShifted(const SparseMatrix& energy, const SparseMatrix& mass,
   const EigenpairSettings& settings, const Progress& progress, Factorization& factor)
 {
@@ -205,8 +207,8 @@ double FactorShifted(const SparseMatrix& energy, const SparseMatrix& mass,
   return shift;
 }
 
-/// Whether no eigenvalue is below that of the pair by more than the settings let it. By Sylvester's law of inertia
-/// A - x M is positive definite if and only if x is below all of them.
+/// Whether no eigenvalue is below that of the pair by more than the settings let it. By Sylvester's
+/// law of inertia A - x M is positive definite if and only if x is below all of them.
 /// @param shift with which A could be factored
 bool IsSmallest(const SparseMatrix& energy, const SparseMatrix& mass, const Eigenpair& pair,
   const EigenpairSettings& settings, double shift, const Progress& progress)
@@ -283,7 +285,8 @@ Eigenpair SolveByLanczos(const SparseMatrix& energy, const SparseMatrix& mass,
     {
       return pair;
     }
-    // The dense solver is accurate to the largest eigenvalue, which may be too far from the smallest.
+    // The dense solver is accurate to the largest eigenvalue, which may be too far from the
+    // smallest.
   }
   return Iterate(energy, mass, start, settings, progress);
 }

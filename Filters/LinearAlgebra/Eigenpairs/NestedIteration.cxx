@@ -16,18 +16,18 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr int Width = SectionBlock::Width;
-/// A level is left once the relative residual of the smallest pair is below this: the discretization of a
-/// coarser level is off by more.
+/// A level is left once the relative residual of the smallest pair is below this: the
+/// discretization of a coarser level is off by more.
 constexpr float Tolerance = 0.2f;
-/// A value below this part of the order of magnitude of the smallest eigenvalue counts as 0. The residual
-/// of its section is rounding, along which no step may go.
+/// A value below this part of the order of magnitude of the smallest eigenvalue counts as 0. The
+/// residual of its section is rounding, along which no step may go.
 constexpr double ZeroPart = 1e-3;
 constexpr int MostSteps = 8;
 constexpr int MostStepsOnCoarsest = 20;
-/// On the finest level each step costs as much as five V-cycles of the one section that is wanted in the
-/// end. There the steps end, too, once one has changed the smallest value by no more than a part of it:
-/// FirstChange for the first step, which as a rule removes the error of interpolation, then
-/// SettledChange.
+/// On the finest level each step costs as much as five V-cycles of the one section that is wanted
+/// in the end. There the steps end, too, once one has changed the smallest value by no more than a
+/// part of it: FirstChange for the first step, which as a rule removes the error of interpolation,
+/// then SettledChange.
 constexpr int MostStepsOnFinest = 4;
 constexpr double FirstChange = 0.25;
 constexpr double SettledChange = 0.02;
@@ -79,8 +79,8 @@ public:
   /// Whether all four pairs have been found.
   bool IsWhole() const { return this->Pairs.Values.size() == Width; }
 
-  /// Puts the residuals A x - theta M x in Correction. Returns the relative size of the one whose theta is
-  /// the smallest that is not 0; 0 where all four values are 0.
+  /// Puts the residuals A x - theta M x in Correction. Returns the relative size of the one whose
+  /// theta is the smallest that is not 0; 0 where all four values are 0.
   float Residuals()
   {
     const SectionBlock& block = this->Pairs.Block;

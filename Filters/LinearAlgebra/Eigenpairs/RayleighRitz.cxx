@@ -13,8 +13,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Basis vectors of unit length count as independent where each is further than this from the space of
-/// those before it.
+/// Basis vectors of unit length count as independent where each is further than this from the space
+/// of those before it.
 constexpr double IndependentDistance = 1e-3;
 }
 

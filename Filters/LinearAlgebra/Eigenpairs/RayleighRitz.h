@@ -19,8 +19,8 @@ struct RitzPairs
 
 /// The Ritz pairs of a basis V, whose vectors may be nearly dependent and of any length.
 /// @param energy, mass V^* A V and V^* M V
-/// @param wanted       the most pairs; there are fewer where the basis does not have them, and none where
-///                     the matrices have values that are not finite
+/// @param wanted       the most pairs; there are fewer where the basis does not have them, and none
+///                     where the matrices have values that are not finite
 RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int wanted);
 }
 

@@ -13,7 +13,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// A section of unit length is new where projection leaves more of it than this: the rest is rounding.
+/// A section of unit length is new where projection leaves more of it than this: the rest is
+/// rounding.
 constexpr double LeastNew = 1e-10;
 /// Where the first projection leaves more of it than this, a second one would add no digit.
 constexpr double LargePart = 0.5;

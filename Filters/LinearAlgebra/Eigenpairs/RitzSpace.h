@@ -11,13 +11,13 @@
 
 namespace DirectionFields::Internal
 {
-/// A space of sections that grows by one at a time, and its Ritz pairs in double precision. Where many
-/// eigenvalues nearly agree, it separates their eigenvectors.
+/// A space of sections that grows by one at a time, and its Ritz pairs in double precision. Where
+/// many eigenvalues nearly agree, it separates their eigenvectors.
 class RitzSpace
 {
 public:
-  /// The space has at most this many sections. Where another one comes, the Ritz vectors of the smallest
-  /// values are kept, and the rest is forgotten.
+  /// The space has at most this many sections. Where another one comes, the Ritz vectors of the
+  /// smallest values are kept, and the rest is forgotten.
   static constexpr int MostSections = 20;
   static constexpr int KeptSections = 14;
 
@@ -32,8 +32,8 @@ public:
   const Eigen::VectorXd& GetValues() const { return this->Pairs.Values; }
   /// The Ritz vector of the smallest value, of unit length in M.
   SectionProducts First() const;
-  /// Writes the Ritz vectors of the next values, as far as there are any, and their energy products to the
-  /// sections 1, 2, 3 of a block.
+  /// Writes the Ritz vectors of the next values, as far as there are any, and their energy products
+  /// to the sections 1, 2, 3 of a block.
   void WriteNext(SectionBlock& block) const;
 
 private:

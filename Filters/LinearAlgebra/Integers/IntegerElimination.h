@@ -15,17 +15,17 @@ namespace DirectionFields::Internal
 /// A sum of variables with integer coefficients, in ascending order of the variables.
 using IntegerSum = std::vector<std::pair<Index, std::int64_t>>;
 
-/// Solves linear equations with integer coefficients exactly: some of the variables become sums of the
-/// others, which are free. Where variables are to be integers, the dependent ones among them are integers for
-/// whatever integers the free ones are.
+/// Solves linear equations with integer coefficients exactly: some of the variables become sums of
+/// the others, which are free. Where variables are to be integers, the dependent ones among them
+/// are integers for whatever integers the free ones are.
 class IntegerElimination
 {
 public:
   /// @param isInteger not 0 for variables that are to be integers
   explicit IntegerElimination(std::vector<char> isInteger);
 
-  /// A new variable that is to be an integer, and stays free where an equation leaves another one to be solved
-  /// for: bounds can be put on it.
+  /// A new variable that is to be an integer, and stays free where an equation leaves another one
+  /// to be solved for: bounds can be put on it.
   Index AddFreeInteger();
 
   /// Requires that a sum vanishes. Its terms may be in any order, and repeated.
@@ -33,8 +33,8 @@ public:
 
   bool IsFree(Index variable) const { return this->Dependent[variable] == None; }
   bool IsInteger(Index variable) const { return this->Integers[variable] != 0; }
-  /// There may be more than were given: where all coefficients of an equation are other than 1 and -1, new
-  /// variables take the place of old ones.
+  /// There may be more than were given: where all coefficients of an equation are other than 1 and
+  /// -1, new variables take the place of old ones.
   Index GetNumberOfVariables() const { return static_cast<Index>(this->Dependent.size()); }
   /// A variable as a sum of free ones.
   const IntegerSum& Resolve(Index variable);
@@ -43,7 +43,8 @@ public:
 private:
   void MakeDependent(Index variable, IntegerSum sum);
 
-  /// The kind of each variable: 0 for a real number, 1 for an integer, 2 for one that stays free if it can.
+  /// The kind of each variable: 0 for a real number, 1 for an integer, 2 for one that stays free if
+  /// it can.
   std::vector<char> Integers;
   /// Which of the sums a variable is, or None.
   std::vector<Index> Dependent;

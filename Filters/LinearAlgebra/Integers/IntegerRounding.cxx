@@ -36,7 +36,8 @@ std::vector<Eigen::Index> NextOnes(const Eigen::MatrixXd& covariance, const Eige
   {
     return { std::get<2>(*std::min_element(order.begin(), order.end())) };
   }
-  // First the variables so near an integer that no other rounding changes it, then the ones independent of them.
+  // First the variables so near an integer that no other rounding changes it, then the ones
+  // independent of them.
   std::sort(order.begin(), order.end());
   constexpr double mostCorrelated = 0.1;
   constexpr std::size_t mostCompared = 256;
@@ -76,7 +77,8 @@ void RoundGreedily(const Eigen::MatrixXd& factor, Eigen::VectorXd& x, const Eige
   }
   while (!left.empty())
   {
-    // The covariance of the remaining variables stands in the first rows and columns, in their order.
+    // The covariance of the remaining variables stands in the first rows and columns, in their
+    // order.
     std::vector<Eigen::Index> slots = NextOnes(covariance, x, bound, left, mostSingly);
     std::sort(slots.begin(), slots.end(), std::greater<>());
     for (const Eigen::Index k : slots)

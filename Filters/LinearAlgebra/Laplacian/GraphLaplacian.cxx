@@ -42,7 +42,8 @@ Index Padded(Index count)
   return (count + Width - 1) / Width * Width;
 }
 
-/// The numbers of entries of a row in columns of its block before it, after it, and in other blocks.
+/// The numbers of entries of a row in columns of its block before it, after it, and in other
+/// blocks.
 std::array<Index, 3> CountParts(const GraphLaplacian& matrix, Index v, Index begin, Index end)
 {
   std::array<Index, 3> counts{};

@@ -9,9 +9,9 @@
 
 namespace DirectionFields::Internal
 {
-/// The Laplacian L of a graph with weighted edges, x^T L x = sum w_ij (x_i - x_j)^2, in single precision: real and
-/// without any transport, hence with a quarter of the numbers of the matrices of sections. Compressed rows; the
-/// diagonal stands apart.
+/// The Laplacian L of a graph with weighted edges, x^T L x = sum w_ij (x_i - x_j)^2, in single
+/// precision: real and without any transport, hence with a quarter of the numbers of the matrices
+/// of sections. Compressed rows; the diagonal stands apart.
 struct GraphLaplacian
 {
   struct Edge
@@ -21,8 +21,8 @@ struct GraphLaplacian
     double Weight;
   };
   GraphLaplacian() = default;
-  /// @param edgeAt edgeAt(e) is edge e. Those from a row to itself count for nothing; several edges between the
-  ///               same rows add up.
+  /// @param edgeAt edgeAt(e) is edge e. Those from a row to itself count for nothing; several edges
+  ///               between the same rows add up.
   template <typename EdgeAt>
   GraphLaplacian(Index rows, Index edges, const EdgeAt& edgeAt);
 
@@ -39,9 +39,9 @@ struct GraphLaplacian
   void Merge();
 };
 
-/// The same as sweeps go through it. How many entries a row has is hard to predict, and a branch that goes wrong
-/// takes longer than a few products: each loop is filled up to a multiple of Width by entries of
-/// weight 0 in the row's own column.
+/// The same as sweeps go through it. How many entries a row has is hard to predict, and a branch
+/// that goes wrong takes longer than a few products: each loop is filled up to a multiple of Width
+/// by entries of weight 0 in the row's own column.
 struct SweptLaplacian
 {
   /// The number of rows of a block; a block is swept by itself.
@@ -52,8 +52,9 @@ struct SweptLaplacian
 
   explicit SweptLaplacian(const GraphLaplacian& matrix);
 
-  /// The entries of row v from Begin[v] to Lower[v] are those in columns of its block before v, those from there to
-  /// Inside[v] in columns of its block after v, and those from there to Begin[v + 1] in columns of other blocks.
+  /// The entries of row v from Begin[v] to Lower[v] are those in columns of its block before v,
+  /// those from there to Inside[v] in columns of its block after v, and those from there to Begin[v
+  /// + 1] in columns of other blocks.
   LargeArray<Index> Begin;
   LargeArray<Index> Lower;
   LargeArray<Index> Inside;

@@ -25,7 +25,8 @@ constexpr std::size_t FirstTwice = 2;
 constexpr Index MostDenseRows = 400;
 /// The pairs of sweeps that it gets.
 constexpr int CoarsestPairs = 4;
-/// A level that would add more than this part of the finest level's entries to a cycle is visited once.
+/// A level that would add more than this part of the finest level's entries to a cycle is visited
+/// once.
 constexpr double MostRepeatedPart = 0.15;
 }
 
@@ -93,7 +94,8 @@ void LaplacianCycle::Factor(double shift)
   dense = (0.5 * (dense + dense.transpose())).eval();
   if (shift == 0.0)
   {
-    // Constants are in the kernel of the Laplacian: a term added for them keeps the matrix definite.
+    // Constants are in the kernel of the Laplacian: a term added for them keeps the matrix
+    // definite.
     dense.array() += dense.trace() / (static_cast<double>(n) * n);
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(dense);

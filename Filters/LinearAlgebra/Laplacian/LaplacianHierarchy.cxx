@@ -16,8 +16,8 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr Index PieceRows = SweptLaplacian::PieceRows;
-/// An edge is strong above this part of the geometric mean of the two diagonal entries. From level to level the
-/// part is multiplied by StrongPartDecay.
+/// An edge is strong above this part of the geometric mean of the two diagonal entries. From level
+/// to level the part is multiplied by StrongPartDecay.
 constexpr float StrongPart = 0.08F;
 constexpr float StrongPartDecay = 0.7F;
 /// Weak edges that are lumped into the diagonal leave at least this part of it.

@@ -10,7 +10,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The matrix P that interpolates numbers of the next coarser level, and its transpose, which takes residuals there.
+/// The matrix P that interpolates numbers of the next coarser level, and its transpose, which takes
+/// residuals there.
 struct NumberProlongator
 {
   /// The entries of row v are those from Begin[v] to End[v]; rows are filled up to a multiple of
@@ -35,9 +36,10 @@ struct NumberProlongator
   void Restrict(const float* x, float* y) const;
 };
 
-/// A hierarchy of ever smaller Laplacians by smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina, Algebraic
-/// Multigrid by Smoothed Aggregation, 1996), for functions on a surface. Hierarchy is the one for sections, whose
-/// values are complex and are transported along edges: this one takes a third of its time.
+/// A hierarchy of ever smaller Laplacians by smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina,
+/// Algebraic Multigrid by Smoothed Aggregation, 1996), for functions on a surface. Hierarchy is the
+/// one for sections, whose values are complex and are transported along edges: this one takes a
+/// third of its time.
 class LaplacianHierarchy
 {
 public:

@@ -15,8 +15,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Preconditioners compute with these numbers: they take half the memory traffic of Complex, and have digits
-/// enough for a correction.
+/// Preconditioners compute with these numbers: they take half the memory traffic of Complex, and
+/// have digits enough for a correction.
 using CompactComplex = std::complex<float>;
 
 /// The modulus, for numbers whose squares neither overflow nor matter if they vanish.
@@ -129,8 +129,8 @@ struct CompactValues<1>
 };
 #endif
 
-/// Products are added up in groups, which may reach past the end of a row. Arrays of factors and vertices
-/// have this many zeros after the last row's elements, so that they may be read.
+/// Products are added up in groups, which may reach past the end of a row. Arrays of factors and
+/// vertices have this many zeros after the last row's elements, so that they may be read.
 constexpr Index Padding = 6;
 
 template <typename T>
@@ -151,8 +151,9 @@ inline void AddProducts(const CompactComplex* factors, const Vertex* vertices, I
   }
 }
 
-/// Does the same, and takes six products at once if there is one section: up to six entries after the end are
-/// read, too, and multiplied by zero. Factors and vertices must be padded, and the sections finite.
+/// Does the same, and takes six products at once if there is one section: up to six entries after
+/// the end are read, too, and multiplied by zero. Factors and vertices must be padded, and the
+/// sections finite.
 template <int B, typename Vertex>
 inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<B>& sum)
@@ -160,7 +161,8 @@ inline void AddManyProducts(const CompactComplex* factors, const Vertex* vertice
   AddProducts<B>(factors, vertices, begin, end, sections, sum);
 }
 
-/// Does the same, and takes four products at once: for rows that have four entries or fewer, as a rule.
+/// Does the same, and takes four products at once: for rows that have four entries or fewer, as a
+/// rule.
 template <int B, typename Vertex>
 inline void AddFewProducts(const CompactComplex* factors, const Vertex* vertices, Index begin,
   Index end, const float* sections, CompactValues<B>& sum)
@@ -185,7 +187,8 @@ public:
   {
   }
   /// Adds the products begin to end - 1.
-  /// @tparam Pairs this many pairs of products are computed without a branch, where there are no more
+  /// @tparam Pairs this many pairs of products are computed without a branch, where there are no
+  ///         more
   template <int Pairs>
   void Add(Index begin, Index end)
   {

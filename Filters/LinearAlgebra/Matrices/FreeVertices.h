@@ -18,8 +18,8 @@ struct GivenValues
   ComplexVector Values;
 };
 
-/// The vertices of a component whose values are not given, numbered among themselves in their order: the
-/// index f in K_ff u_f = b_f - K_fc u_c. The index c stands for the given ones.
+/// The vertices of a component whose values are not given, numbered among themselves in their
+/// order: the index f in K_ff u_f = b_f - K_fc u_c. The index c stands for the given ones.
 class FreeVertices
 {
 public:

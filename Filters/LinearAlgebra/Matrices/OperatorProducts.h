@@ -18,7 +18,8 @@ ComplexVector Product(const Operators& operators, double a, double m, const Comp
 /// a A + m M
 SparseMatrix LinearCombination(const Operators& operators, double a, double m);
 
-/// ‖|K| |u|‖: the sum of the terms of K u if none cancel. The rounding of K u is a small part of it.
+/// ‖|K| |u|‖: the sum of the terms of K u if none cancel. The rounding of K u is a small part of
+/// it.
 double SumOfMagnitudes(const SparseMatrix& matrix, const ComplexVector& u);
 
 /// A section and its products with energy and mass matrix.

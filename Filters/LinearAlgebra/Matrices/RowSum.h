@@ -17,16 +17,18 @@
 
 namespace DirectionFields::Internal
 {
-/// Adds up the entries of one row of a sparse product: sum[column] is the entry of a column, zero at first.
+/// Adds up the entries of one row of a sparse product: sum[column] is the entry of a column, zero
+/// at first.
 ///
-/// Whether a column has come before is hard to predict, and a branch that goes wrong takes longer than the
-/// sum itself. So there is none. A column's slot is its number modulo SlotCount; a slot says where in the row
-/// its latest column stands. If the row has another column there, the column is new: it gets the place at
-/// the end of the row, and the slot points to it. Else it gets the place that the slot says. Which of the two
-/// places is chosen by arithmetic. Slots need not be cleared between rows: the entry that a slot of an
-/// earlier row points to has another column or None, the column of all places from the end of the row on.
-/// Two columns that share a slot and take turns get several places each; TakeSorted adds them up, and with
-/// SlotCount many times the columns of a row this is rare.
+/// Whether a column has come before is hard to predict, and a branch that goes wrong takes longer
+/// than the sum itself. So there is none. A column's slot is its number modulo SlotCount; a slot
+/// says where in the row its latest column stands. If the row has another column there, the column
+/// is new: it gets the place at the end of the row, and the slot points to it. Else it gets the
+/// place that the slot says. Which of the two places is chosen by arithmetic. Slots need not be
+/// cleared between rows: the entry that a slot of an earlier row points to has another column or
+/// None, the column of all places from the end of the row on. Two columns that share a slot and
+/// take turns get several places each; TakeSorted adds them up, and with SlotCount many times the
+/// columns of a row this is rare.
 template <typename Entry>
 class RowSum
 {
@@ -52,8 +54,8 @@ public:
     return this->Row[at].second;
   }
 
-  /// Calls take(begin, end) with the pairs (column, entry), then forgets them. Columns that share a slot may
-  /// come several times.
+  /// Calls take(begin, end) with the pairs (column, entry), then forgets them. Columns that share a
+  /// slot may come several times.
   template <typename TakeEntries>
   void Take(const TakeEntries& take)
   {
@@ -99,8 +101,8 @@ private:
   std::uint32_t End = 0;
 };
 
-/// The rows of a sparse matrix that are each added up by a RowSum, in pieces that run at once: how many
-/// entries there are is known only once they have been made.
+/// The rows of a sparse matrix that are each added up by a RowSum, in pieces that run at once: how
+/// many entries there are is known only once they have been made.
 template <typename Entry>
 struct SummedRows
 {
@@ -112,8 +114,8 @@ struct SummedRows
   std::vector<std::vector<std::pair<Index, Entry>>> Pieces;
 
   /// Calls makeRow(row, sum), which adds the row's entries to the RowSum.
-  /// @param sorted whether a row's entries are put in the order of their columns, each of which comes once
-  ///               then; else columns may come several times
+  /// @param sorted whether a row's entries are put in the order of their columns, each of which
+  ///               comes once then; else columns may come several times
   template <typename MakeRow>
   SummedRows(Index count, bool sorted, const MakeRow& makeRow)
     : Size(count)

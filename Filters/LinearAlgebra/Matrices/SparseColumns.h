@@ -29,8 +29,8 @@ private:
   Eigen::Array2d ByImaginary = Eigen::Array2d::Zero();
 };
 
-/// The arrays of a sparse matrix by columns. Loops take copies of the pointers, so that the compiler knows that
-/// writing values does not change them.
+/// The arrays of a sparse matrix by columns. Loops take copies of the pointers, so that the
+/// compiler knows that writing values does not change them.
 struct SparseColumns
 {
   explicit SparseColumns(const SparseMatrix& matrix)

@@ -38,8 +38,8 @@ SparseMatrix SideBySide(Index rows, Index columns, const std::vector<SparseMatri
   return whole;
 }
 
-/// a times the columns of b from begin to end - 1. Eigen's product would pass over all rows of a for each
-/// few columns of b.
+/// a times the columns of b from begin to end - 1. Eigen's product would pass over all rows of a
+/// for each few columns of b.
 SparseMatrix ProductOfColumns(const SparseMatrix& a, const SparseMatrix& b, Index begin, Index end)
 {
   RowSum<Complex> sum;

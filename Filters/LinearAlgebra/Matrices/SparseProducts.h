@@ -69,8 +69,8 @@ SparseMatrix SelectedColumns(const SparseMatrix& matrix, const std::vector<Index
 /// a b, on several threads. It takes a third of the time of Eigen's product.
 SparseMatrix SparseProduct(const SparseMatrix& a, const SparseMatrix& b);
 
-/// Whether W^* W couples an unknown with at most that many unknowns in the mean. A row of W couples all
-/// its unknowns with each other.
+/// Whether W^* W couples an unknown with at most that many unknowns in the mean. A row of W couples
+/// all its unknowns with each other.
 /// @param adjoint W^*, whose columns are the rows of W
 bool IsNormalMatrixSparse(const SparseMatrix& adjoint, double mostCouplings);
 }

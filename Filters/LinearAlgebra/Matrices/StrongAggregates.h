@@ -21,8 +21,8 @@ struct StrengthRows
   const float* Strength;
 };
 
-/// Makes an aggregate of each row with strong couplings, none of which leads to an aggregate so far: the row is the
-/// root, its neighbours by strong couplings belong to it.
+/// Makes an aggregate of each row with strong couplings, none of which leads to an aggregate so
+/// far: the row is the root, its neighbours by strong couplings belong to it.
 /// @param number None for all rows
 /// @return the number of aggregates
 template <typename JoinsRoot>
@@ -58,11 +58,13 @@ Index AggregateNeighbourhoods(
 }
 
 /// Aggregates of smoothed aggregation (P. Vaněk, J. Mandel, M. Brezina, Computing 56, 1996): whole
-/// neighbourhoods of strong couplings, first come, first served; the rows between them join the aggregate of
-/// their strongest neighbour, first only neighbourhoods, so that aggregates do not grow in lines. The same for
-/// any number of threads, with which joinsRoot and joins must be safe for different rows.
+/// neighbourhoods of strong couplings, first come, first served; the rows between them join the
+/// aggregate of their strongest neighbour, first only neighbourhoods, so that aggregates do not
+/// grow in lines. The same for any number of threads, with which joinsRoot and joins must be safe
+/// for different rows.
 /// @param number    becomes the aggregate of each row; None where it was left out
-/// @param joinsRoot called with entry k of a root's row, whose column belongs to the root's neighbourhood
+/// @param joinsRoot called with entry k of a root's row, whose column belongs to the root's
+///                  neighbourhood
 /// @param joins     called with a row and that entry k of it whose column's aggregate the row joins
 /// @param stays     whether a row without a strong neighbour becomes an aggregate of its own
 /// @return the number of aggregates

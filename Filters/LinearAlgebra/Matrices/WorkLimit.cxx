@@ -13,8 +13,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Measured on surfaces of 3 000 to 200 000 vertices. The supernodal factorization is bound by its work
-/// for each entry, the other one by the operations.
+/// Measured on surfaces of 3 000 to 200 000 vertices. The supernodal factorization is bound by its
+/// work for each entry, the other one by the operations.
 constexpr double PerOperation = 0.75;
 constexpr double PerFactorEntry = 20.0;
 constexpr double PerSupernodalOperation = 0.15;
@@ -25,8 +25,8 @@ constexpr double PerSolvedEntry = 7.0;
 /// surfaces take, whose factors need not be looked at.
 constexpr double Unnoticed = 3e7;
 constexpr double UnnoticedPerRow = 8000.0;
-/// An iteration is judged by its estimated total work once it has had this part of the limit, and ends where
-/// that is more than MostForeseen limits: forecasts may be wrong.
+/// An iteration is judged by its estimated total work once it has had this part of the limit, and
+/// ends where that is more than MostForeseen limits: forecasts may be wrong.
 constexpr double Trial = 0.3;
 constexpr double MostForeseen = 1.3;
 

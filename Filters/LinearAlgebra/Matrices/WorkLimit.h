@@ -8,8 +8,9 @@
 
 #include <limits>
 
-// Work is counted, never measured, so that decisions that depend on it are the same on any machine and any number of
-// threads. Its unit is the work of one thread of a common processor in a nanosecond.
+// Work is counted, never measured, so that decisions that depend on it are the same on any machine
+// and any number of threads. Its unit is the work of one thread of a common processor in a
+// nanosecond.
 namespace DirectionFields::Internal
 {
 /// The cost of a sparse Cholesky factor, from its pattern after the fill-reducing ordering.
@@ -29,15 +30,15 @@ struct FactorWork
   double OfSolve() const;
 };
 
-/// How much work an iteration may take before the direct solver is the better choice: as much as that one
-/// takes, so that trying first at most doubles the time. Where it becomes plain that the iteration will take
-/// more, it ends earlier.
+/// How much work an iteration may take before the direct solver is the better choice: as much as
+/// that one takes, so that trying first at most doubles the time. Where it becomes plain that the
+/// iteration will take more, it ends earlier.
 class WorkLimit
 {
 public:
   /// @param matrix must outlive the object; that with the pattern to be factored
-  /// @param solves how many solves with the factor the direct solver makes, and how much work it has by each
-  ///               row and solve besides
+  /// @param solves how many solves with the factor the direct solver makes, and how much work it
+  ///               has by each row and solve besides
   WorkLimit(const SparseMatrix& matrix, int solves, double perRow);
 
   /// Whether to go on.
@@ -55,8 +56,8 @@ private:
   mutable double Limit = 0.0;
 };
 
-/// The work that is left until a residual has fallen to the one that is wanted, if it goes on falling as it has.
-/// Infinite where it does not fall.
+/// The work that is left until a residual has fallen to the one that is wanted, if it goes on
+/// falling as it has. Infinite where it does not fall.
 /// @param spent the work that has made the residual fall from before to now
 double RemainingWork(double spent, double before, double now, double wanted);
 }

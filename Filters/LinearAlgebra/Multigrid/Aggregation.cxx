@@ -14,14 +14,16 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr Index PieceRows = CompactMatrix::PieceRows;
-/// A coupling is strong above this part of the geometric mean of the two diagonal entries (Vaněk, Mandel,
-/// Brezina 1996). From level to level the part is multiplied by StrongPartDecay. Where triangles are
-/// stretched this keeps couplings across the stretch out of the aggregates: along these sweeps do not smooth.
+/// A coupling is strong above this part of the geometric mean of the two diagonal entries (Vaněk,
+/// Mandel, Brezina 1996). From level to level the part is multiplied by StrongPartDecay. Where
+/// triangles are stretched this keeps couplings across the stretch out of the aggregates: along
+/// these sweeps do not smooth.
 constexpr float StrongPart = 0.08f;
 constexpr float StrongPartDecay = 0.7f;
 /// Weak couplings that are lumped into the diagonal leave at least this part of it.
 constexpr float LeastFilteredDiagonal = 0.3f;
-/// Sweeps solve for a vertex whose couplings add up to no more than this part of its diagonal entry.
+/// Sweeps solve for a vertex whose couplings add up to no more than this part of its diagonal
+/// entry.
 constexpr float FewCouplings = 0.9f;
 
 /// The transport from the column's vertex to the row's: the phase of the mass matrix' entry.

@@ -36,8 +36,8 @@ CoarsestSolver::CoarsestSolver(
   }
   this->Diagonal = SweepDiagonal(matrices.Energy, lumpedMass, static_cast<float>(shift));
   this->Contract();
-  // Where the errors do not get smaller that is rounding, or the matrix is nearly singular: pairs of sweeps are
-  // positive definite all the same.
+  // Where the errors do not get smaller that is rounding, or the matrix is nearly singular: pairs
+  // of sweeps are positive definite all the same.
   this->Usable = std::isfinite(this->Contraction) && this->Contraction < 1.01;
   const double least = std::numeric_limits<double>::min();
   this->Pairs = this->Contraction < 1.0

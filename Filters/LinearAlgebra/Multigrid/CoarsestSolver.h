@@ -9,10 +9,10 @@
 
 namespace DirectionFields::Internal
 {
-/// Nearly the inverse of A + shift M on the coarsest level of a hierarchy, at a cost in proportion to the
-/// rows: a dense Cholesky factor of a small matrix, and sweeps down and up for a large one. A level stays
-/// large where neighbouring values have little to do with each other, as on very rough surfaces, and there
-/// sweeps converge. Hermitian and positive definite.
+/// Nearly the inverse of A + shift M on the coarsest level of a hierarchy, at a cost in proportion
+/// to the rows: a dense Cholesky factor of a small matrix, and sweeps down and up for a large one.
+/// A level stays large where neighbouring values have little to do with each other, as on very
+/// rough surfaces, and there sweeps converge. Hermitian and positive definite.
 class CoarsestSolver
 {
 public:
@@ -27,8 +27,8 @@ public:
 
   /// False where the matrix is not positive definite up to rounding, or where sweeps diverge.
   bool IsUsable() const { return this->Usable; }
-  /// The pairs of sweeps of each solution, which reduce errors to about a third if that many can; 0 for a
-  /// factor.
+  /// The pairs of sweeps of each solution, which reduce errors to about a third if that many can; 0
+  /// for a factor.
   int GetPairs() const { return this->Pairs; }
   /// The part of an error that one pair of sweeps leaves, if an unfavourable one; 0 for a factor.
   double GetContraction() const { return this->Contraction; }

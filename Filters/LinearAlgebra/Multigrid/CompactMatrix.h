@@ -11,8 +11,8 @@
 
 namespace DirectionFields::Internal
 {
-/// Hermitian matrix in single precision, as sweeps go through it. Compressed rows; the diagonal stands
-/// apart.
+/// Hermitian matrix in single precision, as sweeps go through it. Compressed rows; the diagonal
+/// stands apart.
 struct CompactMatrix
 {
   /// The number of rows of a block; a block is swept by itself.
@@ -20,8 +20,8 @@ struct CompactMatrix
   /// The number of rows of a piece, where rows do not depend on each other.
   static constexpr Index PieceRows = 2048;
 
-  /// The entries of row v in columns of its block are those from Begin[v] to Inside[v], and its entries in
-  /// other columns those from Inside[v] to Begin[v + 1].
+  /// The entries of row v in columns of its block are those from Begin[v] to Inside[v], and its
+  /// entries in other columns those from Inside[v] to Begin[v + 1].
   LargeArray<Index> Begin;
   LargeArray<Index> Inside;
   LargeArray<Index> Column;
@@ -31,8 +31,8 @@ struct CompactMatrix
   LargeArray<float> Diagonal;
   /// The rows with entries in columns of other blocks, ascending.
   LargeArray<Index> Boundary;
-  /// A copy of those entries: row j of the boundary has those from OutsideBegin[j] to OutsideBegin[j + 1].
-  /// Their columns belong to the boundary, too, and are counted in it.
+  /// A copy of those entries: row j of the boundary has those from OutsideBegin[j] to
+  /// OutsideBegin[j + 1]. Their columns belong to the boundary, too, and are counted in it.
   LargeArray<Index> OutsideBegin;
   LargeArray<Index> OutsideColumn;
   LargeArray<CompactComplex> OutsideValue;
@@ -43,8 +43,9 @@ struct CompactMatrix
     /// The row counted in the boundary, or None.
     Index Boundary;
   };
-  /// Rows whose couplings add up to much more than the diagonal, as at slivers, and the rows that they are
-  /// coupled with, ascending: coarser levels correct them badly. Empty before FindLocalRows.
+  /// Rows whose couplings add up to much more than the diagonal, as at slivers, and the rows that
+  /// they are coupled with, ascending: coarser levels correct them badly. Empty before
+  /// FindLocalRows.
   std::vector<LocalRow> Local;
 
   CompactMatrix() = default;
@@ -56,8 +57,8 @@ struct CompactMatrix
   void OrderByBlocks(LargeArray<CompactComplex>* other = nullptr);
   /// Fills in the parts that only sweeps need: ColumnInBlock and the couplings of the boundary.
   void PrepareSweeps();
-  /// Fills in Local. Where many rows are like that, only the worst ones are taken: more of them would take
-  /// longer than they save.
+  /// Fills in Local. Where many rows are like that, only the worst ones are taken: more of them
+  /// would take longer than they save.
   void FindLocalRows();
 
   Index Rows() const { return static_cast<Index>(this->Diagonal.size()); }

@@ -11,14 +11,15 @@ namespace
 {
 /// Added to the coarsest energy, relative to the scale of its smallest eigenvalue: that may be 0.
 constexpr double AddedShift = 0.01;
-/// From this level on cycles correct twice: they lose little there, where a hierarchy of many levels
-/// would lose much, and it costs next to nothing. It does not where levels get smaller slowly: a level whose
-/// visits would come by more entries than this part of the finest level's is visited no more often.
+/// From this level on cycles correct twice: they lose little there, where a hierarchy of many
+/// levels would lose much, and it costs next to nothing. It does not where levels get smaller
+/// slowly: a level whose visits would come by more entries than this part of the finest level's is
+/// visited no more often.
 constexpr std::size_t FirstTwice = 2;
 constexpr double MostRepeatedPart = 0.3;
 
-/// The work of a cycle for each entry that it comes by (see WorkLimit): a sweep down, the residual, a sweep up
-/// and the prolongators between the levels.
+/// The work of a cycle for each entry that it comes by (see WorkLimit): a sweep down, the residual,
+/// a sweep up and the prolongators between the levels.
 constexpr double WorkPerEntry = 4.3;
 
 /// The number of entries, the diagonal's among them.

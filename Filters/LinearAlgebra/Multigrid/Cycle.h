@@ -12,10 +12,10 @@
 
 namespace DirectionFields::Internal
 {
-/// A multigrid cycle B, nearly the inverse of A + shift M: one sweep down, the coarser level's cycle, one
-/// sweep up; on the coarsest level a CoarsestSolver. From the third level on a level's cycle is applied
-/// again, to the residual that it leaves, unless levels get smaller so slowly that this would take long. B is
-/// Hermitian, and positive definite for a shift >= 0.
+/// A multigrid cycle B, nearly the inverse of A + shift M: one sweep down, the coarser level's
+/// cycle, one sweep up; on the coarsest level a CoarsestSolver. From the third level on a level's
+/// cycle is applied again, to the residual that it leaves, unless levels get smaller so slowly that
+/// this would take long. B is Hermitian, and positive definite for a shift >= 0.
 class Cycle
 {
 public:
@@ -33,8 +33,8 @@ public:
   template <int B>
   void Apply(const float* b, float* y, std::size_t level = 0, double* product = nullptr) const;
 
-  /// The work of a cycle for one section (see WorkLimit), in proportion to the entries of all levels, as often
-  /// as it comes to them.
+  /// The work of a cycle for one section (see WorkLimit), in proportion to the entries of all
+  /// levels, as often as it comes to them.
   double Work() const;
   const CoarsestSolver& GetCoarsest() const { return this->Coarsest; }
 

@@ -11,7 +11,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// An entry of the energy and one of the mass, whose real and imaginary parts fit a register together.
+/// An entry of the energy and one of the mass, whose real and imaginary parts fit a register
+/// together.
 struct TwoEntries
 {
   using Numbers = Eigen::Array4f;

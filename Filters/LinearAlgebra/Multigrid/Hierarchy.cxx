@@ -19,15 +19,17 @@ namespace DirectionFields::Internal
 namespace
 {
 /// Coarsening ends where a level would have more than this part of the rows of the finer one. Where
-/// neighbouring values have little to do with each other after transport, as on very rough surfaces, there
-/// are no aggregates; then sweeps solve for the remaining rows, and further levels would only take time.
+/// neighbouring values have little to do with each other after transport, as on very rough
+/// surfaces, there are no aggregates; then sweeps solve for the remaining rows, and further levels
+/// would only take time.
 constexpr double SlowestCoarsening = 0.7;
-/// It ends where the levels would have more entries than this, in parts of the entries of the finest.
+/// It ends where the levels would have more entries than this, in parts of the entries of the
+/// finest.
 constexpr double MostComplexity = 3.0;
 /// A level has at least this many rows where it is to hold eigenvectors.
 constexpr Index FewestRows = 8;
-/// With more rows than this, the storage of the pieces that coarse levels were made of is returned to the
-/// system: it would count towards the peak of the next stage.
+/// With more rows than this, the storage of the pieces that coarse levels were made of is returned
+/// to the system: it would count towards the peak of the next stage.
 constexpr Index ManyRows = 1 << 20;
 
 /// Of all couplings this part may have no mass: its integrals may happen to cancel.

@@ -22,8 +22,8 @@ struct LevelMatrices
   void Multiply(const float* x, float* ax, float* mx) const;
 };
 
-/// ax = A x and mx = M x for four sections in single precision (see CompactSections). The sums of A x are
-/// in double precision.
+/// ax = A x and mx = M x for four sections in single precision (see CompactSections). The sums of A
+/// x are in double precision.
 void Multiply(const Operators& operators, const float* x, float* ax, float* mx);
 }
 

@@ -67,8 +67,8 @@ void Prolongator::Restrict(const float* x, float* y) const
 
 void Prolongator::AddAdjoint(Index coarse)
 {
-  // The rows are cut into a few parts, which run at once. Each counts its entries in each column; these
-  // counts, added up, say where its entries go.
+  // The rows are cut into a few parts, which run at once. Each counts its entries in each column;
+  // these counts, added up, say where its entries go.
   const Index rows = this->FineRows();
   const Index partRows = std::max(PieceRows, rows / AdjointParts + 1);
   std::vector<std::vector<Index>> at(NumberOfPieces(rows, partRows));

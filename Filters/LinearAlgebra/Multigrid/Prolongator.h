@@ -8,8 +8,8 @@
 
 namespace DirectionFields::Internal
 {
-/// The matrix P that interpolates a section of the next coarser level, by rows, and its adjoint P^*,
-/// which takes residuals to that level.
+/// The matrix P that interpolates a section of the next coarser level, by rows, and its adjoint
+/// P^*, which takes residuals to that level.
 struct Prolongator
 {
   LargeArray<Index> Begin;

@@ -67,8 +67,8 @@ private:
   Numbers Imaginary = Numbers::Zero();
 };
 
-/// Approximations of the four smallest eigenpairs of A x = theta M x. The sections are orthonormal in M to
-/// some digits.
+/// Approximations of the four smallest eigenpairs of A x = theta M x. The sections are orthonormal
+/// in M to some digits.
 struct LowestSections
 {
   /// Four sections; or empty.
@@ -81,8 +81,8 @@ struct LowestSections
 std::vector<SmallMatrix> InnerProducts(
   Index rows, const std::vector<std::pair<const CompactSections*, const CompactSections*>>& pairs);
 
-/// target = sum of x c over the pairs (block x, 4 x 4 matrix c), for vectors and products alike; without
-/// mass, the target's Mass is emptied. The target may be one of the blocks.
+/// target = sum of x c over the pairs (block x, 4 x 4 matrix c), for vectors and products alike;
+/// without mass, the target's Mass is emptied. The target may be one of the blocks.
 void SetLinearCombination(const std::vector<std::pair<const SectionBlock*, SmallMatrix>>& terms,
   SectionBlock& target, bool withMass = true);
 }

@@ -44,8 +44,8 @@ constexpr Index BlockRows = CompactMatrix::BlockRows;
 /// This many products are added up in single precision, their sums in double precision.
 constexpr Index FewNumbers = 512;
 
-/// The arrays of a matrix. Loops take copies of the pointers, so that the compiler knows that writing
-/// values does not change them.
+/// The arrays of a matrix. Loops take copies of the pointers, so that the compiler knows that
+/// writing values does not change them.
 struct Entries
 {
   explicit Entries(const CompactMatrix& matrix)
@@ -69,8 +69,8 @@ struct Entries
   }
 };
 
-/// A copy of the part of sections that belongs to a block. Sums of other blocks read that part and multiply
-/// it by zero (see AddManyProducts): they must not read what a sweep is writing.
+/// A copy of the part of sections that belongs to a block. Sums of other blocks read that part and
+/// multiply it by zero (see AddManyProducts): they must not read what a sweep is writing.
 template <int B>
 class BlockSections
 {
@@ -92,8 +92,8 @@ public:
 private:
   std::size_t First;
   std::size_t Size;
-  /// The values have room for a whole block: sums may read the value of any of its columns, even if they
-  /// multiply it by zero.
+  /// The values have room for a whole block: sums may read the value of any of its columns, even if
+  /// they multiply it by zero.
   std::array<float, static_cast<std::size_t>(2 * B) * BlockRows> Values;
 };
 
@@ -106,8 +106,8 @@ void ForRows(Index begin, Index end, Body body)
   }
 }
 
-/// Calls body(v, half) for the rows of a block. The two halves take turns, so that a row does not wait
-/// for the one before.
+/// Calls body(v, half) for the rows of a block. The two halves take turns, so that a row does not
+/// wait for the one before.
 template <typename Body>
 void ForBlockRows(Index begin, Index end, SweepOrder order, Body body)
 {
@@ -225,8 +225,8 @@ void ForBoundary(const CompactMatrix& matrix, const float* x, const Body& body)
     });
 }
 
-/// Stores the residual of a block that has been swept, without the terms of other blocks, and the block's
-/// rows of the boundary.
+/// Stores the residual of a block that has been swept, without the terms of other blocks, and the
+/// block's rows of the boundary.
 /// @param x begins with the block
 template <int B>
 void StoreRestOfBlock(const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b,
@@ -307,7 +307,8 @@ void SweepFromZero(
   const CompactMatrix& matrix, const SweepDiagonal& diagonal, const float* b, float* x, float* r)
 {
   CompactSections boundary(2 * B * matrix.Boundary.size());
-  // Rows that have not been swept yet are zero. To multiply by them takes less time than to tell them apart.
+  // Rows that have not been swept yet are zero. To multiply by them takes less time than to tell
+  // them apart.
   SweepBlocks<B>(matrix, diagonal, b, nullptr, x, r, nullptr, boundary,
     [&](Index begin, Index end, float* own)
     {
@@ -354,7 +355,8 @@ void Sweep(const CompactMatrix& matrix, const SweepDiagonal& diagonal, SweepOrde
         sweepLocalRows();
       }
       const Index middle = begin + (end - begin) / 2;
-      // The number in the boundary of each half's next row of the boundary; upwards, one more than it.
+      // The number in the boundary of each half's next row of the boundary; upwards, one more than
+      // it.
       std::array<Index, 2> next{ matrix.BoundaryFrom(isDown ? begin : middle),
         matrix.BoundaryFrom(isDown ? middle : end) };
       ForBlockRows(begin, end, order,

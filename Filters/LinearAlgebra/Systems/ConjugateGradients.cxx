@@ -18,17 +18,19 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Number of steps after which the iteration also estimates how far rounding lets the residual fall.
+/// Number of steps after which the iteration also estimates how far rounding lets the residual
+/// fall.
 constexpr int ManySteps = 16;
-/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by that part.
+/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by
+/// that part.
 constexpr double RoundingScale = 1e-6;
 /// Each update of a residual in single precision leaves this part of it as an error.
 constexpr double UpdateError = 1e-7;
-/// The residual is computed anew where the errors of its updates have added up to this part of it (H. van
-/// der Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
+/// The residual is computed anew where the errors of its updates have added up to this part of it
+/// (H. van der Vorst, Q. Ye, SIAM J. Sci. Comput. 22, 2000).
 constexpr double MostError = 0.25;
-/// How many derivatives of the first solution the next ones begin with, and their relative residual. More
-/// derivatives, or better ones, save no more steps than they cost.
+/// How many derivatives of the first solution the next ones begin with, and their relative
+/// residual. More derivatives, or better ones, save no more steps than they cost.
 constexpr int Derivatives = 2;
 constexpr double DerivativeTolerance = 0.1;
 /// The work of a step besides its cycle, by the entry of the matrix and by the row (see WorkLimit).
@@ -156,8 +158,8 @@ struct Start
   double Rest;
 };
 
-/// Conjugate gradients from a start until the residual is small enough. Residuals, directions and their
-/// products are kept in single precision, over a unit that keeps them within its range.
+/// Conjugate gradients from a start until the residual is small enough. Residuals, directions and
+/// their products are kept in single precision, over a unit that keeps them within its range.
 class CompactIteration
 {
 public:
@@ -300,7 +302,8 @@ private:
   /// The steps of earlier starts, and the work of each (see WorkLimit).
   const int FirstStep;
   const double StepWork;
-  /// u, without the terms that Pending still adds to it, and K u of the last time that the residual was computed
+  /// u, without the terms that Pending still adds to it, and K u of the last time that the residual
+  /// was computed
   ComplexVector Solution;
   ComplexVector Product;
   /// Residual and direction are kept over this.
@@ -328,8 +331,8 @@ ComplexVector Iterate(const PreconditionedSystem& preconditioned, const RightHan
   return iteration.Finish();
 }
 
-/// Adds approximations of K^-1 M u and K^-1 M K^-1 M u, which are derivatives of a solution u by the factor
-/// of M, up to their scale.
+/// Adds approximations of K^-1 M u and K^-1 M K^-1 M u, which are derivatives of a solution u by
+/// the factor of M, up to their scale.
 /// @param mostSteps the steps that each of them may take
 void AddDerivatives(const PreconditionedSystem& preconditioned, const SectionProducts& u,
   int mostSteps, ReducedBasis& solved)

@@ -12,7 +12,8 @@ namespace DirectionFields::Internal
 /// A section in single precision.
 using CompactVector = LargeArray<CompactComplex>;
 
-/// z = B r, where B is a V-cycle in single precision and a correction towards the inverse on the lowest sections.
+/// z = B r, where B is a V-cycle in single precision and a correction towards the inverse on the
+/// lowest sections.
 class CyclePreconditioner
 {
 public:

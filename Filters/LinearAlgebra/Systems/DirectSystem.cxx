@@ -23,20 +23,21 @@ constexpr double WantedResidual = 1e-12;
 constexpr int MaximumRefinements = 30;
 /// A sum below this part of the sum of its terms' magnitudes is nothing but rounding.
 constexpr double Cancelled = 1e-15;
-/// Conjugate gradients end where the squared gradient has fallen to this part, or after this number of
-/// steps, and start again as often as this.
+/// Conjugate gradients end where the squared gradient has fallen to this part, or after this number
+/// of steps, and start again as often as this.
 constexpr double StepReduction = 1e-24;
 constexpr int MaximumSteps = 1000;
 constexpr int MaximumRestarts = 5;
-/// A least squares solution with a larger residual is tried once more by conjugate gradients. They are
-/// tried at once where the normal matrix would couple an unknown with more others than this in the mean.
+/// A least squares solution with a larger residual is tried once more by conjugate gradients. They
+/// are tried at once where the normal matrix would couple an unknown with more others than this in
+/// the mean.
 constexpr double AcceptedResidual = 1e-9;
 constexpr double DensestCouplings = 30.0;
-/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by that
-/// part: rounding of K u alone would exceed any residual relative to a tiny right-hand side.
+/// Where the right-hand side is smaller than this part of ‖|K| |u|‖, the residual is measured by
+/// that part: rounding of K u alone would exceed any residual relative to a tiny right-hand side.
 constexpr double RoundingScale = 1e-6;
-/// Parts of the diagonal that are added to it, one after the other, until a matrix that is singular up to
-/// rounding can be factored.
+/// Parts of the diagonal that are added to it, one after the other, until a matrix that is singular
+/// up to rounding can be factored.
 constexpr double Regularizations[] = { 0.0, 1e-14, 1e-12, 1e-10, 1e-8 };
 
 /// The norm of a right-hand side, which must be finite.
@@ -65,8 +66,8 @@ void Factor(const SparseMatrix& matrix, const Progress& progress, Factorization&
   throw NotPositiveDefinite();
 }
 
-/// Solves by a factor and refines the solution with the matrix itself, which restores the digits that the factor loses
-/// to rounding or to regularization.
+/// Solves by a factor and refines the solution with the matrix itself, which restores the digits
+/// that the factor loses to rounding or to regularization.
 SystemSolution SolveByFactor(
   const SparseMatrix& matrix, const ComplexVector& b, const Progress& progress)
 {
@@ -119,8 +120,8 @@ struct FreeColumns
   SparseMatrix Square;
 };
 
-/// Conjugate gradients for ‖K_f u - b‖ on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of the free
-/// vertices are the identity and only the others are left to deal with.
+/// Conjugate gradients for ‖K_f u - b‖ on K_f K_ff^-1 (CGLS, Björck 1996), where the rows of the
+/// free vertices are the identity and only the others are left to deal with.
 class FactoredIteration
 {
 public:
@@ -187,8 +188,8 @@ private:
   int Steps = 0;
 };
 
-/// Minimizes ‖K_f u - b‖ by conjugate gradients with the factor of K_ff. Starting again from the true
-/// residual removes the rounding that their recursions accumulate.
+/// Minimizes ‖K_f u - b‖ by conjugate gradients with the factor of K_ff. Starting again from the
+/// true residual removes the rounding that their recursions accumulate.
 SystemSolution SolveByFactoredSquare(
   const FreeColumns& matrix, const ComplexVector& b, const Progress& progress)
 {

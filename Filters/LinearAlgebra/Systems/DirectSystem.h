@@ -10,13 +10,13 @@
 
 namespace DirectionFields::Internal
 {
-/// Solves K u = b for a Hermitian positive definite K by its Cholesky factor. This and the other functions
-/// throw Stopped and NotPositiveDefinite.
+/// Solves K u = b for a Hermitian positive definite K by its Cholesky factor. This and the other
+/// functions throw Stopped and NotPositiveDefinite.
 SystemSolution SolveDirectly(
   const SparseMatrix& matrix, const ComplexVector& rightHandSide, const Progress& progress = {});
 
-/// Solves K_ff u_f = b_f - K_fc u_c by the factor of K_ff: u minimizes u^* K u - 2 Re b^* u among the
-/// sections with the given values.
+/// Solves K_ff u_f = b_f - K_fc u_c by the factor of K_ff: u minimizes u^* K u - 2 Re b^* u among
+/// the sections with the given values.
 SystemSolution MinimizeEnergyDirectly(const SparseMatrix& matrix,
   const ComplexVector& rightHandSide, const GivenValues& given, const Progress& progress = {});
 

@@ -28,10 +28,10 @@ struct FreeSystem
   ReducedBasis Solved;
 };
 
-/// Solves K_ff u_f = b_f - K_fc u_c by conjugate gradients with V-cycles, in time linear in the vertices:
-/// u minimizes u^* K u - 2 Re b^* u among the sections with the given values.
-/// @param freeSystem that of the system's matrices and of the given vertices; gets the solution for its
-///                   basis
+/// Solves K_ff u_f = b_f - K_fc u_c by conjugate gradients with V-cycles, in time linear in the
+/// vertices: u minimizes u^* K u - 2 Re b^* u among the sections with the given values.
+/// @param freeSystem that of the system's matrices and of the given vertices; gets the solution for
+///                   its basis
 SystemSolution MinimizeEnergyByMultigrid(const ShiftedSystem& system, FreeSystem& freeSystem,
   const ComplexVector& rightHandSide, const GivenValues& given);
 }

@@ -11,9 +11,9 @@
 
 namespace DirectionFields::Internal
 {
-/// The matrix K = a A + m M of one component, a >= 0, and the residual to which systems with it are to be
-/// solved. Solutions of the iterative solvers may have a Residual above the Tolerance where V-cycles do not help.
-/// The solvers throw Stopped.
+/// The matrix K = a A + m M of one component, a >= 0, and the residual to which systems with it are
+/// to be solved. Solutions of the iterative solvers may have a Residual above the Tolerance where
+/// V-cycles do not help. The solvers throw Stopped.
 struct ShiftedSystem
 {
   const Operators& Matrices;
@@ -25,8 +25,8 @@ struct ShiftedSystem
   double Tolerance;
   /// Asked before each step whether to go on.
   DirectionFields::Progress Progress;
-  /// Whether systems with other factors are to follow: the first solution then takes longer, and they
-  /// take fewer steps.
+  /// Whether systems with other factors are to follow: the first solution then takes longer, and
+  /// they take fewer steps.
   bool OthersFollow = false;
   /// Ends an iteration where the direct solver takes less work; null for no limit.
   const WorkLimit* Limit = nullptr;

@@ -15,8 +15,8 @@ struct SystemSolution
 {
   ComplexVector Vector;
   /// ‖K u - b‖ / ‖b‖ of the equations that were solved, which for least squares are the normal
-  /// equations. Where rounding allows no better it is taken over 1e-6 ‖|K| |u|‖ instead of ‖b‖. It is 0
-  /// where nothing was left to solve.
+  /// equations. Where rounding allows no better it is taken over 1e-6 ‖|K| |u|‖ instead of ‖b‖. It
+  /// is 0 where nothing was left to solve.
   double Residual = 0.0;
   /// A u and M u where the solver computes them anyway, else empty.
   ComplexVector Energy;
