@@ -17,7 +17,8 @@ using IntegerSum = std::vector<std::pair<Index, std::int64_t>>;
 
 /// Solves linear equations with integer coefficients exactly: some of the variables become sums of
 /// the others, which are free. Where variables are to be integers, the dependent ones among them
-/// are integers for whatever integers the free ones are.
+/// are integers for whatever integers the free ones are, provided that every equation with real
+/// variables has, after the equations before it, a coefficient 1 or -1 at one of these.
 class IntegerElimination
 {
 public:
