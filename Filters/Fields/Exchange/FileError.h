@@ -8,8 +8,9 @@
 
 namespace DirectionFields
 {
-/// A file that cannot be read or written, or is not what its name says. what() is a sentence for
-/// the user, which names the line where there is one, the error, and the expected contents.
+/// A file that cannot be read or written, or has other contents than its name says. what() is a
+/// sentence for the user, which names the line where there is one, the error, and the expected
+/// contents.
 class FileError : public std::runtime_error
 {
 public:

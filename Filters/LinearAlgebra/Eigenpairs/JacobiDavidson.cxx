@@ -314,7 +314,7 @@ private:
   }
 
   /// Whether another solver is the better choice. How much work is still to come is judged by the
-  /// second half of what has been done.
+  /// second half of the work done.
   bool IsTooMuchWork()
   {
     if (!this->Settings.Limit)

@@ -57,8 +57,8 @@ CompactComplex Phase(const CompactComplex& z)
   return z * (1.0f / std::max(Modulus(z), std::numeric_limits<float>::min()));
 }
 
-/// One step towards columns of least energy that keeps the pattern and what transported constants
-/// are interpolated to.
+/// One step towards columns of least energy that keeps the pattern and the interpolation of
+/// transported constants.
 /// @param perRadius 1 over a bound of the largest eigenvalue times the diagonal
 void LowerEnergy(const CompactMatrix& energy, const Couplings& couplings,
   const LargeArray<float>& perRadius, Prolongator& p)

@@ -70,7 +70,7 @@ struct Entries
 };
 
 /// A copy of the part of sections that belongs to a block. Sums of other blocks read that part and
-/// multiply it by zero (see AddManyProducts): they must not read what a sweep is writing.
+/// multiply it by zero (see AddManyProducts): they must not read values that a sweep is writing.
 template <int B>
 class BlockSections
 {

@@ -64,8 +64,8 @@ double Update(double step, CompactVector& q, CompactVector& r)
   return std::sqrt(squares);
 }
 
-/// The scale of the residual of u, which has the given norm: ‖b‖, or a part of what the terms
-/// of K u add up to where rounding allows no better.
+/// The scale of the residual of u, which has the given norm: ‖b‖, or, where rounding allows no
+/// better, a part of the sum of the terms of K u.
 double SizeOf(const ShiftedSystem& system, const ComplexVector& u, double rest, double norm)
 {
   return rest <= system.Tolerance * norm

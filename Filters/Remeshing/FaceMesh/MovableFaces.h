@@ -42,7 +42,7 @@ public:
   bool IsFree(Index v) const { return this->Domain.Line[v] >= 0 && !this->Cells.At(v).empty(); }
   /// It moves on the surface, not on a feature.
   bool IsOnSurface(Index v) const { return this->Domain.Line[v] == 0; }
-  /// A vertex with so many faces that repeated trials at it would take as long as all other faces.
+  /// A vertex of more than 64 faces: repeated trials at it would take as long as all other faces.
   bool IsHub(Index v) const { return this->Cells.At(v).size() > 64; }
   bool IsFace(Index f) const { return this->Cells.IsFace(f); }
   const Faces::Face& Face(Index f) const { return this->Cells.Face(f); }
