@@ -60,7 +60,7 @@ public:
 
   ///@{
   /**
-   * The field that the first one is compared with: what is given here is the input of port 1.
+   * The field that the first one is compared with, which becomes the input of port 1.
    */
   void SetOtherConnection(vtkAlgorithmOutput* output);
   void SetOtherData(vtkDataObject* field);

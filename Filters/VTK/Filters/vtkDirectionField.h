@@ -46,7 +46,7 @@
  *   else float. Unit tangent vectors, counter-clockwise about the outward normal, each 2 pi / n
  *   after the one before. The first is the one closest to the x axis, so that neighbours mostly
  *   agree on it. (0, 0, 0) at points that no triangle uses. `Direction0` is the active vectors; the
- *   active scalars stay what they were. Arrays `Direction{n}` ... `Direction15` that an earlier
+ *   active scalars stay the same. Arrays `Direction{n}` ... `Direction15` that an earlier
  *   filter left are removed.
  * - point data `RepresentationMagnitude`: 1 component, type as above. |u|, the length of the
  *   section that was solved for: 1 in the mean square over each connected component, and everywhere
@@ -234,7 +234,8 @@ public:
   ///@{
   /**
    * Most solver iterations that a connected component may take. A component that has not reached
-   * the Tolerance by then keeps what was reached, with a warning. Range 1 to 10000, default 200.
+   * the Tolerance by then keeps the field that was reached, with a warning. Range 1 to 10000,
+   * default 200.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, 10000);
   vtkGetMacro(MaximumIterations, int);
@@ -283,7 +284,7 @@ public:
   ///@}
 
   /**
-   * Frees what is kept between executions, now.
+   * Frees everything that is kept between executions, now.
    */
   void ReleaseStages();
 
@@ -350,7 +351,7 @@ public:
 
   ///@{
   /**
-   * With UnitLength: what a singularity of index 1/n costs when pairs are cancelled, in units of 2
+   * With UnitLength: the cost of a singularity of index 1/n when pairs are cancelled, in units of 2
    * pi ln 2. That much energy one more subdivision of the mesh would add for it, so that 1 makes
    * the choice of a mesh once more subdivided. The more it costs, the fewer singularities remain,
    * and the more the field bends. Range 0 to 4, default 0.
@@ -368,8 +369,8 @@ public:
 
   ///@{
   /**
-   * What the field is drawn to: nothing (0, default), the principal curvature directions (1;
-   * degrees 2 and 4 only, else an error), or GuidanceVectors (2).
+   * The guidance that the field is drawn to: none (0, default), the principal curvature directions
+   * (1; degrees 2 and 4 only, else an error), or GuidanceVectors (2).
    */
   vtkSetClampMacro(Alignment, int, ALIGN_NONE, ALIGN_POINT_VECTORS);
   vtkGetMacro(Alignment, int);
@@ -564,7 +565,7 @@ protected:
    * The parts of Execute that filters of several processes replace, whose surface goes on on other
    * processes. ComputeField gives the field of the triangles of an input: surface has all its
    * points, so that ids stay the user's, and figures become those of the whole surface. It throws
-   * DirectionFields::Stopped, or returns what was aborted. The options are those of the properties,
+   * DirectionFields::Stopped, or returns an aborted field. The options are those of the properties,
    * the guidance is read from the input's arrays, empty where no option uses it. IsSpeaker is false
    * where another process gives the warnings. ReadTogether does the reading of the input, which
    * comes before ComputeField. TypeOfArrays is VTK_DOUBLE where arrays and points of the field are

@@ -46,7 +46,7 @@ protected:
     const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) = 0;
 
   /**
-   * Called after Execute to release what is not kept for the next execution.
+   * Called after Execute to release everything that is not kept for the next execution.
    */
   virtual void Release(bool hasFailed);
 

@@ -96,7 +96,7 @@ public:
 
   ///@{
   /**
-   * What a glyph is made of: AUTOMATIC (0, default), which is ARROWS for n = 1 and RIBBONS else;
+   * The shape of glyphs: AUTOMATIC (0, default), which is ARROWS for n = 1 and RIBBONS else;
    * LINES (1); ARROWS (2), flat and facing the normal; RIBBONS (3), flat bands that face the normal
    * and taper towards the tip; TUBES (4), round bars with pointed tips.
    */
@@ -155,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Most glyphs; what is on both sides of a place counts once. Range 1 to 1000000, default 2000.
+   * Most glyphs; those on both sides of a place count once. Range 1 to 1000000, default 2000.
    */
   vtkSetClampMacro(MaximumNumberOfGlyphs, int, 1, 1000000);
   vtkGetMacro(MaximumNumberOfGlyphs, int);
@@ -192,9 +192,9 @@ public:
   ///@}
 
   /**
-   * Frees what is kept of the surface between executions, now: its triangles, the places of the
-   * glyphs and which side is outside. As long as points and cells stay the same, whatever becomes
-   * of the field, the next executions begin with that. It takes some 60 bytes a triangle.
+   * Frees all data of the surface that is kept between executions, now: its triangles, the places
+   * of the glyphs and which side is outside. As long as points and cells stay the same, whatever
+   * becomes of the field, the next executions begin with that. It takes some 60 bytes a triangle.
    */
   void ReleaseSurfaces();
 

@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * What the rows of the file are for: AUTOMATIC (0, default), the triangles if there are as many,
-   * else the points; CELLS (1); POINTS (2). Those of .obj files are for points.
+   * The elements that the rows of the file are for: AUTOMATIC (0, default), the triangles if there
+   * are as many, else the points; CELLS (1); POINTS (2). Those of .obj files are for points.
    */
   vtkSetClampMacro(FieldOn, int, AUTOMATIC, POINTS);
   vtkGetMacro(FieldOn, int);

@@ -85,7 +85,7 @@ public:
   vtkTypeMacro(vtkDirectionFieldSingularities, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the points are to the singularities that the field has.
+  /// How the points relate to the singularities that the field has.
   enum SingularityModes
   {
     /// They take the place of all others on their components.
@@ -98,8 +98,8 @@ public:
   {
     /// The one that turns least.
     SMOOTHEST = 0,
-    /// The one that turns least against the input's: it changes near what moved. Without any change
-    /// it is the input's to the last bit.
+    /// The one that turns least against the input's: it changes near the moved singularities.
+    /// Without any change it is the input's to the last bit.
     LEAST_CHANGE = 1
   };
   enum Alignments
@@ -111,7 +111,7 @@ public:
 
   ///@{
   /**
-   * The singularities: what is given here is the input of port 1.
+   * The singularities, which become the input of port 1.
    */
   void SetSingularitiesConnection(vtkAlgorithmOutput* output);
   void SetSingularitiesData(vtkDataObject* points);
@@ -166,7 +166,7 @@ public:
   /**
    * Whether points that the input's `ConstraintKind` tells keep their `ConstraintDirection`.
    * Singularities cannot cross edges between such points: the indices in each part that they bound
-   * have to add up to what the input has there. Default on.
+   * have to add up to the sum that the input has there. Default on.
    */
   vtkSetMacro(KeepConstraints, bool);
   vtkGetMacro(KeepConstraints, bool);
@@ -175,7 +175,7 @@ public:
 
   ///@{
   /**
-   * What the field is drawn to while its singularities stay: ALIGN_NONE (the default),
+   * The guidance that the field is drawn to while its singularities stay: ALIGN_NONE (the default),
    * ALIGN_PRINCIPAL_CURVATURE (degrees 2 and 4), or ALIGN_POINT_VECTORS, the arrays GuidanceVectors
    * and GuidanceWeights.
    */

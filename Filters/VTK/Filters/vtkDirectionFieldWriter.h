@@ -62,9 +62,9 @@ public:
 
   ///@{
   /**
-   * What the rows of the file are for: the triangles (0, default), or the points (1), as Palacios
-   * and Zhang's .rosy files have them, and Directional for its vertex bundles. Singularities are
-   * points for CELLS, triangles for POINTS.
+   * The elements that the rows of the file are for: the triangles (0, default), or the points (1),
+   * as Palacios and Zhang's .rosy files have them, and Directional for its vertex bundles.
+   * Singularities are points for CELLS, triangles for POINTS.
    */
   vtkSetClampMacro(FieldOn, int, CELLS, POINTS);
   vtkGetMacro(FieldOn, int);

@@ -57,7 +57,7 @@
 #include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 
-#include <memory> // For the kept stages
+#include <memory> // For the cached computation
 
 namespace DirectionFields
 {

@@ -49,7 +49,7 @@ public:
 
   ///@{
   /**
-   * The curves: what is given here is the input of port 1.
+   * The curves, which become the input of port 1.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* output);
   void SetCurvesData(vtkDataObject* curves);

@@ -7,7 +7,7 @@
 namespace DirectionFields
 {
 /// The number of threads where the user sets none: the number of VTK's SMP backend; 0, which leaves
-/// the choice to Core, where the backend has but one and no environment variable says otherwise.
+/// the choice to Threads, where the backend has but one and no environment variable says otherwise.
 int DefaultThreads();
 }
 

@@ -42,7 +42,7 @@ private:
   bool Cut();
   /// Cuts it with VTK's vtkPolygon.
   bool CutWithVTK();
-  /// Cuts it with Core's CutEars.
+  /// Cuts it with CutEars of Surfaces.
   bool CutWithCore(bool force);
 
   vtkPoints* Points;
