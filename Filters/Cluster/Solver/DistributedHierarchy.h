@@ -12,7 +12,8 @@
 namespace DirectionFields::Parallel
 {
 /// A hierarchy of ever smaller matrices whose rows lie on several processes, and a V-cycle that
-/// nearly inverts A + shift M with it: PETSc's matrices and products, and Core's aggregation.
+/// nearly inverts A + shift M with it: PETSc's matrices and products, and the aggregation of
+/// LinearAlgebra.
 ///
 /// Each process aggregates its own vertices, so that aggregates need no messages; the prolongator
 /// is smoothed by the whole matrix, across processes. The restriction is an explicit R = P^H, for

@@ -17,8 +17,8 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
-/// As in Core's smoothed aggregation: damping over the largest eigenvalue, the threshold of strong
-/// entries, its decay from level to level, and the part of the diagonal that lumping leaves.
+/// As in Multigrid/SmoothedAggregation: damping over the largest eigenvalue, the threshold of
+/// strong entries, its decay from level to level, and the part of the diagonal that lumping leaves.
 constexpr double Damping = 4.0 / 3.0;
 constexpr double StrongPart = 0.08;
 constexpr double StrongPartDecay = 0.7;
@@ -121,7 +121,7 @@ SparseMatrix ToCore(const BlockRows& rows)
   return matrix;
 }
 
-/// Core's aggregates of the own rows.
+/// Aggregates of the own rows, as LinearAlgebra makes them (Multigrid/Aggregation).
 Aggregates AggregateOwn(const BlockRows& energy, const BlockRows& mass, int level)
 {
   LevelMatrices matrices;

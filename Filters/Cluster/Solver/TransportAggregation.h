@@ -8,9 +8,9 @@
 
 namespace DirectionFields::Parallel
 {
-/// The prolongator of smoothed aggregation over rows on several processes: Core's aggregates of
-/// each process's own rows, whose sections are transported from their roots, smoothed by the whole
-/// energy.
+/// The prolongator of smoothed aggregation over rows on several processes: LinearAlgebra's
+/// aggregates of each process's own rows, whose sections are transported from their roots, smoothed
+/// by the whole energy.
 ///
 /// All processes call it; throws ProcessesError and std::runtime_error on all of them.
 /// @param energy, mass as in Operators, of the same pattern

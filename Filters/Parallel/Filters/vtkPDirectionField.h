@@ -12,9 +12,9 @@
  * some processes may have none of it. Points of several pieces are the same point where their
  * global ids are equal (the active global ids of the point data, where all pieces have such and
  * they agree with the places), else where they lie on the borders of their pieces and are not
- * farther from each other than 5e-7 of the largest coordinate. Seams within a piece stay what they
- * are; MergePoints joins them, as with one process. Seams between pieces that have no global ids
- * are joined always, for nothing tells them from a cut.
+ * farther from each other than 5e-7 of the largest coordinate. Seams within a piece stay as
+ * they are; MergePoints joins them, as with one process. Seams between pieces that have no global
+ * ids are joined always, for nothing tells them from a cut.
  *
  * Gathered, the pieces go to the process with the largest one, which computes the field while the
  * others wait without taking processor time, and the results are scattered. That process needs
