@@ -2,19 +2,19 @@
 #   [VTK]                       the library stands upon VTK: the module Parallel is made of it
 #   [LINKS LIBRARY...]          the libraries below, whose headers this one may include
 #   SOURCES FILE...
-#   PUBLIC_HEADERS FILE...      what is installed: <DirectionFields/Folder/Name.h>
-#   [SHORT_ROWS FILE...]        sources with loops over rows of sparse matrices, which are too short to be vectorized
+#   PUBLIC_HEADERS FILE...      installed as <DirectionFields/Folder/Name.h>
+#   [SHORT_ROWS FILE...]        sources with loops over rows of sparse matrices, too short to be vectorized
 #   [FAST_MATH FILE...])        sources whose loops call the C library's functions for vectors of numbers
 #
 # A static library DirectionFields::NAME. Sources include from the folder of the library ("Mesh/TriangleMesh.h"), and
 # find the folders of the libraries in LINKS, and of those that these link, no others: an include that runs up does not
-# compile. The test Floors reads LINKS, too.
+# compile. The test Libraries.Floors reads LINKS, too.
 include(CheckCXXCompilerFlag)
 include(PublicHeaders)
 
 # Complex products without the C99 rules for infinities: the factorizations run 2.8 times faster.
 check_cxx_compiler_flag("-Werror -fcx-limited-range" DIRECTIONFIELDS_HAVE_CX_LIMITED_RANGE)
-# No notes on what changed in the ABI of C long ago.
+# No notes on changes of the ABI of C long ago.
 check_cxx_compiler_flag("-Werror -Wno-psabi" DIRECTIONFIELDS_HAVE_NO_PSABI)
 check_cxx_compiler_flag("-Werror -fno-tree-loop-vectorize" DIRECTIONFIELDS_HAVE_NO_LOOP_VECTORIZE)
 
@@ -80,7 +80,8 @@ function (directionfields_compile_options target shortRows fastMath)
     set_source_files_properties(${shortRows} PROPERTIES
       COMPILE_OPTIONS "-fno-tree-loop-vectorize" SKIP_PRECOMPILE_HEADERS ON)
   endif ()
-  # To read Eigen takes a quarter of the compiler's time. What has flags of its own cannot share that.
+  # To read Eigen takes a quarter of the compiler's time. Sources with flags of their own cannot share
+  # that.
   if (target STREQUAL "DirectionFieldsFoundation")
     target_precompile_headers(${target} PRIVATE
       <Eigen/Dense> <Eigen/Sparse> <algorithm> <array> <complex> <functional> <vector>)

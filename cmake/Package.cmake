@@ -48,11 +48,11 @@ if (DIRECTIONFIELDS_HAVE_CHOLMOD)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libsuitesparse-dev")
 endif ()
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-"This package has the headers, the static library DirectionFields::Core and the
+"This package has the headers, the static libraries of DirectionFields::Core and the
 CMake package for programs that compute direction fields, with VTK or without.")
 
 set(debian "${PROJECT_BINARY_DIR}/Debian")
-# What a Debian package has besides tells ParaView of the plugin: from Debian 13 on its configuration
+# The other files of a Debian package tell ParaView of the plugin: from Debian 13 on its configuration
 # names a directory for lists of plugins and, beside them, the plugins; before, scripts do it.
 set(scripts)
 set(pluginLists)

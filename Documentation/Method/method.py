@@ -314,7 +314,7 @@ def constrained(mesh, connection, n, given):
 
 
 def aggregates(energy, mass):
-    """Solvers/Multigrid/Aggregation on the finest level; returns the strengths, too."""
+    """Multigrid/Aggregation on the finest level; returns the strengths, too."""
     n = len(energy)
     strength = [{} for _ in range(n)]
     for i in range(n):

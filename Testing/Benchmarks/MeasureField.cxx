@@ -10,7 +10,7 @@
 //   glyphs       the same and vtkDirectionFieldGlyphs behind it
 //   strength     an aligned field, then other strengths of the alignment on the same filter
 //   constraints  a smoothest field, then constrained ones on the same filter
-//   stages       the Core alone, stage by stage
+//   stages       the libraries alone, stage by stage
 //   baseline     ThesisAlgorithm
 //   bandwidth    of the memory; MESH is of no account
 // MESH is a number of triangles or a file (see BenchmarkMeshes.h), PROPERTY one of the filter.
