@@ -3,11 +3,8 @@
 
 #include "SparseCholesky/SchurSystem.h"
 
-#include <Eigen/OrderingMethods>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -19,16 +16,7 @@ SchurSystem::SchurSystem(std::vector<Entry>& entries, Index size, Index reals)
   this->Lower.resize(size, size);
   this->Lower.setFromTriplets(entries.begin(), entries.end());
   std::vector<Entry>().swap(entries);
-  std::vector<std::int32_t> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  if (reals > 0)
-  {
-    const Matrix block = this->Lower.topLeftCorner(reals, reals);
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> least;
-    Eigen::AMDOrdering<std::int32_t>()(block.selfadjointView<Eigen::Lower>(), least);
-    std::copy_n(least.indices().data(), reals, order.begin());
-  }
-  this->Definite = size == 0 || this->Factor.Compute(this->Lower, std::move(order), size - reals);
+  this->Definite = size == 0 || this->Factor.Compute(this->Lower, size - reals);
   if (this->Definite)
   {
     this->Trailing = this->Factor.TrailingFactor();

@@ -11,14 +11,14 @@
 
 namespace DirectionFields::Internal
 {
-/// A sparse symmetric system K x = b some of whose unknowns, the last ones, are to be integers. Its factor
-/// K = L L^T keeps them last: the trailing block of L is the factor of the Schur complement, which is left of the
-/// matrix once the others are eliminated.
+/// A sparse symmetric system K x = b some of whose unknowns, the last ones, are to be integers. Its
+/// factor K = L L^T keeps them last: the trailing block of L is the factor of the Schur complement,
+/// which is left of the matrix once the others are eliminated.
 class SchurSystem
 {
 public:
   using Entry = Eigen::Triplet<double, std::int32_t>;
-  using Matrix = SupernodalCholesky::Matrix;
+  using Matrix = SupernodalCholesky<double>::Matrix;
 
   /// @param entries of the lower triangle, which add up; are taken
   /// @param size    rows
@@ -27,8 +27,8 @@ public:
 
   /// False where the matrix is not positive definite up to rounding.
   bool IsDefinite() const { return this->Definite; }
-  /// Releases what is not needed any more, and a factor of more than so many values: nothing can be solved then until
-  /// it is restored. What is known of its structure stays.
+  /// Releases what is not needed any more, and a factor of more than so many values: nothing can be
+  /// solved then until it is restored. What is known of its structure stays.
   void Shrink(std::size_t mostValues);
   /// Makes a released factor again, the same one.
   void Restore();
@@ -44,14 +44,15 @@ private:
   Index Reals;
   /// The lower triangle of the matrix, as long as it may have to be factored.
   Matrix Lower;
-  SupernodalCholesky Factor;
+  SupernodalCholesky<double> Factor;
   Eigen::MatrixXd Trailing;
   bool Definite = false;
   bool IsReleased = false;
 };
-/// The solution, some of whose unknowns are integers, where these are too many to be rounded with regard to each
-/// other: first all are real, then, in a few rounds, those that are nearest to an integer get it and the rest is
-/// solved for again. Returns an empty vector where the matrix is not positive definite up to rounding.
+/// The solution, some of whose unknowns are integers, where these are too many to be rounded with
+/// regard to each other: first all are real, then, in a few rounds, those that are nearest to an
+/// integer get it and the rest is solved for again. Returns an empty vector where the matrix is not
+/// positive definite up to rounding.
 /// @param entries, reals as for SchurSystem
 Eigen::VectorXd SolveInRounds(const std::vector<SchurSystem::Entry>& entries,
   const Eigen::VectorXd& rightHandSide, Index reals);

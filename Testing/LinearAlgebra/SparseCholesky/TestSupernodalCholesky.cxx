@@ -5,12 +5,12 @@
 #include "Support/Threads.h"
 
 #include <Eigen/Dense>
-#include <Eigen/OrderingMethods>
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <limits>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 using namespace DirectionFields;
@@ -18,73 +18,96 @@ using namespace DirectionFields::Internal;
 
 namespace
 {
-using Matrix = SupernodalCholesky::Matrix;
-
-/// The lower triangle of the Laplacian of a grid plus the identity, some of whose rows, the last ones, are coupled with
-/// rows anywhere.
-Matrix Grid(Index side, Index last, unsigned seed)
+template <typename Scalar>
+class SupernodalCholeskyOf : public testing::Test
 {
-  std::mt19937 engine(seed);
-  const Index cells = side * side;
-  std::vector<Eigen::Triplet<double, std::int32_t>> entries;
-  const auto couple = [&](Index i, Index j, double weight)
+public:
+  using Factor = SupernodalCholesky<Scalar>;
+  using Matrix = typename Factor::Matrix;
+  using Vector = typename Factor::Vector;
+  using Dense = typename Factor::Dense;
+
+  /// A number of modulus 1.
+  static Scalar Unit(std::mt19937& engine)
   {
-    entries.emplace_back(i, i, weight);
-    entries.emplace_back(j, j, weight);
-    entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
-  };
-  for (Index i = 0; i < cells; ++i)
-  {
-    if (i % side + 1 < side)
+    const double angle = engine() / 4294967296.0 * 2.0 * Pi;
+    if constexpr (std::is_same_v<Scalar, double>)
     {
-      couple(i, i + 1, 1.0 + engine() % 8);
+      return angle < Pi ? 1.0 : -1.0;
     }
-    if (i + side < cells)
+    else
     {
-      couple(i, i + side, 1.0 + engine() % 8);
-    }
-  }
-  for (Index k = 0; k < last; ++k)
-  {
-    for (int c = 0; c < 6; ++c)
-    {
-      couple(cells + k, static_cast<Index>(engine() % cells), 1.0);
+      return std::polar(1.0, angle);
     }
   }
-  for (Index i = 0; i < cells + last; ++i)
+
+  static Vector Units(Eigen::Index size)
   {
-    entries.emplace_back(i, i, 1e-3);
+    std::mt19937 engine(7);
+    Vector units(size);
+    for (Scalar& unit : units)
+    {
+      unit = Unit(engine);
+    }
+    return units;
   }
-  Matrix lower(cells + last, cells + last);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
+
+  /// The lower triangle of the connection Laplacian of a grid plus a little of the identity. The
+  /// last rows are coupled with rows anywhere.
+  static Matrix Grid(Index side, Index last, unsigned seed)
+  {
+    std::mt19937 engine(seed);
+    const Index cells = side * side;
+    std::vector<Eigen::Triplet<Scalar, std::int32_t>> entries;
+    const auto couple = [&](Index i, Index j, double weight)
+    {
+      entries.emplace_back(i, i, weight);
+      entries.emplace_back(j, j, weight);
+      entries.emplace_back(std::max(i, j), std::min(i, j), -weight * Unit(engine));
+    };
+    for (Index i = 0; i < cells; ++i)
+    {
+      if (i % side + 1 < side)
+      {
+        couple(i, i + 1, 1.0 + engine() % 8);
+      }
+      if (i + side < cells)
+      {
+        couple(i, i + side, 1.0 + engine() % 8);
+      }
+    }
+    for (Index k = 0; k < last; ++k)
+    {
+      for (int c = 0; c < 6; ++c)
+      {
+        couple(cells + k, static_cast<Index>(engine() % cells), 1.0);
+      }
+    }
+    for (Index i = 0; i < cells + last; ++i)
+    {
+      entries.emplace_back(i, i, 1e-3);
+    }
+    Matrix lower(cells + last, cells + last);
+    lower.setFromTriplets(entries.begin(), entries.end());
+    return lower;
+  }
+};
+using Scalars = testing::Types<double, Complex>;
+TYPED_TEST_SUITE(SupernodalCholeskyOf, Scalars, );
 }
 
-/// An order of the first rows that keeps the factor sparse, and the last ones.
-std::vector<std::int32_t> OrderFor(const Matrix& lower, Index last)
-{
-  const auto first = static_cast<Index>(lower.rows()) - last;
-  std::vector<std::int32_t> order(lower.rows());
-  std::iota(order.begin(), order.end(), 0);
-  const Matrix block = lower.topLeftCorner(first, first);
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> least;
-  Eigen::AMDOrdering<std::int32_t>()(block.selfadjointView<Eigen::Lower>(), least);
-  std::copy_n(least.indices().data(), first, order.begin());
-  return order;
-}
-}
-
-TEST(SupernodalCholesky, SolvesAndLeavesTheSchurComplement)
+TYPED_TEST(SupernodalCholeskyOf, SolvesAndLeavesTheSchurComplement)
 {
   for (const Index last : { 0, 1, 7, 40 })
   {
     for (const Index side : { 1, 3, 24 })
     {
-      const Matrix lower = Grid(side, last, 7U * side + last);
-      SupernodalCholesky factor;
-      ASSERT_TRUE(factor.Compute(lower, OrderFor(lower, last), last));
-      const Eigen::MatrixXd whole = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
-      const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(whole.rows(), -1.0, 2.0);
+      const auto lower = this->Grid(side, last, 7U * side + last);
+      typename TestFixture::Factor factor;
+      ASSERT_TRUE(factor.Compute(lower, last));
+      const typename TestFixture::Dense whole =
+        typename TestFixture::Dense(lower).template selfadjointView<Eigen::Lower>();
+      const auto x = this->Units(whole.rows());
       EXPECT_LT((factor.Solve(whole * x) - x).norm(), 1e-10 * x.norm());
       const Index first = side * side;
       ASSERT_EQ(factor.TrailingFactor().rows(), last);
@@ -92,41 +115,107 @@ TEST(SupernodalCholesky, SolvesAndLeavesTheSchurComplement)
       {
         continue;
       }
-      const Eigen::MatrixXd schur = whole.bottomRightCorner(last, last) -
+      const typename TestFixture::Dense schur = whole.bottomRightCorner(last, last) -
         whole.bottomLeftCorner(last, first) *
           whole.topLeftCorner(first, first).llt().solve(whole.topRightCorner(first, last));
-      const Eigen::MatrixXd trailing = factor.TrailingFactor();
-      EXPECT_LE((trailing * trailing.transpose() - schur).norm(), 1e-10 * (1.0 + schur.norm()));
+      const auto trailing = factor.TrailingFactor();
+      EXPECT_LE((trailing * trailing.adjoint() - schur).norm(), 1e-10 * (1.0 + schur.norm()));
       EXPECT_TRUE(trailing.isLowerTriangular(0.0));
+      // The last rows of the solution change by one unit each, and the others so that their
+      // equations still hold.
+      const auto change = factor.Continued(this->Units(last));
+      EXPECT_EQ(change.tail(last), this->Units(last));
+      EXPECT_LT((whole * change).head(first).norm(), 1e-10 * whole.norm());
     }
   }
 }
 
-TEST(SupernodalCholesky, GivesTheSameBytesForAnyThreads)
+/// L L^* = K, where no row is put in another place.
+TYPED_TEST(SupernodalCholeskyOf, TimesItsAdjointIsTheMatrix)
 {
-  const Matrix lower = Grid(90, 20, 3);
-  const Eigen::VectorXd side = Eigen::VectorXd::LinSpaced(lower.rows(), -1.0, 2.0);
-  std::vector<Eigen::VectorXd> solutions;
+  const auto lower = this->Grid(9, 30, 5);
+  typename TestFixture::Factor factor;
+  ASSERT_TRUE(factor.Compute(lower, static_cast<Index>(lower.rows())));
+  const typename TestFixture::Dense whole =
+    typename TestFixture::Dense(lower).template selfadjointView<Eigen::Lower>();
+  const auto trailing = factor.TrailingFactor();
+  EXPECT_LT((trailing * trailing.adjoint() - whole).norm(), 1e-14 * whole.norm());
+  EXPECT_EQ(factor.GetNumberOfValues(), static_cast<std::size_t>(whole.size()));
+}
+
+TYPED_TEST(SupernodalCholeskyOf, LooksAtTheLowerTriangleAlone)
+{
+  const auto lower = this->Grid(24, 7, 2);
+  const typename TestFixture::Matrix whole = lower.template selfadjointView<Eigen::Lower>();
+  typename TestFixture::Factor half;
+  typename TestFixture::Factor full;
+  ASSERT_TRUE(half.Compute(lower));
+  ASSERT_TRUE(full.Compute(whole));
+  EXPECT_EQ(half.Solve(this->Units(lower.rows())), full.Solve(this->Units(lower.rows())));
+}
+
+TYPED_TEST(SupernodalCholeskyOf, GivesTheSameBytesForAnyThreads)
+{
+  const auto lower = this->Grid(90, 20, 3);
+  std::vector<typename TestFixture::Vector> solutions;
   for (const int number : { 1, 2, 5 })
   {
     Threads threads(number);
     const Threads::Scope scope(threads);
-    SupernodalCholesky factor;
-    ASSERT_TRUE(factor.Compute(lower, OrderFor(lower, 20), 20));
-    solutions.push_back(factor.Solve(side));
+    typename TestFixture::Factor factor;
+    ASSERT_TRUE(factor.Compute(lower, 20));
+    solutions.push_back(factor.Solve(this->Units(lower.rows())));
     EXPECT_EQ(solutions.back(), solutions.front());
+    factor.ReleaseValues();
+    factor.FactorAgain(lower);
+    EXPECT_EQ(factor.Solve(this->Units(lower.rows())), solutions.front());
   }
 }
 
-TEST(SupernodalCholesky, TellsWhatIsNotDefinite)
+TYPED_TEST(SupernodalCholeskyOf, TellsWhatIsNotDefinite)
 {
-  Matrix lower = Grid(20, 5, 1);
-  SupernodalCholesky factor;
-  ASSERT_TRUE(factor.Compute(lower, OrderFor(lower, 5), 5));
+  auto lower = this->Grid(20, 5, 1);
+  typename TestFixture::Factor factor;
+  ASSERT_TRUE(factor.Compute(lower, 5));
   for (const Index row : { 0, 210, 404 })
   {
-    Matrix other = lower;
-    other.coeffRef(row, row) = -1.0;
-    EXPECT_FALSE(factor.Compute(other, OrderFor(lower, 5), 5));
+    for (const double diagonal : { -1.0, 0.0, std::numeric_limits<double>::quiet_NaN() })
+    {
+      auto other = lower;
+      other.coeffRef(row, row) = diagonal;
+      EXPECT_FALSE(factor.Compute(other, 5));
+    }
+  }
+}
+
+TYPED_TEST(SupernodalCholeskyOf, IsGivenUpWhenTold)
+{
+  const auto lower = this->Grid(150, 20, 4);
+  typename TestFixture::Factor plain;
+  ASSERT_TRUE(plain.Compute(lower, 20));
+  for (const int number : { 1, 2 })
+  {
+    Threads threads(number);
+    const Threads::Scope scope(threads);
+    for (const int most : { 1, 2 })
+    {
+      int calls = 0;
+      const ProgressFunction stop = [&](double) { return ++calls < most; };
+      typename TestFixture::Factor factor;
+      EXPECT_THROW(factor.Compute(lower, 20, Progress(stop)), Stopped);
+      EXPECT_EQ(calls, most);
+      struct Trouble
+      {
+      };
+      calls = 0;
+      const ProgressFunction trouble = [&](double) -> bool
+      { return ++calls < most ? true : throw Trouble(); };
+      EXPECT_THROW(factor.Compute(lower, 20, Progress(trouble)), Trouble);
+    }
+    // Questions leave the factor as it is without.
+    const ProgressFunction goOn = [](double) { return true; };
+    typename TestFixture::Factor asked;
+    ASSERT_TRUE(asked.Compute(lower, 20, Progress(goOn)));
+    EXPECT_EQ(asked.Solve(this->Units(lower.rows())), plain.Solve(this->Units(lower.rows())));
   }
 }
