@@ -53,8 +53,8 @@ CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
   const Index* inner = operators.Energy.innerIndexPtr();
   const Complex* energy = operators.Energy.valuePtr();
   const Complex* mass = operators.Mass.valuePtr();
-  // A block stores at most half of the entries beside the diagonal. One more place takes the last entry
-  // that is written before it turns out to belong to the other half.
+  // A block stores at most half of the entries beside the diagonal. One more place takes the last
+  // entry that is written before it turns out to belong to the other half.
   const auto insideBegin = [=](Index begin)
   { return (outer[begin] - begin) / 2 + begin / BlockRows; };
   const auto blocks = static_cast<Index>(this->Outside.size());
@@ -86,8 +86,8 @@ CombinedMatrix::CombinedMatrix(const Operators& operators, double a, double m)
             outside.push_back({ v - begin, w, value });
             continue;
           }
-          // Each entry is written, and the next one overwrites it unless it is above the diagonal: to
-          // tell the two apart first takes longer.
+          // Each entry is written, and the next one overwrites it unless it is above the diagonal:
+          // to tell the two apart first takes longer.
           row[at] = static_cast<std::uint16_t>(v - begin);
           column[at] = static_cast<std::uint16_t>(w - begin);
           inside[at] = value;

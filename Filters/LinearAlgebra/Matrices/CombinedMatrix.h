@@ -12,8 +12,8 @@
 
 namespace DirectionFields::Internal
 {
-/// K = a A + m M for many products, which are limited by the traffic of memory: what couples two rows of
-/// one block is stored once, for both.
+/// K = a A + m M for many products, which are limited by the traffic of memory: what couples two
+/// rows of one block is stored once, for both.
 class CombinedMatrix
 {
 public:
@@ -40,8 +40,8 @@ private:
   };
 
   LargeArray<double> Diagonal;
-  /// Couplings within block j: InsideBegin[j] to InsideEnd[j]. Rows and columns are counted from the
-  /// block's first row.
+  /// Couplings within block j: InsideBegin[j] to InsideEnd[j]. Rows and columns are counted from
+  /// the block's first row.
   LargeArray<Index> InsideBegin;
   LargeArray<Index> InsideEnd;
   LargeArray<std::uint16_t> InsideRow;

@@ -19,10 +19,10 @@ public:
   Factorization();
   ~Factorization();
 
-  /// False where the matrix is not positive definite up to rounding. If somebody could stop it, a large
-  /// matrix is factored on a thread of its own, and progress is asked several times a second whether to go
-  /// on. Throws Stopped: the factor is given up then, and its thread ends some time later, at the latest
-  /// when the program or the library is unloaded.
+  /// False where the matrix is not positive definite up to rounding. If somebody could stop it, a
+  /// large matrix is factored on a thread of its own, and progress is asked several times a second
+  /// whether to go on. Throws Stopped: the factor is given up then, and its thread ends some time
+  /// later, at the latest when the program or the library is unloaded.
   bool Compute(const SparseMatrix& matrix, const Progress& progress = {});
   /// Needs a successful Compute.
   ComplexVector Solve(const ComplexVector& rightHandSide) const;

@@ -27,8 +27,8 @@ public:
     bool IsSolution = false;
     double Residual = 0.0;
   };
-  /// Returns the combination of the basis that is closest to the solution of (a A + m M) u = b in the
-  /// norm of that matrix, which is to be positive definite; zero where the basis is empty.
+  /// Returns the combination of the basis that is closest to the solution of (a A + m M) u = b in
+  /// the norm of that matrix, which is to be positive definite; zero where the basis is empty.
   Guess Closest(double a, double m, const ComplexVector& b) const;
 
   /// Adds the solution u of (a A + m M) u = b.
