@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.18)
 
-# Fails where a page refers to what is not there:
+# Fails where a page refers to something that is not there:
 # - relative links of all pages, the headings that they lead to included;
 # - in Documentation/Method and Tricks.md rooms of the libraries (`Sections/Assembly`), folders of them, and
 #   members (`Connection::Rotation`), whose names some header must contain.
@@ -26,7 +26,7 @@ foreach (header IN LISTS headers)
   string(APPEND code "${text}")
 endforeach ()
 
-# What GitHub makes of a heading.
+# The anchor that GitHub makes of a heading.
 function (get_anchors page result)
   file(STRINGS "${page}" headings REGEX "^#+ ")
   set(anchors)

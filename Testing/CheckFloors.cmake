@@ -24,7 +24,7 @@ foreach (library IN LISTS libraries)
   elseif (text MATCHES "vtk_module_link")
     string(REGEX MATCHALL "DirectionFields::[A-Z][A-Za-z]+" links "${text}")
     list(TRANSFORM links REPLACE "DirectionFields::" "")
-    # They include from below what is public only, as <DirectionFields/Name.h>.
+    # They include public headers only from below, as <DirectionFields/Name.h>.
     list(FILTER links EXCLUDE REGEX "^(Core|Filters.*)$")
   endif ()
   foreach (link IN LISTS links)
@@ -125,7 +125,7 @@ foreach (folder IN LISTS folders)
   endif ()
 endforeach ()
 
-# Rooms that stand on finished rooms only are finished, too; what is never finished stands on a circle.
+# Rooms that stand on finished rooms only are finished, too; rooms that are never finished stand on a circle.
 set(progress TRUE)
 while (progress)
   set(progress FALSE)

@@ -23,7 +23,7 @@ foreach (page IN LISTS pages)
   file(READ "${page}" text)
   # Brackets and semicolons would change how a list is divided.
   string(REGEX REPLACE "[][;]" " " text "${text}")
-  # What is in a build follows another path.
+  # Files in a build follow another path.
   string(REGEX MATCHALL "[ \n`(\"](${alternatives})/[-A-Za-z0-9_./]*[A-Za-z0-9_]" files "${text}")
   foreach (file IN LISTS files)
     math(EXPR checked "${checked} + 1")

@@ -1,4 +1,4 @@
-# What the README shows is what the tests run.
+# The tests run the blocks of code that the README shows.
 
 # Sets output to all blocks of a language in the text, one after the other.
 function (find_blocks text language output)

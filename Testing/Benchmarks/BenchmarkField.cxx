@@ -163,7 +163,7 @@ void Eigensolve(benchmark::State& state, const std::string& mesh)
   Count(state, mesh);
 }
 
-/// Assembly and eigenvalue problem, and what follows them, on a kept setup.
+/// Assembly and eigenvalue problem, and the stages after them, on a cached setup.
 void Smoothest(benchmark::State& state, const std::string& mesh)
 {
   DirectionField field(SurfaceOf(mesh));
@@ -171,7 +171,7 @@ void Smoothest(benchmark::State& state, const std::string& mesh)
   field.Compute(options);
   for (auto _ : state)
   {
-    // Another tolerance, or what was computed before would be taken.
+    // Another tolerance, or the eigenpair computed before would be taken.
     options.Tolerance *= 1.0 - 1e-9;
     const Result result = field.Compute(options);
     state.counters["iterations"] = result.Components.at(0).Iterations;
@@ -187,7 +187,7 @@ double NextStrength(double strength)
   return next < 0.9 ? next : next - 0.7;
 }
 
-/// Another field on kept stages: what the options ask for, with other settings each time.
+/// Another field on cached stages, as the options say, with other settings each time.
 void Changed(benchmark::State& state, const std::string& mesh, Options options)
 {
   DirectionField field(SurfaceOf(mesh));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What lines cost, as ratios within one run:
+// The costs of lines, as ratios within one run:
 //
 //   BenchmarkLines [TRIANGLES]
 //

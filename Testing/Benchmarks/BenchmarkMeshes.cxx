@@ -46,7 +46,7 @@ Vector3 Round(const Vector3& direction)
   return direction.normalized();
 }
 
-/// Of the least subdivision that has so many triangles.
+/// Of the least subdivision that has as many triangles.
 int FrequencyFor(int triangles)
 {
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(triangles / 20.0))));

@@ -9,7 +9,7 @@
 
 #include <string>
 
-/// What the benchmarks compute fields of.
+/// The surfaces that the benchmarks compute fields of.
 namespace BenchmarkMeshes
 {
 /// A mesh by its name: a number, the least number of triangles of a Potato; the path of a .ply, .obj or .stl

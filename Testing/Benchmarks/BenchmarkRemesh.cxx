@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a mesh of quads costs, as ratios to the smoothest field of the same surface within one run:
+// The costs of a mesh of quads, as ratios to the smoothest field of the same surface within one run:
 //
 //   BenchmarkRemesh [MOST_TRIANGLES]
 //
-// For surfaces of 20 000 triangles and more, up to so many (1 600 000), and several numbers of faces: the time of
+// For surfaces of 20 000 triangles and more, up to a number (1 600 000), and several numbers of faces: the time of
 // the mesh, that of the field, their ratio, the memory that the mesh takes for each triangle, and the part of the
 // time that it takes once more for other lengths of edges.
 

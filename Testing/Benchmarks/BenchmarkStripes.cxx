@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What stripes cost, as ratios within one run:
+// The costs of stripes, as ratios within one run:
 //
 //   BenchmarkStripes [TRIANGLES]
 //
@@ -40,7 +40,7 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// What an update takes, on the clock and of all processors, which other programs disturb less.
+/// The time of an update, on the clock and of all processors, which other programs disturb less.
 struct Times
 {
   explicit Times(vtkAlgorithm* filter)
@@ -88,7 +88,7 @@ void CompareWithField(vtkPolyData* surface, int degree)
             << ", " << figure("BranchPoints") << " branch points\n";
 }
 
-/// The misfit of the smallest eigenvector, and what it takes, against the relaxed phases.
+/// The misfit of the smallest eigenvector, and its time, against the relaxed phases.
 void CompareWithEigenvector(double spacing)
 {
   using namespace DirectionFields;

@@ -88,7 +88,7 @@ double Seconds(const std::function<void()>& run)
 struct ProcessorSeconds
 {
   double Program;
-  /// What the system needed for it: to clear memory, above all.
+  /// The time of the system in it: to clear memory, above all.
   double System;
 
   ProcessorSeconds()
@@ -118,7 +118,7 @@ double PeakBytes()
   return 0.0;
 }
 
-/// PeakBytes after the first run: what one needs. Later ones may not find it in one piece.
+/// PeakBytes after the first run, which are those that one needs. Later ones may not find it in one piece.
 double PeakOfOne = 0.0;
 
 std::vector<double> Repeated(
@@ -158,7 +158,7 @@ private:
   std::string Text;
 };
 
-/// What a filter that failed has taken tells nothing.
+/// The time of a filter that failed tells nothing.
 [[noreturn]] void Fail(vtkObject*, unsigned long, void*, void* message)
 {
   std::cerr << static_cast<const char*>(message);
@@ -268,7 +268,7 @@ void MeasureStages(const DirectionFields::Surface& surface, Figures& figures)
       Least(Repeated(
         [&]
         {
-          // Another tolerance, or what was computed before would be taken.
+          // Another tolerance, or the eigenpair computed before would be taken.
           options.Tolerance *= 1.0 - 1e-9;
           field.Compute(options);
         })));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What edits of singularities take beside the smoothest field of the same mesh: MeasureSingularities [LEVELS], with 20 *
-// 4^LEVELS triangles. Prints seconds of the processor, the ratio to the field, and how many triangles are wrong.
+// The time of edits of singularities beside that of the smoothest field of the same mesh: MeasureSingularities [LEVELS],
+// with 20 * 4^LEVELS triangles. Prints seconds of the processor, the ratio to the field, and how many triangles are wrong.
 
 #include "DirectionField.h"
 #include "Meshes/Fields.h"

@@ -6,7 +6,7 @@
 
 #include "Surface.h"
 
-/// What the solver is measured against: the smoothest field as C. Clemenz' thesis computes it, by a
+/// The baseline that the solver is measured against: the smoothest field as C. Clemenz' thesis computes it, by a
 /// sparse LDL^T factorization of A (Eigen's, columns ordered by AMD) and thirty inverse iterations
 /// from a random start, whatever has been reached by then. Setup, matrices and indices are this
 /// library's own.

@@ -22,7 +22,7 @@ namespace
 {
 constexpr int Repetitions = 3;
 
-/// Least of several times, in seconds: what is more is the machine's.
+/// Least of several times, in seconds: the rest is the machine's.
 double Time(const Surface& surface, const Options& options)
 {
   double least = 1e300;

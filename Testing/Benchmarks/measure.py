@@ -20,7 +20,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 SIZES = (10000, 100000, 400000, 1600000, 6400000)
-# How many times faster than the baseline, from so many triangles on.
+# How many times faster than the baseline, from each number of triangles on.
 REQUIRED_RATIO = {100000: 10, 400000: 20, 1600000: 50}
 # Meshes of slivers, as they are given.
 SLIVER_PART = 0.5
@@ -34,7 +34,7 @@ SMALL = 5000  # no slower than with the direct solver:
 DIRECT = "Solver=2"
 TOLERANCE = 1e-6
 DEGREE = 4
-# Beyond so many triangles the baseline does not fit, and beyond these it is run once.
+# Numbers of triangles beyond which the baseline does not fit, and beyond which it is run once.
 LARGEST_BASELINE = 2500000
 REPEATED_BASELINE = 500000
 # A product of A with a vector in single precision: an entry and its column; a row's begin, the

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of the filter check again and again.
+// Checks that the tests of the filters share.
 
 #ifndef Checks_h
 #define Checks_h
@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-/// Says what failed and where; the function goes on.
+/// Reports a failed condition and its place; the function goes on.
 #define CHECK(condition)                                                                           \
   do                                                                                               \
   {                                                                                                \
@@ -37,7 +37,7 @@
     }                                                                                              \
   } while (false)
 
-/// Says what failed and where, and leaves the function, whose rest needs the condition.
+/// Reports a failed condition and its place, and leaves the function, whose rest needs the condition.
 #define REQUIRE(condition)                                                                         \
   do                                                                                               \
   {                                                                                                \
@@ -57,7 +57,7 @@ inline int& Failures()
   return failures;
 }
 
-/// What a test returns to ctest.
+/// The exit status of a test for ctest.
 inline int Result()
 {
   return Failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What pictures of fields show.
+// The scenes that pictures of fields show.
 
 #ifndef FieldScenes_h
 #define FieldScenes_h
@@ -116,7 +116,7 @@ inline vtkSmartPointer<vtkActor> Add(vtkRenderer* renderer, vtkPolyData* shape)
   return actor;
 }
 
-/// Adds a quiet surface that what is drawn on it stands out from.
+/// Adds a quiet surface from which glyphs and lines on it stand out.
 inline void AddSurface(vtkRenderer* renderer, vtkPolyData* mesh)
 {
   vtkNew<vtkPolyDataNormals> normals;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fields for the tests of what is done with them.
+// Fields for the tests of the filters that take fields.
 
 #ifndef Fields_h
 #define Fields_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What every filter must do in a pipeline: report its progress, stop where it is told to, and give the same bytes
+// Duties of every filter in a pipeline: report its progress, stop where it is told to, and give the same bytes
 // again.
 
 #ifndef PipelineChecks_h
@@ -20,7 +20,7 @@
 
 namespace PipelineChecks
 {
-/// Whether what a filter prints has all lines.
+/// Whether the text that a filter prints has all lines.
 inline bool Prints(vtkObject* filter, std::initializer_list<const char*> lines)
 {
   std::ostringstream text;

@@ -70,7 +70,7 @@ void TestEveryReport(const Make& make, size_t least)
     filter->Update();
     filter->RemoveObserver(tag);
     filter->SetAbortExecute(0);
-    // Runs after the first one find what an abort left complete, hence they report less.
+    // Runs after the first one find stages that an abort left complete, hence they report less.
     if (static_cast<int>(watch.Reports.size()) <= when)
     {
       break;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Alignment and constraints: which arrays there are, and what the messages say.
+// Alignment and constraints: which arrays there are, and the texts of the messages.
 
 #include "Checks.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a filter keeps from run to run saves time and changes nothing.
+// The data that a filter keeps from run to run save time and change nothing.
 
 #include "Checks.h"
 

@@ -68,7 +68,7 @@ void TestTriangles()
     }
     CHECK(sum == 2 * degree);
 
-    // Without the option what an earlier filter left is no part of the field.
+    // Without the option the arrays that an earlier filter left are no part of the field.
     vtkNew<vtkDirectionField> later;
     later->SetInputData(field);
     later->SetDegree(degree);

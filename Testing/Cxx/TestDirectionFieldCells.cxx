@@ -198,7 +198,7 @@ void TestWithoutSurface()
   CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
 }
 
-/// Concave, with repeated corners, too small: each polygon gives what can be made of it.
+/// Concave, with repeated corners, too small: each polygon gives the triangles that can be made of it.
 void TestPolygons()
 {
   // The polygon is an L, which the fan from its first corner would leave.
@@ -268,7 +268,7 @@ PolyMeshes::Mesh WithCell(vtkPolyData* mesh, const std::vector<vtkIdType>& cell)
   return more;
 }
 
-/// The field of a mesh of which so many triangles are ignored as duplicates, and nothing else is wrong.
+/// The field of a mesh of which a number of triangles are ignored as duplicates, and nothing else is wrong.
 vtkSmartPointer<vtkPolyData> FieldWithDuplicates(vtkPolyData* mesh, int triangles)
 {
   vtkNew<vtkDirectionField> filter;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Polydata that contradicts itself, as what a damaged file gives may: an error that says what is wrong,
+// Polydata that contradicts itself, as that of a damaged file may: an error that says what is wrong,
 // from both filters, and nothing else.
 
 #include "Checks.h"
@@ -206,7 +206,7 @@ void TestArrays()
   }
 }
 
-/// What is odd but harmless is no error: too many tuples, field data of any kind, cells without corners.
+/// Odd but harmless data is no error: too many tuples, field data of any kind, cells without corners.
 void TestHarmless()
 {
   auto mesh = Sound();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Surfaces that cannot be processed give one error and empty outputs; surfaces that can be mended
-// give one warning that counts what was mended.
+// give one warning that counts the mended faults.
 
 #include "Checks.h"
 
@@ -79,7 +79,7 @@ vtkSmartPointer<vtkPolyData> TestWarning(
   return field;
 }
 
-/// A named count of what was mended.
+/// A named count of mended faults.
 int RepairCount(vtkPolyData* field, const char* name)
 {
   vtkDataArray* repairs = field->GetFieldData()->GetArray("Repairs");

@@ -97,7 +97,7 @@ void TestParameters()
   CHECK(PipelineChecks::Prints(reader, { "FileName: a.rosy\n", "FieldOn: 2\n" }));
 }
 
-/// What is written on points comes back as it was, to 1e-15 where the points are double.
+/// Fields written on points come back as they were, to 1e-15 where the points are double.
 void TestPoints()
 {
   for (const int degree : { 1, 2, 4, 6 })
@@ -133,7 +133,7 @@ void TestPoints()
   }
 }
 
-/// What is written on cells: the files that belong together, and the field back nearly.
+/// Fields written on cells: the files that belong together, and the field back nearly.
 void TestCells()
 {
   auto mesh = PolyMeshes::Pebble(4, VTK_FLOAT);
@@ -170,7 +170,7 @@ void TestCells()
   CHECK(singularities->GetPointData()->GetArray("Index") != nullptr);
 }
 
-/// Cell arrays of directions are what is written, to the last bits.
+/// Cell arrays of directions are written as they are, to the last bits.
 void TestCellArrays()
 {
   auto mesh = PolyMeshes::Square(6);
@@ -364,7 +364,7 @@ void TestBroken()
   }
 }
 
-/// The comments that fieldgen writes, and what is missing among them.
+/// The comments that fieldgen writes, with some of them missing.
 void TestFieldgen()
 {
   auto mesh = PolyMeshes::Pebble(2);
@@ -408,7 +408,7 @@ void TestUnusual()
   const std::string name = Directory + "/unusual";
   auto strip = PolyMeshes::Moebius(30);
   Remove(name);
-  // That the strip cannot be oriented is a warning, which is not what this tests.
+  // That the strip cannot be oriented is a warning, which this does not test.
   vtkObject::GlobalWarningDisplayOff();
   auto field = Field(strip, 2);
   vtkObject::GlobalWarningDisplayOn();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the glyph filter draws, in numbers.
+// The drawing of the glyph filter, in numbers.
 
 #include "Checks.h"
 #include "Fields.h"

@@ -154,7 +154,7 @@ void TestSides()
   }
 }
 
-/// What belongs to the surface is kept: with other fields and other looks, and in polygons.
+/// Data of the surface are kept: with other fields and other looks, and in polygons.
 void TestPlacesAreKept()
 {
   for (const auto& mesh : { PolyMeshes::Pebble(4), PolyMeshes::QuadTorus(60, 30) })

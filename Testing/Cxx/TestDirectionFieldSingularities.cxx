@@ -138,7 +138,7 @@ void TestCubeCorners()
   CHECK(FieldValue(OutputOf(edit), "RotationEnergy") == best);
 }
 
-/// What comes out at port 1 goes in again, and changes nothing where the least change is wanted.
+/// The output of port 1 goes in again, and changes nothing where the least change is wanted.
 void TestOwnSingularities()
 {
   auto field = FieldOn(PolyMeshes::Icosphere(3), 2);

@@ -47,7 +47,7 @@ vtkIdType Original(vtkPolyData* field, vtkIdType point)
     field->GetPointData()->GetArray("OriginalPointIds")->GetTuple1(point));
 }
 
-/// What holds for every split output: added points are copies that come last, cells are the
+/// Properties of every split output: added points are copies that come last, cells are the
 /// input's up to copies, and all arrays have as many tuples as there are points and cells.
 void CheckSplit(vtkPolyData* mesh, vtkPolyData* field, vtkIdType added)
 {
@@ -404,7 +404,7 @@ void TestSingularityNormals()
   CHECK(found);
 }
 
-/// A manifold is not split, and what an earlier filter said of its points goes.
+/// A manifold is not split, and arrays that an earlier filter left on its points go.
 void TestManifold()
 {
   vtkNew<vtkDirectionField> split, whole;

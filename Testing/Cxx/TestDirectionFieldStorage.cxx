@@ -142,7 +142,7 @@ void TestPrecision()
 void TestThreads()
 {
   auto shared = PolyMeshes::Pebble(3);
-  // VTK's data sets make some of what they know when first asked.
+  // VTK's data sets make some of their data when first asked.
   shared->BuildCells();
   std::vector<PolyMeshes::Mesh> own;
   std::vector<vtkSmartPointer<vtkPolyData>> expected, results;

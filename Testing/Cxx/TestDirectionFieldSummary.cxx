@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the filter says of a field at a glance: the line Summary, and the sizes of the singularities.
+// A field at a glance: the line Summary, and the sizes of the singularities.
 
 #include "Checks.h"
 
@@ -105,7 +105,7 @@ void TestSmoothest()
   const std::string rough = Summary(filter);
   CHECK(rough == Singularities(filter) + ", index sum 8" + Converged(filter));
   CHECK(rough.find(", 0 -") == std::string::npos);
-  // What a filter before said of its field is replaced.
+  // The summary of a filter before is replaced.
   vtkNew<vtkDirectionField> second;
   second->SetInputConnection(filter->GetOutputPort());
   second->SetDegree(1);
@@ -122,7 +122,7 @@ void TestSeveralComponents()
     Singularities(filter) + ", index sum 24 over 3 components" + Converged(filter));
 }
 
-/// What did not converge is said with the residual, and of how many components.
+/// Components that did not converge are counted, and the residual is given.
 void TestNotConverged()
 {
   vtkNew<vtkDirectionField> filter;

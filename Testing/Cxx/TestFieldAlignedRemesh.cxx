@@ -57,7 +57,7 @@ void TestParameters()
   }
 }
 
-/// Linear data stay what they are where the surface is flat, and cells keep those of the cell below.
+/// Linear data stay the same where the surface is flat, and cells keep those of the cell below.
 void TestDataIsCarriedOver()
 {
   vtkSmartPointer<vtkPolyData> square = Meshes::ToPolyData(Meshes::Square(8));
@@ -154,7 +154,7 @@ void TestErrorsAndUnusualInput()
   CHECK(euler->GetComponent(0, 0) == 0.0 && euler->GetComponent(0, 1) == 0.0);
 }
 
-/// The same mesh with and without what is kept.
+/// The same mesh with and without the cached stages.
 void TestKeptStages()
 {
   vtkNew<vtkFieldAlignedRemesh> filter;

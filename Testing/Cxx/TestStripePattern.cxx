@@ -89,7 +89,7 @@ void TestOutputs()
   CHECK(std::abs(AreaOf(bands) / AreaOf(mesh) - 1.0) < 1e-9);
   CHECK(bands->GetCellData()->GetScalars() == bands->GetCellData()->GetArray("Stripe"));
   CHECK(bands->GetPointData()->GetArray("Direction0") == nullptr);
-  // What is linear stays linear within the cells, and cells have what their cell had.
+  // Linear data stay linear within the cells, and cells have what their cell had.
   vtkDataArray* carried = bands->GetPointData()->GetArray("Height");
   REQUIRE(carried != nullptr);
   double worst = 0.0;

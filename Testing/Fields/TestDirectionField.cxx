@@ -112,7 +112,7 @@ TEST(DirectionField, FlatSurfacesHaveAParallelField)
       }
     }
   }
-  // The tightest tolerance is met by what is nothing but rounding.
+  // The tightest tolerance is met by a residual that is nothing but rounding.
   for (const Surface& surface : { Square(20), FourfoldDisk(7), Disk(8) })
   {
     ComputeSound(surface, 4, 0.0, 1e-12);
@@ -140,7 +140,7 @@ TEST(DirectionField, CylinderFieldIsParallel)
   };
   for (Index i = 0; i < static_cast<Index>(surface.Points.size()); ++i)
   {
-    // Within what the linear projection of the tangent cone leaves at the boundary.
+    // Within the error of the linear projection of the tangent cone at the boundary.
     EXPECT_NEAR(std::remainder(angle(i) - angle(0), 2.0 * Pi), 0.0, 0.05);
   }
 }

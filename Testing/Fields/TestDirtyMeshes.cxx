@@ -94,7 +94,7 @@ private:
   std::mt19937 Engine;
 };
 
-/// What must hold for any surface.
+/// Statements that hold for any surface.
 void ExpectSound(const Surface& surface, const Options& options, const Result& result)
 {
   ASSERT_EQ(Flaw(surface, options, result), "");

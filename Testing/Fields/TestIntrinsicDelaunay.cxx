@@ -156,7 +156,7 @@ TEST(IntrinsicDelaunay, EverythingButTheOperatorsStays)
         EXPECT_LT(Deviation(with, static_cast<Index>(i), with.ConstraintDirection[i]), 1e-5);
       }
     }
-    // What is kept between calls is that of the option.
+    // The stages kept between calls are those of the option.
     const Result fresh = DirectionField(surface).Compute(options);
     EXPECT_EQ(fresh.Representation, with.Representation);
     options.IntrinsicDelaunay = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What other programs for direction fields were seen to get wrong, one test each.
+// Cases that other programs for direction fields were seen to get wrong, one test each.
 
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"

@@ -42,7 +42,7 @@ inline double Special(unsigned byte)
   return values[byte % 16];
 }
 
-/// Bytes from here on stand for what no option may be.
+/// Bytes from here on stand for values that no option may have.
 constexpr unsigned FirstInvalid = 250;
 
 /// 0 is the default, the next go through the range, the last are out of it or nearly so.

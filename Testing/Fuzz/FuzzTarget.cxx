@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What libFuzzer calls.
+// The function that libFuzzer calls.
 
 #if defined(DIRECTIONFIELDS_FUZZ_POLYDATA)
 #include "FuzzedPolyData.h"

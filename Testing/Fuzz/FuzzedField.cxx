@@ -176,7 +176,7 @@ std::string ComputeFlaw(DirectionField& field, const Surface& surface, const Opt
     : Meshes::Flaw(surface, options, result);
 }
 
-/// What does not hold of lines along a field that was computed, read back from what it gives.
+/// The first fault of lines along a field that was computed, read back from its result.
 std::string LinesFlaw(const Surface& surface, const Result& result, SeedType seeds)
 {
   Surface output;

@@ -22,7 +22,7 @@ bool IsSame(const FieldFile& one, const FieldFile& other)
     one.Directions == other.Directions;
 }
 
-/// What does not hold of what was read.
+/// The first fault of the directions that were read.
 std::string FileFlaw(const FieldFile& file, FieldFormat format)
 {
   if (file.Degree < 1 || file.Degree > LargestDegree || file.PerRow < 1 ||
@@ -43,7 +43,7 @@ std::string FileFlaw(const FieldFile& file, FieldFormat format)
   return {};
 }
 
-/// What does not hold of the field that it makes of a closed surface.
+/// The first fault of the field that it makes of a closed surface.
 std::string FieldFlaw(const Result& field)
 {
   if (field.Components.size() != 1 || field.Components[0].IndexSum != 2 * field.Degree)

@@ -167,7 +167,7 @@ void ReadArray(Bytes& bytes, vtkPolyData* mesh)
     for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
     {
       const double number = bytes.AtEnd() ? 0.0 : ReadNumber(bytes);
-      // What is out of the range of an integer has none.
+      // Numbers out of the range of an integer have none.
       const bool fits = numbers->GetDataType() == VTK_DOUBLE ||
         numbers->GetDataType() == VTK_FLOAT || std::abs(number) < 120.0;
       numbers->SetComponent(i, c, fits ? number : 1.0);
@@ -275,7 +275,7 @@ std::string FieldFlaw(vtkDirectionField* filter, vtkPolyData* mesh, int errors)
   return !ghosts && sum != 0.0 ? "another index sum" : DirectionFlaw(field, filter->GetDegree());
 }
 
-/// What does not hold of the filters that use a field: an error leaves nothing, and a field is like itself.
+/// The first fault of the filters that use a field: an error leaves nothing, and a field is like itself.
 std::string UseFlaw(vtkPolyData* mesh)
 {
   vtkNew<vtkGuidanceCurves> curves;
@@ -304,7 +304,7 @@ std::string UseFlaw(vtkPolyData* mesh)
   return most && !(most->GetComponent(0, 0) < 1e-3) ? "a field that is not like itself" : "";
 }
 
-/// What does not hold of stripes: an error leaves nothing, and all points are somewhere.
+/// The first fault of stripes: an error leaves nothing, and all points are somewhere.
 std::string StripesFlaw(vtkPolyData* mesh, unsigned number)
 {
   vtkNew<vtkStripePattern> filter;
@@ -341,7 +341,7 @@ std::string StripesFlaw(vtkPolyData* mesh, unsigned number)
   return "";
 }
 
-/// What does not hold of edits of singularities: an error leaves nothing, and balanced indices are those of the surface.
+/// The first fault of edits of singularities: an error leaves nothing, and balanced indices are those of the surface.
 std::string EditFlaw(vtkPolyData* mesh, unsigned kind)
 {
   vtkNew<vtkDirectionFieldSingularities> edit;

@@ -107,7 +107,7 @@ std::string FuzzedRemesh(const std::uint8_t* data, std::size_t size)
   {
     return "invalid options were taken";
   }
-  // What has one side only has no common winding, and where more than two triangles meet in an edge more than two
+  // Surfaces of one side have no common winding, and where more than two triangles meet in an edge more than two
   // faces do.
   const bool hasSeams =
     mesh.Repaired.NonManifoldEdges > 0 || mesh.Repaired.NonOrientableComponents > 0;

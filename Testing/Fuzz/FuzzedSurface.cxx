@@ -12,11 +12,11 @@ using namespace DirectionFields;
 
 namespace
 {
-/// Surfaces that have hardly any shape but that of noise, as scans and what was turned in space do.
+/// Surfaces that have hardly any shape but that of noise, as scans and surfaces turned in space do.
 Surface ReadNoisy(unsigned kind, Bytes& bytes)
 {
   using namespace Meshes;
-  // From what rounding leaves to several edges.
+  // From the size of rounding to several edges.
   const double noise = std::pow(10.0, bytes.Take() / 15.0 - 16.0);
   const unsigned seed = bytes.Take();
   const Eigen::Matrix3d turn = ObliqueRotation(0.1 * seed);

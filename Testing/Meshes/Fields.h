@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-/// Fields for the tests, and fields as what draws them takes them.
+/// Fields for the tests, and fields in the form that streamlines, stripes and glyphs take.
 namespace Fields
 {
 using namespace DirectionFields;
@@ -29,7 +29,7 @@ PointDirections PlanarField(const Surface& surface, int degree, const Angle& ang
   return field;
 }
 
-/// A field that was computed, which must outlive what is returned.
+/// A field that was computed, which must outlive the returned one.
 inline PointDirections Of(const Result& result)
 {
   return DirectionsOf(result);

@@ -55,7 +55,7 @@ int LoopsOf(const std::vector<Face>& faces)
 /// Whether the faces at each vertex are one fan: as many as can be reached from the first one.
 bool HasFans(const std::vector<Face>& faces, std::size_t points)
 {
-  // What follows counter-clockwise around a vertex: from the neighbour before to that after.
+  // Counter-clockwise around a vertex: from the neighbour before to that after.
   std::vector<std::map<Index, Index>> turn(points);
   for (const Face& face : faces)
   {

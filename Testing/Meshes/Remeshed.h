@@ -8,10 +8,10 @@
 
 #include <string>
 
-/// What must hold for the mesh that is made of any surface.
+/// Statements that hold for the mesh that is made of any surface.
 namespace Meshes
 {
-/// Says what the first thing is that does not hold; empty if all do: sizes, finite points all of which are
+/// The first statement that does not hold; empty if all do: sizes, finite points all of which are
 /// used, edges of at most two faces that are wound consistently, one fan of faces at each vertex, the
 /// Euler characteristic of the surface, and the sum of all valences' and corners' deviations from the regular
 /// ones, which that determines.

@@ -8,10 +8,10 @@
 
 #include <string>
 
-/// What must hold for the field of any surface that is not refused, whatever is wrong with it.
+/// Statements that hold for the field of any surface that is not refused, whatever is wrong with it.
 namespace Meshes
 {
-/// Says what the first thing is that does not hold; empty if all do: sizes, unit tangent directions
+/// The first statement that does not hold; empty if all do: sizes, unit tangent directions
 /// at the used points and none elsewhere, finite figures, indices that sum up to n times the Euler
 /// characteristic over closed components.
 std::string Flaw(const DirectionFields::Surface& surface, const DirectionFields::Options& options,

@@ -10,7 +10,7 @@
 
 #include <random>
 
-/// The matrices of a surface's first component, and what they come from.
+/// The matrices of a surface's first component, and the geometry that they come from.
 namespace Meshes
 {
 using namespace DirectionFields;

@@ -143,7 +143,7 @@ inline WideInteger TwiceAreaOf(const ExtractionMesh& mesh)
 }
 constexpr WideInteger SquaredUnit = static_cast<WideInteger>(IntegerGrid::Unit) * IntegerGrid::Unit;
 
-/// Says what is wrong with the links and charts of a mesh; empty if nothing is.
+/// The first fault of the links and charts of a mesh; empty if there is none.
 inline std::string FlawOf(const ExtractionMesh& mesh)
 {
   std::set<std::array<Index, 2>> edges;

@@ -485,7 +485,7 @@ TEST(Remesh, LargeSurfaceIsRemeshedOnFewerTrianglesAndLiesOnIt)
     }
     ASSERT_LT((place - mesh.Points[v]).norm(), 1e-9);
   }
-  // What the first mesh left behind does not show in the next one.
+  // The cache of the first mesh does not show in the next one.
   options.NumberOfFaces = 3000;
   options.NumberOfThreads = 2;
   const RemeshResult next = remesh.Compute(options);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which side of the surface glyphs are on, and what is kept of the surface.
+// Which side of the surface glyphs are on, and which data of the surface are kept.
 
 #include "Glyphs.h"
 #include "Glyphs/OutwardSides.h"
@@ -92,7 +92,7 @@ TEST(OutwardSides, AreThoseOfPositiveVolume)
     InsideOut(sphere), 1e-3 * Eigen::Matrix3d::Identity(), Vector3(1e3, -2e3, 5e2));
   EXPECT_EQ(OutwardSides(far), All(sphere, -1));
 
-  // Bodies for themselves, and triangles against the majority of theirs.
+  // Bodies wound inside out one by one, and triangles against the majority of their body.
   Surface two = Meshes::Joined(sphere,
     Meshes::Transformed(
       InsideOut(Meshes::Torus(12, 8)), Eigen::Matrix3d::Identity(), Vector3(5.0, 0.0, 0.0)));
@@ -230,7 +230,7 @@ TEST(GlyphSides, AreBothOfWhatIsOpen)
         CheckWinding(both.Mesh);
       }
 
-      // What is on both sides is what is on the one and what is on the other.
+      // Glyphs on both sides are those on the one and those on the other.
       options.Side = GlyphSide::Both;
       EXPECT_TRUE(IsSame(Draw(square, n, options), both));
       options.Side = GlyphSide::Front;
@@ -259,7 +259,7 @@ TEST(GlyphSides, AreBothOfWhatIsOpen)
     }
   }
 
-  // What curves has no other places on the one side than on the other.
+  // Curved surfaces have no other places on the one side than on the other.
   GlyphOptions options;
   options.MaximumNumber = 200;
   options.Offset = 0.2;
@@ -317,7 +317,7 @@ TEST(GlyphSurface, KeepsThePlacesOfAllFields)
     EXPECT_TRUE(IsSame(glyphs, MakeGlyphs(*surface, Of(result), {}, {}, options)));
     points = points.empty() ? glyphs.Point : points;
     EXPECT_EQ(glyphs.Point, points);
-    // What glyphs look like is no matter of the places.
+    // Places do not depend on the looks of glyphs.
     GlyphOptions other = options;
     other.Type = GlyphType::Tubes;
     other.Scale = 0.5;

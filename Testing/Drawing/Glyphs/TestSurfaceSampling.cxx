@@ -134,7 +134,7 @@ TEST(SurfaceSampling, KeepsItsDistanceAndLeavesNoGap)
 
 TEST(SurfaceSampling, IsEven)
 {
-  // Of the best distance that so many samples can have on a plane, that of a hexagonal lattice.
+  // Of the best distance that as many samples can have on a plane, that of a hexagonal lattice.
   // Darts thrown at random reach 0.77 in the mean, random points 0.47.
   const Sampled sampled(Meshes::Icosphere(5), WithNumber(1500));
   double sum = 0.0;

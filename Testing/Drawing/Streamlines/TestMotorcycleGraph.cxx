@@ -63,7 +63,7 @@ public:
     , Geometry(graph.Field.GetGeometry())
     , OnEdge(this->Mesh.GetNumberOfEdges())
   {
-    // What hangs together within a triangle: the lines through a singularity, and lines that end at
+    // Joined within a triangle: the lines through a singularity, and lines that end at
     // others.
     Index trees = 0;
     std::vector<std::vector<Index>> treeOf(graph.Lines.size());
@@ -257,7 +257,7 @@ private:
   const SurfaceGeometry& Geometry;
   std::vector<std::vector<Crossing>> OnEdge;
   std::vector<Index> Trees;
-  /// Parts within a single triangle, which no edge leads to: what joins a tree to itself closes one
+  /// Parts within a single triangle, which no edge leads to: a line that joins a tree to itself closes one
   /// off.
   int Inside = 0;
 };

@@ -8,7 +8,7 @@
 #include "Meshes/Surfaces.h"
 #include "Stripes.h"
 
-/// Stripe patterns for the tests, and what is measured of them.
+/// Stripe patterns for the tests, and measurements of them.
 namespace Patterns
 {
 using namespace DirectionFields;

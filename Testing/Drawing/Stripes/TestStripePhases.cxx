@@ -274,7 +274,7 @@ TEST(PhaseSmoothing, LowersTheMisfitAndKeepsTheBranchPoints)
       return count;
     };
     EXPECT_NEAR(branchPoints(smooth), branchPoints(relaxed), 2);
-    // What is as smooth as can be stays.
+    // Phases that are as smooth as can be stay.
     std::vector<double> twice = smooth;
     SmoothPhases(wanted.Phases, wanted.Phases.GetComponents()[0], {}, twice);
     EXPECT_NEAR(Misfit(wanted.Phases, twice), Misfit(wanted.Phases, smooth), 0.01);

@@ -425,7 +425,7 @@ TEST(Alignment, ChangingTheStrengthKeepsTheEigenpair)
   calls = 0;
   field.Compute(CurvatureAligned(4, 0.6), {}, count);
   EXPECT_GT(first, calls + 5);
-  // Changing what the energy depends on computes it anew, and back.
+  // Changing an option that the energy depends on computes it anew, and back.
   const Result other = field.Compute(CurvatureAligned(2, 0.6));
   EXPECT_EQ(other.Degree, 2);
   const Result back = field.Compute(CurvatureAligned(4, 0.6));

@@ -183,7 +183,7 @@ TEST(Exchange, PointsAcrossSeamsAreWrittenOnce)
   const Surface mesh = MeshOf(TextOf(files, ".obj"));
   EXPECT_EQ(mesh.Points.size(), Potato(2).Points.size());
   EXPECT_EQ(mesh.Triangles.size(), surface.Triangles.size());
-  // What is read belongs to the facets as well.
+  // Directions that are read belong to the facets as well.
   const FieldFile file = ReadField(TextOf(files, ".rosy"), FieldFormat::Rosy);
   const ImportedField onFacets = ImportField(file, surface, FieldOn::Automatic, true);
   EXPECT_EQ(onFacets.Field.Representation.size(), surface.Points.size());

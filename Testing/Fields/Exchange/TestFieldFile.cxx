@@ -192,7 +192,7 @@ TEST(FieldFile, DirectionalReadsRawFieldsAndSingularities)
 
 TEST(FieldFile, QuadWildReadsSharpEdges)
 {
-  // As QuadWild's LoadSharpFeatures reads: with commas, by what fscanf makes of its formats.
+  // As QuadWild's LoadSharpFeatures reads: with commas, as fscanf takes its formats.
   const std::vector<SharpEdge> edges = { { true, 3, 0 }, { false, 11, 2 }, { true, 140, 1 } };
   const std::string text = WriteSharp(edges);
   int rows = 0;

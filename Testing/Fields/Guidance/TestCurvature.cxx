@@ -69,7 +69,7 @@ struct Errors
   double Hopf;
   double Mean;
   double Gaussian;
-  /// In the dual of the energy's norm, with the length 1: what the aligned system sees.
+  /// In the dual of the energy's norm, with the length 1, as the aligned system sees it.
   double WeakHopf;
 };
 

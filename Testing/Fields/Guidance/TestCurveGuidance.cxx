@@ -133,7 +133,7 @@ TEST(CurveGuidance, WeightsFallAsAGaussianOfTheDistance)
     const double distance = std::abs(surface.Points[i].y() - 0.013);
     if (surface.Points[i].norm() > 0.8)
     {
-      // What lies beyond the rim of the disk is laid onto the rim.
+      // Samples beyond the rim of the disk are laid onto the rim.
       continue;
     }
     if (distance < 0.29)
@@ -160,7 +160,7 @@ TEST(CurveGuidance, AGreatCircleGuidesAlongItself)
     {
       if (guidance.Weights[i] > 0.0)
       {
-        // Parallel circles are what the tangents are carried to, up to the turn of the sphere.
+        // The tangents are carried to parallel circles, up to the turn of the sphere.
         const Vector3& p = surface.Points[i];
         const Vector3 along = rotation.col(2).cross(p).normalized();
         EXPECT_LT(AngleTo(guidance.Vectors[i], along, p, 4), radius > 0.0 ? 3.0 : 1.5);

@@ -19,7 +19,7 @@ using namespace DirectionFields;
 
 namespace
 {
-/// What each triangle of the mesh is asked for, on the front.
+/// The index that each triangle of the mesh is asked for, on the front.
 std::vector<int> AskedFor(const SingularityEditor& editor, const Surface& surface,
   const std::vector<WantedSingularity>& all)
 {

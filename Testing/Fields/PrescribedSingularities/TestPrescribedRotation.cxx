@@ -250,7 +250,7 @@ TEST(PrescribedRotation, HasTheSameBytesForAnyNumberOfThreads)
   EXPECT_EQ(sections[0], sections[1]);
 }
 
-/// Further edits with what is kept are those of a new editor, and come back to where they began.
+/// Further edits with cached solvers are those of a new editor, and come back to where they began.
 TEST(PrescribedRotation, EditsDoNotDependOnThoseBefore)
 {
   const Surface surface = Meshes::Torus(48, 24);

@@ -100,7 +100,7 @@ TEST(SingularityTargets, AddToTheBaseOrReplaceIt)
   EXPECT_EQ(sphere.Make({}, {}).Indices, sphere.Connection.GetBaseIndices());
 }
 
-/// A triangle's edges turn by less than a half turn each: what is more goes to others.
+/// A triangle's edges turn by less than a half turn each: the excess goes to others.
 TEST(SingularityTargets, SpreadIndicesThatATriangleCannotHave)
 {
   Example disk(Meshes::Disk(16), 4);

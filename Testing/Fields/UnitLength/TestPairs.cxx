@@ -209,7 +209,7 @@ TEST(PairCancellation, ADipoleOnTheFlatSquareGoes)
       EXPECT_EQ(cancellation.Round(u, {}), 1);
       EXPECT_EQ(flat.Count(u), 0);
       EXPECT_LT(problem.Energy(u), 0.5 * before);
-      // What is left is nearly parallel.
+      // The remaining field is nearly parallel.
       const Hierarchy hierarchy(flat.Matrices, flat.Scale);
       PhaseDescent(problem, hierarchy, nullptr).Polish(0.0, 1e-12, 100, {}, u);
       EXPECT_LT(problem.Energy(u), 1e-6);
@@ -219,7 +219,7 @@ TEST(PairCancellation, ADipoleOnTheFlatSquareGoes)
 
 TEST(PairCancellation, FarPairsAreCancelledOnApproval)
 {
-  // The path is so long that only narrow patches around it are made: what they leave, descent takes away.
+  // The path is so long that only narrow patches around it are made: descent takes the rest away.
   const Surface torus = Torus(100, 40);
   const Case system(torus, 4);
   const UnitLengthProblem problem = system.Problem();

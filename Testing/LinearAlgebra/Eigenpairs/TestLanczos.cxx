@@ -116,7 +116,7 @@ TEST(Lanczos, LeavesNoEigenvalueBelowWhatTheTolerancePromises)
           const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
             RandomVector(system.Matrices.Energy.rows(), 2), settings);
           EXPECT_TRUE(HasConverged(pair)) << degree << ", " << bias << ", " << tolerance;
-          // The second term is what rounding hides.
+          // Rounding hides the second term.
           const double below = pair.Value - 1.5 * tolerance * (pair.Value + 1e-5 * system.Scale) -
             1.5e-14 *
               (system.Matrices.Energy.diagonal().real().array() * pair.Vector.array().abs2()).sum();
@@ -195,7 +195,7 @@ TEST(Lanczos, StartNearlyOrthogonalToTheSolution)
 
 TEST(Lanczos, DegenerateEigenspaceGivesTheProjectionOfTheStart)
 {
-  // The tetrahedral symmetry leaves no single direction; both solvers must agree on what is left.
+  // The tetrahedral symmetry leaves no single direction; both solvers must agree on the rest.
   const System system(Icosphere(1), 1, 0.0);
   const SparseMatrix& a = system.Matrices.Energy;
   const SparseMatrix& m = system.Matrices.Mass;

@@ -26,7 +26,7 @@ TEST(RitzSpace, HasTheRitzPairsOfItsSections)
     sections.col(k) = RandomVector(n, static_cast<unsigned>(k));
     space.Add(sections.col(k));
   }
-  // What is in the space already does not count.
+  // Sections that are in the space already do not count.
   space.Add(sections.col(1) - Complex(0.0, 3.0) * sections.col(4));
   EXPECT_EQ(space.Size(), 6);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> expected(
@@ -72,7 +72,7 @@ TEST(RitzSpace, KeepsTheSmallestValues)
   {
     space.Add(RandomVector(system.Matrices.Energy.rows(), seed));
     EXPECT_LE(space.Size(), RitzSpace::MostSections);
-    // What is forgotten are the largest ones.
+    // The largest ones are forgotten.
     EXPECT_LT(space.GetValues()[0], before * (1.0 + 1e-12));
     before = space.GetValues()[0];
   }

@@ -52,11 +52,11 @@ TEST(WorkLimit, IsThatOfTheOtherSolver)
   const double most = limit.Get();
   EXPECT_TRUE(limit.Allows(most));
   EXPECT_FALSE(limit.Allows(1.01 * most));
-  // What is foreseen to take longer ends early, though not at once.
+  // Work that is foreseen to take longer ends early, though not at once.
   EXPECT_TRUE(limit.Allows(0.1 * most, Infinity));
   EXPECT_FALSE(limit.Allows(0.5 * most, Infinity));
   EXPECT_TRUE(limit.Allows(0.5 * most, 0.5 * most));
-  // What takes no time worth speaking of is not judged.
+  // Work that takes next to no time is not judged.
   const System tiny(Potato(2), 4, 0.0);
   EXPECT_TRUE(WorkLimit(tiny.Matrices.Energy, 20, 150.0).Allows(2e7, Infinity));
 }

@@ -109,7 +109,7 @@ TEST(Hierarchy, CouplingsMayBeStrongOnOneSideOnly)
   EXPECT_EQ(p.Column[1], 0);
 }
 
-/// Pairs whose couplings become strong one after the other, as what counts as strong gets weaker.
+/// Pairs whose couplings become strong one after the other, as the threshold of strong couplings falls.
 TEST(Hierarchy, CoarseningEndsWhereItIsOfNoUse)
 {
   constexpr Index pairs = 4000;
@@ -132,7 +132,7 @@ TEST(Hierarchy, CoarseningEndsWhereItIsOfNoUse)
   }
   const Hierarchy hierarchy(operators, 1.0);
   EXPECT_LE(hierarchy.GetLevels().size(), 3u);
-  // Sweeps solve for what is left.
+  // Sweeps solve for the rest.
   const Cycle cycle(hierarchy, 0.0);
   EXPECT_TRUE(cycle.IsUsable());
   EXPECT_LT(cycle.GetCoarsest().GetContraction(), 0.1);

@@ -66,7 +66,7 @@ TEST(Sweeps, InOppositeOrdersAreAdjoint)
     }
     return rest;
   };
-  // To go on from x is to add what a sweep finds for the rest. Both tell what is left.
+  // To go on from x is to add the sweep's solution for the residual. Both return the new residual.
   const ComplexVector before = restOf(up);
   CompactSections correction(2 * rows);
   CompactSections left(2 * rows);

@@ -61,7 +61,7 @@ TEST(ExtractionMesh, CollapsesKeepTheTopology)
 {
   const std::unique_ptr<ExtractionMesh> mesh = MakeMesh(Meshes::Icosphere(2), 4, 1.0);
   ASSERT_NE(mesh, nullptr);
-  // Cones that were rounded to the same place are neighbours once what is between them has been removed.
+  // Cones that were rounded to the same place are neighbours once the vertices between them have been removed.
   InsertGridPoints(*mesh);
   VertexRemoval removal(*mesh);
   removal.RemoveAll(VertexRemoval::Mode::Strict);

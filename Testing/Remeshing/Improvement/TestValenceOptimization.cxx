@@ -137,7 +137,7 @@ int IrregularityOf(const VertexStars& stars, const FaceEdits& edits)
   }
   for (Index f = 0; f < stars.GetNumberOfFaces(); ++f)
   {
-    // What a triangle counts, in the units of Irregularity.
+    // The penalty for a triangle, in the units of Irregularity.
     sum += stars.IsFace(f) && Faces::Size(stars.Face(f)) == 3 ? 12 : 0;
   }
   return sum;

@@ -25,7 +25,7 @@ Ends EndsOf(Index a, Index b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Two squares of 8 x 8 unit quads side by side. Features are the sides of each; what is between the two is one as well.
+/// Two squares of 8 x 8 unit quads side by side. Features are the sides of each; the edge between the two is one as well.
 struct Plates
 {
   static constexpr Index Rows = 8;
@@ -288,7 +288,7 @@ TEST(TriangleParity, OddRegionsAreLedToTheBoundary)
   EXPECT_TRUE(plates.Mesh.Vertices.back().IsBoundary);
   plates.ExpectSound();
 
-  // What is even stays.
+  // Even numbers stay.
   const Faces before = plates.Mesh.Cells;
   ASSERT_TRUE(EvenOutTriangles(plates.Mesh));
   EXPECT_EQ(plates.Mesh.Cells.Corners, before.Corners);

@@ -107,7 +107,7 @@ TEST(Decimation, KeepsTheTopology)
       const TriangleMesh after(left);
       EXPECT_EQ(EulerCharacteristic(before), EulerCharacteristic(after));
       ASSERT_EQ(before.GetComponents().size(), after.GetComponents().size());
-      // The winding of what has one side only is not that of its boundary.
+      // The winding of a surface of one side is not that of its boundary.
       if (!before.GetComponents().front().IsCover)
       {
         EXPECT_EQ(Meshes::CountBoundaryLoops(surface), Meshes::CountBoundaryLoops(left));

@@ -103,7 +103,7 @@ TEST(Metric, DegenerateTrianglesGetAnglesAndArea)
       EXPECT_GT(metric.CornerAngle(mesh, h), 1e-10);
       EXPECT_GT(metric.Area[h / 3], 1e-8);
     }
-    // What has area changes by the millionth only.
+    // Triangles with area change by the millionth only.
     if (s.Points.size() > 3)
     {
       EXPECT_NEAR(metric.Area[0] * metric.Unit[0] * metric.Unit[0], 0.5, 1e-5);

@@ -92,7 +92,7 @@ void ExpectDelaunay(const Flipped& g)
           metric.CornerAngle(mesh, TriangleMesh::Previous(twin)),
         Pi + 1e-9);
     }
-    // What has a boundary keeps it.
+    // Surfaces with a boundary keep it.
     const Index before = g.Mesh.HalfEdge(e);
     EXPECT_EQ(twin == None, g.Mesh.Twin(before) == None);
     if (twin == None)

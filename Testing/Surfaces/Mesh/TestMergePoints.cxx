@@ -190,7 +190,7 @@ TEST(MergePoints, ANoteTellsSoupFromSurfacesWithABoundary)
 
 namespace
 {
-/// How many components there are where what coincides along seams is merged.
+/// How many components there are where points that coincide along seams are merged.
 std::size_t ComponentsAcrossSeams(const Surface& surface)
 {
   const Result result = DirectionField(surface).Compute(Merging(MergePoints::Automatic));
