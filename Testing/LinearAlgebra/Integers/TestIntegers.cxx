@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Charts/IntegerGrid.h"
 #include "Integers/IntegerElimination.h"
 #include "Integers/IntegerRounding.h"
 #include "SparseCholesky/SchurSystem.h"
@@ -10,84 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-
 #include <random>
 
 using namespace DirectionFields;
-
-namespace
-{
-GridPoint RandomPoint(std::mt19937& engine, int range)
-{
-  const auto next = [&]
-  {
-    return static_cast<std::int64_t>(engine() % (2 * range * IntegerGrid::Unit)) -
-      range * IntegerGrid::Unit;
-  };
-  const std::int64_t a = next();
-  return { a, next() };
-}
-}
-
-TEST(IntegerGrid, TurnsAreThoseOfThePlane)
-{
-  std::mt19937 engine(1);
-  for (const int degree : { 4, 6 })
-  {
-    const IntegerGrid plane(degree);
-    for (int k = -degree; k <= degree; ++k)
-    {
-      const GridPoint p = RandomPoint(engine, 100);
-      EXPECT_NEAR(
-        std::abs(plane.Place(plane.Turned(p, k)) - plane.Root(k) * plane.Place(p)), 0.0, 1e-11);
-    }
-    EXPECT_EQ(plane.Turned({ 3, 5 }, degree), (GridPoint{ 3, 5 }));
-  }
-}
-
-TEST(IntegerGrid, TransitionsAreAGroup)
-{
-  std::mt19937 engine(2);
-  for (const int degree : { 4, 6 })
-  {
-    const IntegerGrid plane(degree);
-    for (int i = 0; i < 50; ++i)
-    {
-      const Transition s{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
-      const Transition t{ static_cast<int>(engine() % degree), RandomPoint(engine, 50) };
-      const GridPoint p = RandomPoint(engine, 50);
-      EXPECT_EQ(plane.Apply(plane.Composed(s, t), p), plane.Apply(s, plane.Apply(t, p)));
-      EXPECT_EQ(plane.Composed(s, plane.Inverse(s)), Transition{});
-      EXPECT_EQ(plane.Composed(plane.Inverse(s), s), Transition{});
-    }
-  }
-}
-
-TEST(IntegerGrid, OrientationIsExactWhereAreasAreOfOneUnit)
-{
-  // Far points, the area of whose triangle is one of 2^-36 of a cell: less than doubles resolve.
-  const std::int64_t far = (std::int64_t(1) << 38) + 1;
-  const GridPoint origin{ 0, 0 };
-  EXPECT_EQ(IntegerGrid::Orientation(origin, { far, far - 1 }, { far + 1, far }), 1);
-  EXPECT_EQ(IntegerGrid::Orientation(origin, { far + 1, far }, { far, far - 1 }), -1);
-  EXPECT_EQ(IntegerGrid::Orientation(origin, { far, far }, { 2 * far, 2 * far }), 0);
-}
-
-TEST(IntegerGrid, UnitCellsAreOnOneCircle)
-{
-  constexpr std::int64_t one = IntegerGrid::Unit;
-  const IntegerGrid square(4);
-  EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 0, one }));
-  EXPECT_TRUE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { 1, one - 1 }));
-  EXPECT_FALSE(square.IsInCircle({ 0, 0 }, { one, 0 }, { one, one }, { -1, one }));
-  // The six neighbours of a point of the hexagonal lattice are at the same distance.
-  const IntegerGrid hexagonal(6);
-  const GridPoint p{ one, 0 };
-  EXPECT_FALSE(hexagonal.IsInCircle(
-    p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned(p, 4)));
-  EXPECT_TRUE(hexagonal.IsInCircle(
-    p, hexagonal.Turned(p, 1), hexagonal.Turned(p, 2), hexagonal.Turned({ one - 1, 0 }, 4)));
-}
 
 TEST(IntegerElimination, AnyValuesOfTheFreeVariablesSatisfyAllEquations)
 {
