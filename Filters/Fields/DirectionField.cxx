@@ -68,17 +68,17 @@ std::vector<Complex> DirectionField::PhaseReferenceSection(int degree) const
   {
     return {};
   }
-  return GuidanceSection(this->Kept->GetGeometry(), this->PhaseReference, degree);
+  return GuidanceSection(this->Cache->GetGeometry(), this->PhaseReference, degree);
 }
 
 Stages& DirectionField::StagesFor(const Options& options)
 {
-  if (!this->Kept || this->Kept->GetMergePoints() != options.MergePoints)
+  if (!this->Cache || this->Cache->GetMergePoints() != options.MergePoints)
   {
-    this->Kept.reset();
-    this->Kept = std::make_unique<Stages>(this->Input, options.MergePoints);
+    this->Cache.reset();
+    this->Cache = std::make_unique<Stages>(this->Input, options.MergePoints);
   }
-  return *this->Kept;
+  return *this->Cache;
 }
 
 Result DirectionField::Compute(

@@ -70,7 +70,7 @@ private:
   std::vector<Complex> PhaseReferenceSection(int degree) const;
 
   std::shared_ptr<const Surface> Input;
-  std::unique_ptr<Internal::Stages> Kept;
+  std::unique_ptr<Internal::Stages> Cache;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;
 };

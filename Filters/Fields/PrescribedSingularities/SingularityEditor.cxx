@@ -275,7 +275,7 @@ void SingularityEditor::Components::SetSection(std::size_t component, const Rota
 
 SingularityEditor::SingularityEditor(const Surface& surface, const PointDirections& directions,
   const std::vector<Vector3>& constraints)
-  : Kept(std::make_unique<Components>(
+  : Cache(std::make_unique<Components>(
       surface, std::make_shared<const FieldSurface>(surface), directions, constraints))
 {
 }
@@ -286,22 +286,22 @@ SingularityEditor& SingularityEditor::operator=(SingularityEditor&&) noexcept = 
 
 const GivenField& SingularityEditor::GetBase() const
 {
-  return this->Kept->Base;
+  return this->Cache->Base;
 }
 
 const std::vector<Index>& SingularityEditor::GetFirstPoints() const
 {
-  return this->Kept->FirstPoint;
+  return this->Cache->FirstPoint;
 }
 
 void SingularityEditor::SetGuidance(std::vector<Complex> guidance)
 {
-  this->Kept->Guidance = std::move(guidance);
+  this->Cache->Guidance = std::move(guidance);
 }
 
 EditedField SingularityEditor::Edit(const std::vector<WantedSingularity>& wanted,
   const EditOptions& options, const Progress& progress)
 {
-  return this->Kept->Edit(wanted, options, progress);
+  return this->Cache->Edit(wanted, options, progress);
 }
 }

@@ -102,7 +102,7 @@ public:
 
 private:
   class Components;
-  std::unique_ptr<Components> Kept;
+  std::unique_ptr<Components> Cache;
 };
 }
 

@@ -111,9 +111,9 @@ Eigen::VectorXd TrivialConnection::SolveFor(const EdgeForm& form, Eigen::VectorX
 
 const TrivialConnection::Harmonic& TrivialConnection::GetHarmonic(const Progress& progress)
 {
-  if (this->Kept)
+  if (this->Cache)
   {
-    return *this->Kept;
+    return *this->Cache;
   }
   Harmonic harmonic;
   const std::size_t count = this->Trees.GetGenerators().size();
@@ -140,8 +140,8 @@ const TrivialConnection::Harmonic& TrivialConnection::GetHarmonic(const Progress
       harmonic.Products(static_cast<Index>(j), static_cast<Index>(i)) = product;
     }
   }
-  this->Kept = std::move(harmonic);
-  return *this->Kept;
+  this->Cache = std::move(harmonic);
+  return *this->Cache;
 }
 
 void TrivialConnection::ChooseTurning(

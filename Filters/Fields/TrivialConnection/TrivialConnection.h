@@ -134,7 +134,7 @@ private:
   std::vector<int> BaseIndices;
   TreeCotree Trees;
   std::optional<PoissonSolver> Solver;
-  std::optional<Harmonic> Kept;
+  std::optional<Harmonic> Cache;
 };
 }
 
