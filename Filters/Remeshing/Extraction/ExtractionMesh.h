@@ -41,7 +41,6 @@ public:
   /// From the chart on the other side of a half-edge.
   const Transition& Across(Index h) const { return this->Acrosses[h]; }
   const Vector3& Position(Index v) const { return this->Positions[v]; }
-  void SetPosition(Index v, const Vector3& position) { this->Positions[v] = position; }
   bool IsPositive(Index t) const
   {
     return IntegerGrid::Orientation(
