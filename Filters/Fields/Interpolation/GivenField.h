@@ -64,7 +64,8 @@ TriangleInSpace InSpace(const SurfaceGeometry& geometry, Index meshTriangle);
 /// left out.
 struct FieldSurface
 {
-  /// Takes linear time, on the threads of the scope.
+  /// Takes linear time, on the threads of the scope. Throws MeshError where coordinates are so
+  /// large that their differences overflow.
   /// @param joinsSeams false: points across seams stay apart
   explicit FieldSurface(const Surface& surface, bool joinsSeams = true);
 
@@ -85,7 +86,7 @@ struct FieldSurface
 class GivenField
 {
 public:
-  /// Takes linear time, on the threads of the scope.
+  /// Takes linear time, on the threads of the scope. Throws MeshError as FieldSurface.
   /// @param surface   must outlive this
   /// @param directions are not asked for points that no triangle uses
   GivenField(const Surface& surface, const PointDirections& directions);
