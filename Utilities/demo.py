@@ -167,7 +167,7 @@ def main():
     surface = servermanager.Fetch(mesh)
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         stop(f"{path} holds no triangles.")
-    filtered = simple.DirectionField(Input=mesh, Degree=degree)
+    filtered = simple.DirectionField(Input=mesh, Degree=degree, Diagnostics=1)
     filtered.UpdatePipeline()
     field = servermanager.Fetch(filtered, idx=0)
     if not field.GetCellData().HasArray("SingularityIndex"):

@@ -22,7 +22,7 @@ else:
 surface = Contour(Input=volume, ContourBy=["POINTS", array], Isosurfaces=[float(value)], ComputeScalars=0)
 
 # The same filter as on one process. Of the surface no process but one needs more than its piece.
-field = DirectionField(Input=surface, Degree=4)
+field = DirectionField(Input=surface, Degree=4, Diagnostics=1)
 field.UpdatePipeline()
 distribution = field.FieldData["Distribution"]
 eigenvalues = field.FieldData["Eigenvalue"].GetRange()

@@ -27,7 +27,7 @@ std::vector<std::string> Hints(Stages& stages, const Options& options)
     notes.emplace_back(std::to_string(boundary.Coincident) + " of the " +
       std::to_string(boundary.Count) +
       " points on the boundary of the surface lie exactly on another one: triangles touch there that "
-      "are not connected. Switch on MergePoints to connect them.");
+      "are not connected. Switch on Merge Points to connect them.");
   }
   return notes;
 }

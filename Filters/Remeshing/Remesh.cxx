@@ -69,17 +69,17 @@ void Check(const RemeshOptions& options, std::size_t points)
     }
   };
   require(
-    options.UseEdgeLength || options.NumberOfFaces >= 1, "NumberOfFaces has to be at least 1.");
+    options.UseEdgeLength || options.NumberOfFaces >= 1, "Number Of Faces has to be at least 1.");
   require(!options.UseEdgeLength || (options.EdgeLength > 0.0 && std::isfinite(options.EdgeLength)),
-    "EdgeLength has to be a positive number.");
+    "Edge Length has to be a positive number.");
   require(options.Sizing.empty() || options.Sizing.size() == points,
     "There has to be one wanted size for each point of the surface.");
   require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
-    "FeatureAngle has to be between 0 and 180 degrees.");
+    "Feature Angle has to be between 0 and 180 degrees.");
   require(options.MinimumFeatureLength >= 0.0 && std::isfinite(options.MinimumFeatureLength),
-    "MinimumFeatureLength has to be at least 0.");
+    "Minimum Feature Length has to be at least 0.");
   require(options.SmoothingIterations >= 0 && options.SmoothingIterations <= 1000,
-    "SmoothingIterations has to be between 0 and 1000.");
+    "Smoothing Iterations has to be between 0 and 1000.");
   require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
     "NumberOfThreads has to be between 0 and 1024.");
 }

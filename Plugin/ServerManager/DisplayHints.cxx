@@ -10,6 +10,7 @@
 #include "vtkSMVectorProperty.h"
 
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace display_hints
@@ -28,18 +29,35 @@ void ForNested(vtkPVXMLElement* element, const std::string& name,
   }
 }
 
-//------------------------------------------------------------------------------
-void ForDisplay(vtkSMProxy* display, const std::function<void(vtkPVXMLElement*)>& visit)
+namespace
+{
+/// The hints of the filter that a display shows, or null, and the port of it.
+std::pair<vtkPVXMLElement*, int> HintsOf(vtkSMProxy* display)
 {
   vtkSMPropertyHelper input(display, "Input", /*quiet=*/true);
   vtkSMProxy* filter = input.GetNumberOfElements() == 1 ? input.GetAsProxy() : nullptr;
-  if (!filter || !filter->GetHints())
+  return { filter ? filter->GetHints() : nullptr,
+    filter ? static_cast<int>(input.GetOutputPort()) : 0 };
+}
+}
+
+//------------------------------------------------------------------------------
+bool HasHint(vtkSMProxy* display, const std::string& name)
+{
+  vtkPVXMLElement* const hints = HintsOf(display).first;
+  return hints && hints->FindNestedElementByName(name.c_str());
+}
+
+//------------------------------------------------------------------------------
+void ForDisplay(vtkSMProxy* display, const std::function<void(vtkPVXMLElement*)>& visit)
+{
+  const auto [hints, port] = HintsOf(display);
+  if (!hints)
   {
     return;
   }
-  const int port = static_cast<int>(input.GetOutputPort());
-  ForNested(filter->GetHints(), "DirectionFieldDisplay",
-    [&](vtkPVXMLElement* element)
+  ForNested(hints, "DirectionFieldDisplay",
+    [&, port = port](vtkPVXMLElement* element)
     {
       int of = 0;
       if (!element->GetScalarAttribute("port", &of) || of == port)

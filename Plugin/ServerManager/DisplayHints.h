@@ -22,6 +22,9 @@ void ForNested(vtkPVXMLElement* element, const std::string& name,
 /// Calls `visit` with the elements DirectionFieldDisplay for the output that a display shows.
 void ForDisplay(vtkSMProxy* display, const std::function<void(vtkPVXMLElement*)>& visit);
 
+/// Whether the filter that a display shows has a hint of a name.
+bool HasHint(vtkSMProxy* display, const std::string& name);
+
 /// Gives a proxy the properties that an element names and for which `isFree` is true. Other
 /// versions of ParaView may lack one; then the display looks a little different.
 void SetProperties(vtkSMProxy* proxy, vtkPVXMLElement* element,

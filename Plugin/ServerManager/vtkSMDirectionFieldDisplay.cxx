@@ -100,6 +100,10 @@ void vtkSMDirectionFieldDisplay::PostInitializeProxy(
   if (auto* representation = vtkSMDirectionFieldRepresentationProxy::SafeDownCast(proxy))
   {
     representation->ColorWhereThereAreValues();
+    if (display_hints::HasHint(proxy, "HideDirections"))
+    {
+      representation->HideDirections();
+    }
   }
   proxy->UpdateVTKObjects();
 }

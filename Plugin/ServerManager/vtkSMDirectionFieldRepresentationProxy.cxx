@@ -12,10 +12,25 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
 
 #include <cstring>
 
 vtkStandardNewMacro(vtkSMDirectionFieldRepresentationProxy);
+
+namespace
+{
+constexpr const char* DirectionFieldType = "Direction Field";
+
+/// The first input of a display or a filter; null for none.
+vtkSMProxy* InputOf(vtkSMProxy* proxy)
+{
+  const bool has = proxy && proxy->GetProperty("Input");
+  return has && vtkSMPropertyHelper(proxy, "Input").GetNumberOfElements() > 0
+    ? vtkSMPropertyHelper(proxy, "Input").GetAsProxy()
+    : nullptr;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSMDirectionFieldRepresentationProxy::vtkSMDirectionFieldRepresentationProxy() = default;
@@ -92,10 +107,57 @@ void vtkSMDirectionFieldRepresentationProxy::ColorWhereThereAreValues()
 void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
-  if (this->AwaitedArray.empty())
+  if (this->HidesDirections)
   {
-    return;
+    this->HidesDirections = false;
+    this->HideDirectionsIn(view);
   }
+  if (!this->AwaitedArray.empty())
+  {
+    this->ColorAwaited(view);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::HideDirectionsIn(vtkSMProxy* view)
+{
+  vtkSMProxy* const own = InputOf(this);
+  vtkSMProxy* const field = InputOf(own);
+  const vtkSMPropertyHelper shown(view, "Representations", /*quiet=*/true);
+  bool hasChanged = false;
+  for (unsigned int i = 0; field && i < shown.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* const display = shown.GetAsProxy(i);
+    vtkSMProxy* const source = InputOf(display);
+    const char* const name = source ? source->GetXMLName() : nullptr;
+    if (source != own && name && std::strcmp(name, "DirectionFieldGlyphs") == 0 &&
+      InputOf(source) == field)
+    {
+      vtkSMPropertyHelper(display, "Visibility").Set(0);
+    }
+    else if (source == field &&
+      std::string(DirectionFieldType) ==
+        vtkSMPropertyHelper(display, "Representation", /*quiet=*/true).GetAsString())
+    {
+      vtkSMPropertyHelper(display, "Representation").Set("Surface");
+    }
+    else
+    {
+      continue;
+    }
+    display->UpdateVTKObjects();
+    hasChanged = true;
+  }
+  if (auto* const all = vtkSMViewProxy::SafeDownCast(hasChanged ? view : nullptr))
+  {
+    // The surface has not been prepared as what it is shown as now.
+    all->Update();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::ColorAwaited(vtkSMProxy* view)
+{
   const bool isColored = this->GetUsingScalarColoring();
   if (!isColored && !this->HasArray(this->AwaitedAssociation, this->AwaitedArray))
   {

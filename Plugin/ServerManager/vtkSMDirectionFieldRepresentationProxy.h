@@ -38,6 +38,13 @@ public:
   void ColorWhereThereAreValues();
 
   /**
+   * Before the view draws this for the first time, hides what else shows the directions of the
+   * field that it was made of there: the glyphs of that, and its representation Direction Field,
+   * which becomes Surface. What the user turns on again later stays.
+   */
+  void HideDirections() { this->HidesDirections = true; }
+
+  /**
    * Called by a view after its data are up to date, before it draws.
    */
   void ViewUpdated(vtkSMProxy* view) override;
@@ -61,10 +68,13 @@ protected:
 
 private:
   bool HasArray(int association, const std::string& name);
+  void HideDirectionsIn(vtkSMProxy* view);
+  void ColorAwaited(vtkSMProxy* view);
 
   /// The array to color by once there is one of that name; empty: none.
   std::string AwaitedArray;
   int AwaitedAssociation = 0;
+  bool HidesDirections = false;
 
   vtkSMDirectionFieldRepresentationProxy(const vtkSMDirectionFieldRepresentationProxy&) = delete;
   void operator=(const vtkSMDirectionFieldRepresentationProxy&) = delete;

@@ -22,7 +22,7 @@ MOST_DIRECTIONS = 16
 # The summaries and, below them, the warnings of all blocks. It is evaluated where the data are: a
 # server does not know this module.
 CAPTION = (
-    "'\\n'.join([prefix + array.GetValue(k)[:120]"
+    "'\\n'.join([__import__('textwrap').fill(prefix + array.GetValue(k), 96)"
     " for data in (inputs[0] if inputs[0].IsA('vtkCompositeDataSet') else [inputs[0]])"
     " for name, prefix in (('Summary', ''), ('Warnings', 'Warning: '))"
     " for array in [data.VTKObject.GetFieldData().GetAbstractArray(name)] if array"

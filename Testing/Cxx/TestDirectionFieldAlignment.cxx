@@ -327,10 +327,10 @@ void TestGuidanceErrors()
   };
   for (const bool constrain : { false, true })
   {
-    TestError(mesh, given("absent", nullptr, constrain), { "\"absent\"", "GuidanceVectors" });
+    TestError(mesh, given("absent", nullptr, constrain), { "\"absent\"", "Guidance Vectors" });
     TestError(mesh, given("pairs", nullptr, constrain), { "\"pairs\"", "3 components" });
     TestError(mesh, given("labels", nullptr, constrain), { "\"labels\"" });
-    TestError(mesh, given("around", "absent", constrain), { "\"absent\"", "GuidanceWeights" });
+    TestError(mesh, given("around", "absent", constrain), { "\"absent\"", "Guidance Weights" });
     TestError(mesh, given("around", "pairs", constrain), { "\"pairs\"", "1 component" });
     for (const char* none : { static_cast<const char*>(nullptr), "", "None" })
     {

@@ -159,7 +159,7 @@ void TestMessages()
   };
   check(vtkNew<vtkPolyData>(), 0.0, { "no lines" });
   check(mesh, 0.0, { "no lines" });
-  check(Circle(0.3, 2.0), 0.1, { "MaximumDistance" });
+  check(Circle(0.3, 2.0), 0.1, { "Maximum Distance" });
 
   auto broken = Circle(0.3);
   vtkNew<vtkCellArray> lines;

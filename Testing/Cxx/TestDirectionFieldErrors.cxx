@@ -224,7 +224,7 @@ void TestSoup()
   filter->SetInputData(soup);
   filter->MergePointsOff();
   filter->Update();
-  CHECK(messages->IsOneWarning({ "240 of the 240 points", "Switch on MergePoints" }));
+  CHECK(messages->IsOneWarning({ "240 of the 240 points", "Switch on Merge Points" }));
   CHECK(filter->GetOutput()->GetFieldData()->GetArray("IndexSum")->GetNumberOfTuples() == 80);
 
   for (const int merge : { static_cast<int>(vtkDirectionField::MERGE_POINTS_ON),

@@ -151,6 +151,49 @@ void TestOwnSingularities()
     OutputOf(edit)->GetCellData()->GetArray("SingularityIndex")));
 }
 
+/// Without a second input the field has its own singularities.
+void TestWithoutPoints()
+{
+  for (const auto& mesh : { PolyMeshes::Icosphere(3), PolyMeshes::Pebble(4),
+         PolyMeshes::QuadTorus(30, 14), PolyMeshes::Square(12) })
+  {
+    for (const int degree : { 1, 2, 4, 6 })
+    {
+      auto field = FieldOn(mesh, degree);
+      auto* const indices = field->GetOutput()->GetCellData()->GetArray("SingularityIndex");
+      for (const int mode :
+        { vtkDirectionFieldSingularities::REPLACE, vtkDirectionFieldSingularities::ADD })
+      {
+        for (const int objective : { vtkDirectionFieldSingularities::SMOOTHEST,
+               vtkDirectionFieldSingularities::LEAST_CHANGE })
+        {
+          vtkNew<vtkDirectionFieldSingularities> edit;
+          vtkNew<Messages> messages;
+          messages->Observe(edit);
+          edit->SetInputConnection(field->GetOutputPort());
+          edit->SetSingularityMode(mode);
+          edit->SetObjective(objective);
+          edit->Update();
+          CHECK(messages->IsEmpty());
+          CHECK(IsSame(indices, OutputOf(edit)->GetCellData()->GetArray("SingularityIndex")));
+          CHECK(
+            SingularitiesOf(edit)->GetNumberOfPoints() == field->GetOutput(1)->GetNumberOfPoints());
+          if (mode == vtkDirectionFieldSingularities::ADD)
+          {
+            CHECK(IsSame(Direction(field->GetOutput(), 0), Direction(OutputOf(edit), 0)));
+            continue;
+          }
+          // It is the same as with the second output of the field.
+          auto given = Edit(field, field->GetOutput(1));
+          given->SetObjective(objective);
+          given->Update();
+          CHECK(IsSame(Direction(OutputOf(given), 0), Direction(OutputOf(edit), 0)));
+        }
+      }
+    }
+  }
+}
+
 void TestErrors()
 {
   auto field = FieldOn(PolyMeshes::Icosphere(3));
@@ -160,7 +203,7 @@ void TestErrors()
   vtkNew<Messages> messages;
   messages->Observe(edit);
   edit->Update();
-  CHECK(messages->IsOneError({ "add up to 7", "must add up to 8", "BalanceAutomatically" }));
+  CHECK(messages->IsOneError({ "add up to 7", "must add up to 8", "Balance Automatically" }));
   CHECK(OutputOf(edit)->GetNumberOfPoints() == 0);
   messages->Errors.clear();
   messages->Warnings.clear();
@@ -233,6 +276,13 @@ void TestBlocks()
   auto* const singular = vtkMultiBlockDataSet::SafeDownCast(edit->GetOutputDataObject(1));
   REQUIRE(output && singular);
   CHECK(vtkPolyData::SafeDownCast(singular->GetBlock(0))->GetNumberOfPoints() == 8);
+  vtkNew<vtkDirectionFieldSingularities> own;
+  own->SetInputData(blocks);
+  own->SetObjectiveToLeastChange();
+  own->Update();
+  auto* const kept = vtkMultiBlockDataSet::SafeDownCast(own->GetOutputDataObject(0));
+  REQUIRE(kept && kept->GetNumberOfBlocks() == 2);
+  CHECK(IsSame(Direction(far, 0), Direction(vtkPolyData::SafeDownCast(kept->GetBlock(1)), 0)));
   // The other block keeps its field.
   CHECK(IsSame(Direction(far, 0), Direction(vtkPolyData::SafeDownCast(output->GetBlock(1)), 0)));
 }
@@ -243,6 +293,7 @@ int TestDirectionFieldSingularities(int, char*[])
   TestParameters();
   TestCubeCorners();
   TestOwnSingularities();
+  TestWithoutPoints();
   TestErrors();
   TestRefinement();
   TestBlocks();

@@ -132,7 +132,7 @@ void TestSeeds()
   Messages& missing = *observed;
   missing.Observe(filter);
   filter->Update();
-  CHECK(missing.IsOneError({ "Seed Source", "SeedType" }));
+  CHECK(missing.IsOneError({ "Seed Source", "Seed Type" }));
   CHECK(filter->GetOutput(0)->GetNumberOfCells() == 0);
   filter->SetInputData(1, seeds);
   filter->SetMaximumStreamlineLength(1.0);
@@ -146,7 +146,7 @@ void TestSeeds()
   CHECK(lines->GetCellData()->GetArray("Length")->GetRange()[1] < 1.001);
   filter->SetMaximumNumberOfLines(3);
   filter->Update();
-  CHECK(missing.IsOneWarning({ "MaximumNumberOfLines", "SeparatingDistance" }));
+  CHECK(missing.IsOneWarning({ "Maximum Number Of Lines", "Spacing" }));
   CHECK(filter->GetOutput(0)->GetNumberOfCells() == 3);
 }
 

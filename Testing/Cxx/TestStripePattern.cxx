@@ -169,13 +169,13 @@ void TestErrorsAndWarnings()
   message(true, { "Direction0", "Apply Direction Field first" });
   filter->SetInputData(Field(PolyMeshes::Pebble(3), 2));
   filter->SetSpacingArray("Nothing");
-  message(true, { "Nothing", "SpacingArray" });
+  message(true, { "Nothing", "Spacing Array" });
   filter->SetSpacingArray("None");
   filter->SetSpacing(1e-9);
   message(true, { "Raise Spacing" });
   filter->SetSpacing(0.1);
   filter->SetLineOffset(0.3);
-  message(false, { "LineOffset", "multiple of 0.5" });
+  message(false, { "Line Offset", "multiple of 0.5" });
   CHECK(FieldValue(filter->GetOutput(), "LineOffset") == 0.5);
   filter->SetLineOffset(0.0);
   filter->SetInputData(Field(PolyMeshes::Icosphere(1), 2));

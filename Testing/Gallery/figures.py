@@ -220,7 +220,7 @@ class ComparisonPanel(Panel):
         super().__init__(one.Input, one.Degree, camera)
         simple.HideAll(self.view)
         self.other = other
-        self.compared = simple.CompareDirectionFields(Input=one, Other=other)
+        self.compared = simple.CompareDirectionFields(Input=one, Other=other, Diagnostics=1)
         display = simple.Show(self.compared, self.view)
         simple.ColorBy(display, ("POINTS", "AngleDifference"))
         # ParaView 6 has another name for the same colors.
@@ -317,7 +317,8 @@ def exchange(directory):
         back = simple.ReadDirectionField(Input=mesh, FileName=path)
         back.UpdatePipeline()
         panels = [own, GivenPanel(back, BUNNY_CAMERA)]
-        compared = servermanager.Fetch(simple.CompareDirectionFields(Input=own.proxy, Other=back))
+        compared = servermanager.Fetch(simple.CompareDirectionFields(
+            Input=own.proxy, Other=back, Diagnostics=1))
     for panel in panels:
         panel.field.check_sum()
     mean = compared.GetFieldData().GetArray("MeanAngleDifference").GetTuple1(0)
@@ -339,7 +340,7 @@ def singularities(_):
                 places.append([math.sqrt(2.0) * size * math.cos(phi),
                                math.sqrt(2.0) * size * math.sin(phi), height])
         points = producer(meshes.polydata(places, np.zeros((0, 3))))
-        edit = simple.EditSingularities(Input=base, Singularities=points)
+        edit = simple.EditSingularities(Input=base, Singularities=points, Diagnostics=1)
         edit.UpdatePipeline()
         panels.append(GivenPanel(edit, OBLIQUE))
         balls = simple.Show(simple.Glyph(
@@ -419,7 +420,7 @@ class LinesPanel(Panel):
         self.camera = camera
         for port in (0, 1):
             simple.Show(simple.OutputPort(self.proxy, port), self.view)
-        self.lines = simple.DirectionFieldStreamlines(Input=self.proxy, **properties)
+        self.lines = simple.DirectionFieldStreamlines(Input=self.proxy, Diagnostics=1, **properties)
         simple.Show(self.lines, self.view)
         self.traced = servermanager.Fetch(self.lines, idx=0)
         self.nodes = servermanager.Fetch(self.lines, idx=1)

@@ -127,7 +127,7 @@ class Panel:
         import directionfields
         self.picture = directionfields.show(
             source, degree, self.view, glyphs={"MaximumNumberOfGlyphs": glyphs}, legend=False,
-            **properties)
+            Diagnostics=1, **properties)
         self.proxy = self.picture.field
         self.field = Field(self.proxy)
         self.camera = camera

@@ -25,7 +25,7 @@ class StripePanel:
         self.view.OrientationAxesVisibility = 0
         self.field = Field(field)
         self.camera = camera
-        self.stripes = simple.StripePattern(Input=field, **properties)
+        self.stripes = simple.StripePattern(Input=field, Diagnostics=1, **properties)
         simple.Show(simple.OutputPort(self.stripes, 1), self.view)
         if lines:
             display = simple.Show(lines, self.view)

@@ -8,7 +8,7 @@ from paraview.simple import *
 
 LoadDistributedPlugin("DirectionFields", ns=globals())
 mesh = PLYReader(FileNames=[sys.argv[1]])
-field = DirectionField(Input=mesh, Degree=4)
+field = DirectionField(Input=mesh, Degree=4, Diagnostics=1)
 field.UpdatePipeline()
 assert field.FieldData["IndexSum"].GetRange() == (8, 8)
 assert field.PointData["Direction3"].GetNumberOfComponents() == 3

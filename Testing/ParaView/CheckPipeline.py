@@ -25,12 +25,12 @@ def check():
              for i in range(surface.GetPointData().GetNumberOfArrays())]
     for k in range(2):
         assert "Direction%d" % k in names, names
-    values = surface.GetFieldData()
-    assert values.GetArray("Residual").GetTuple1(0) <= field.Tolerance
+    summary = surface.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+    assert "not converged" not in summary, summary
     singularities = servermanager.Fetch(field, idx=1)
     index = singularities.GetPointData().GetArray("SingularityIndex")
     total = sum(int(index.GetTuple1(i)) for i in range(index.GetNumberOfTuples()))
-    assert total == values.GetArray("IndexSum").GetTuple1(0), total
+    assert f"index sum {total}" in summary, (total, summary)
     assert singularities.GetNumberOfPoints() > 0
 
     view = GetActiveView()

@@ -17,10 +17,11 @@ def total(array):
 
 
 def figures(surface, singularities):
-    """The figures of a field, which it has once for each connected component."""
+    """The figures of a field: with Diagnostics those of each connected component, too."""
     data = surface.GetFieldData()
     found = {name: values(data.GetArray(name))
-             for name in ("Eigenvalue", "Residual", "IndexSum", "EulerCharacteristic")}
+             for name in ("Eigenvalue", "Residual", "IndexSum", "EulerCharacteristic")
+             if data.HasArray(name)}
     found["Singularities"] = singularities.GetNumberOfPoints()
     found["Total"] = total(singularities.GetPointData().GetArray("SingularityIndex"))
     return found

@@ -45,8 +45,13 @@ def check_properties(proxy, expected, enumerations, advanced, others=("Input",))
     enumerations  from name to the texts of the entries
     advanced      the names of those that only the advanced panel shows
     others        the names of those that no figures are printed of"""
-    names = [name for name in proxy.ListProperties() if name not in others]
+    names = [name for name in proxy.ListProperties() if name not in (*others, "Diagnostics")]
     assert sorted(names) == sorted(expected), names
+    if "Diagnostics" in proxy.ListProperties():
+        # Menus of ParaView list all arrays; programs are given them.
+        switch = proxy.SMProxy.GetProperty("Diagnostics")
+        assert switch.GetDomain("bool") and switch.GetPanelVisibility() == "advanced"
+        assert switch.GetDocumentation().GetDescription()
     for name, figures in expected.items():
         property = proxy.SMProxy.GetProperty(name)
         check_property(property, name, figures, enumerations)

@@ -10,7 +10,10 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
+
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 
 
 def source(points, cells, **arrays):

@@ -37,7 +37,7 @@ def test_field():
     picture, and nothing else is red or blue."""
     view = new_view()
     field, surface, balls = shown_field(view, simple.PLYReader(FileNames=[mesh]))
-    assert surface.Representation == "Surface" and not surface.ColorArrayName[1]
+    assert surface.Representation == "Direction Field" and not surface.ColorArrayName[1]
     assert max(surface.DiffuseColor) - min(surface.DiffuseColor) < 0.1
     assert balls.Representation == "3D Glyphs", balls.Representation
     assert balls.ColorArrayName[:] == ["POINTS", "SingularityIndex"]
@@ -75,6 +75,151 @@ def color_of(lookup, value):
     rgb = [0.0, 0.0, 0.0]
     lookup.GetClientSideObject().GetColor(value, rgb)
     return [255 * c for c in rgb]
+
+
+def apply(view, source):
+    """What Apply does in the window."""
+    controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+    for port in range(source.GetNumberOfOutputPorts()):
+        controller.ShowInPreferredView(source.SMProxy, port, view.SMProxy)
+    simple.Render(view)
+    return [simple.GetRepresentation(simple.OutputPort(source, port), view)
+            if view.FindRepresentation(source.SMProxy, port) else None
+            for port in range(source.GetNumberOfOutputPorts())]
+
+
+def orange(r, g, b):
+    return (r > b + 100) & (r > g + 50) & (g > b + 30)
+
+
+def test_directions():
+    """Direction Field shows directions, on each block of a group, and they move with the surface."""
+    view = new_view()
+    field = DirectionField(Input=simple.PLYReader(FileNames=[mesh]))
+    surface, balls = apply(view, field)
+    assert balls.Representation == "3D Glyphs"
+    simple.ResetCamera(view)
+    count = pixels(picture_of(view, "ApplyDirections.png"), teal)
+    assert count > 0.02 * SIZE[0] * SIZE[1], count
+    surface.Position = [1000.0, 0.0, 0.0]
+    assert pixels(picture_of(view, "ApplyMoved.png"), teal) == 0
+    surface.Position = [0.0, 0.0, 0.0]
+    surface.Representation = "Surface"
+    assert pixels(picture_of(view, "ApplyPlain.png"), teal) == 0
+    surface.Representation = "Direction Field"
+    again = pixels(picture_of(view, "ApplyAgain.png"), teal)
+    assert abs(again - count) < 0.02 * count, (again, count)
+    surface.Visibility = 0
+    assert pixels(picture_of(view, "ApplyHidden.png"), teal) == 0
+    simple.ResetSession()
+
+    view = new_view()
+    group = simple.GroupDatasets(Input=[simple.Sphere(Center=[-1, 0, 0]), simple.Sphere(Center=[1, 0, 0])])
+    apply(view, DirectionField(Input=group))
+    view.CameraPosition, view.CameraFocalPoint = [0.0, 0.0, 8.0], [0.0, 0.0, 0.0]
+    simple.ResetCamera(view)
+    path = picture_of(view, "ApplyGroup.png")
+    for half in (0, 1):
+        count = pixels(path, lambda r, g, b: teal(r, g, b) & half_of(r, half))
+        assert count > 1000, (half, count)
+    simple.ResetSession()
+
+
+def half_of(red, half):
+    import numpy
+    columns = numpy.tile(numpy.arange(SIZE[0]), SIZE[1])
+    return (columns >= SIZE[0] // 2) == bool(half)
+
+
+def test_others_hide_directions():
+    """What is drawn along a field does not lie among its glyphs."""
+    for name in ("DirectionFieldStreamlines", "StripePattern", "DirectionFieldGlyphs"):
+        view = new_view()
+        field = DirectionField(Input=simple.Sphere(ThetaResolution=48, PhiResolution=32), Degree=2)
+        surface, _ = apply(view, field)
+        glyphs = DirectionFieldGlyphs(Input=field)
+        [marks] = apply(view, glyphs)
+        assert (surface.Representation, marks.Visibility) == ("Surface", 1)
+        if name != "DirectionFieldGlyphs":
+            surface.Representation = "Direction Field"
+            apply(view, globals()[name](Input=field))
+            assert (surface.Representation, marks.Visibility) == ("Surface", 0), name
+            # The user's choice stays.
+            marks.Visibility = 1
+            simple.Render(view)
+            assert marks.Visibility == 1
+        picture_of(view, f"Apply{name}.png")
+        simple.ResetSession()
+
+
+def test_stripes():
+    """Stripe Pattern shows bands and nothing else, with one legend."""
+    view = new_view()
+    field = DirectionField(Input=simple.PLYReader(FileNames=[mesh]), Degree=2)
+    lines, bands, branches = apply(view, StripePattern(Input=field))
+    assert lines is None and branches is None
+    assert bands.ColorArrayName[:] == ["CELLS", "Stripe"]
+    simple.ResetCamera(view)
+    picture_of(view, "ApplyStripes.png")
+    simple.ResetSession()
+
+
+def test_remesh():
+    """Irregular vertices are balls, red and blue, of the size of the faces."""
+    view = new_view()
+    remeshed = FieldAlignedRemesh(Input=simple.PLYReader(FileNames=[mesh]), NumberOfFaces=2000)
+    _, balls = apply(view, remeshed)
+    simple.ResetCamera(view)
+    assert balls.ColorArrayName[:] == ["POINTS", "MissingEdges"]
+    path = picture_of(view, "ApplyRemesh.png")
+    assert min(pixels(path, red), pixels(path, blue)) > 200, (pixels(path, red), pixels(path, blue))
+    balls.SetScalarBarVisibility(view, True)
+    bar = simple.GetScalarBar(balls.LookupTable, view)
+    assert bar.Title == "Valence" and bar.DrawTickLabels == 0
+    assert list(balls.LookupTable.Annotations) == ["-1", "more edges", "1", "fewer edges"]
+    simple.ResetSession()
+
+
+def test_guidance():
+    """Guidance From Curves shows curve and vectors."""
+    view = new_view()
+    sphere = simple.Sphere(ThetaResolution=48, PhiResolution=32)
+    circle = simple.PolyLineSource(Points=[0.5, 0, 0, 0.35, 0, 0.35, 0, 0, 0.5, -0.35, 0, 0.35])
+    guidance = GuidanceFromCurves(Input=sphere, Curves=circle)
+    _, strokes = apply(view, guidance)
+    view.CameraPosition, view.CameraFocalPoint = [0.0, 2.0, 4.0], [0.0, 0.0, 0.0]
+    simple.ResetCamera(view)
+    count = pixels(picture_of(view, "ApplyGuidance.png"), orange)
+    assert count > 1000, count
+    strokes.Visibility = 0
+    assert pixels(picture_of(view, "ApplyNoStrokes.png"), orange) == 0
+    simple.ResetSession()
+
+
+def menu(display):
+    """The arrays that the colour menu offers."""
+    domain = display.GetProperty("ColorArrayName").GetDomain("array_list")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+
+
+def test_menus():
+    """Menus of arrays are short, and are long where Diagnostics is on."""
+    view = new_view()
+    source = simple.Sphere(ThetaResolution=24, PhiResolution=16, EndPhi=120.0)
+    field = DirectionField(Input=simple.Transform(Input=source), Degree=2)
+    surface, _ = apply(view, field)
+    print(menu(surface))
+    for degree in (1, 2, 4):
+        field.Degree = degree
+        simple.Render(view)
+        # The sphere has normals of its own.
+        offered = [name for name in menu(surface) if name != "Normals"]
+        others = [name for name in offered if not name.startswith("Direction")]
+        assert len(offered) == degree + len(others) and len(others) <= 4, (degree, offered)
+    [lines] = apply(view, DirectionFieldStreamlines(Input=field))[:1]
+    print(menu(lines))
+    assert len(menu(lines)) <= 5, menu(lines)
+    simple.ResetSession()
 
 
 def test_glyphs():
@@ -177,6 +322,12 @@ def test_user():
 
 
 test_field()
+test_directions()
+test_others_hide_directions()
+test_stripes()
+test_remesh()
+test_guidance()
+test_menus()
 test_glyphs()
 test_sides()
 test_one_singularity()

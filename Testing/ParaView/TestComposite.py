@@ -6,9 +6,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
 from Figures import figures, names
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 
 # The second sphere is twice as large, the cylinder is an annulus without its caps.
 blocks = [Sphere(ThetaResolution=24, PhiResolution=16),

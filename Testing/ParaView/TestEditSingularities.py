@@ -10,9 +10,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
 from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 FOLDER = os.path.join(sys.argv[3], "EditSingularities")
 os.makedirs(FOLDER, exist_ok=True)
 ENUMERATIONS = {"SingularityMode": ["Replace", "Add"], "Objective": ["Smoothest", "Least Change"],

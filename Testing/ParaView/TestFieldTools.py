@@ -10,9 +10,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
 from Properties import check_properties, check_property, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 FOLDER = os.path.join(sys.argv[3], "FieldTools")
 os.makedirs(FOLDER, exist_ok=True)
 ENUMERATIONS = {"ReadDirectionField": ["Automatic", "Cells", "Points"],

@@ -9,9 +9,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
 from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 
 ENUMERATIONS = {
     "GlyphType": ["Automatic", "Lines", "Arrows", "Ribbons", "Tubes"],

@@ -8,9 +8,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
 from Properties import check_properties, printed
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 
 
 def names(attributes):

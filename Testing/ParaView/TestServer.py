@@ -33,7 +33,8 @@ def client(port):
     from paraview import servermanager, simple
 
     def compute():
-        field = simple.DirectionField(Input=simple.Sphere(ThetaResolution=24, PhiResolution=16))
+        field = simple.DirectionField(
+            Input=simple.Sphere(ThetaResolution=24, PhiResolution=16), Diagnostics=1)
         surface = servermanager.Fetch(field)
         found = figures(surface, servermanager.Fetch(field, idx=1))
         found["Direction0"] = surface.GetPointData().GetArray("Direction0").GetTuple3(7)

@@ -7,9 +7,11 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+import AllFigures
 from Figures import figures
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 output = sys.argv[2]
 
 # The steps are a sphere, a sphere twice as large, and two spheres, which are two components.

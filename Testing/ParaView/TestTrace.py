@@ -6,9 +6,11 @@ import sys
 from paraview import servermanager, smtrace
 from paraview.simple import *
 
+import AllFigures
 from Figures import figures, sets
 
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
+AllFigures.switch_on()
 
 
 def test_trace():

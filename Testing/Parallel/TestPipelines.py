@@ -86,19 +86,20 @@ def whole_ellipsoid():
 def main():
     wanted = serial(whole_contour())
     surface = contour()
-    check(simple.DirectionField(Input=surface), wanted, "contour")
+    check(simple.DirectionField(Input=surface, Diagnostics=1), wanted, "contour")
     # Binary: on Debian 12 what is appended reads back empty.
     name = os.path.join(directory, "contour%d.pvtp" % count)
     simple.SaveData(name, surface, DataMode="Binary")
-    check(simple.DirectionField(Input=simple.OpenDataFile(name)), wanted, "file")
+    check(simple.DirectionField(Input=simple.OpenDataFile(name), Diagnostics=1), wanted, "file")
 
     wanted = serial(whole_ellipsoid())
-    field = simple.DirectionField(Input=ellipsoid())
+    field = simple.DirectionField(Input=ellipsoid(), Diagnostics=1)
     check(field, wanted, "sources")
     parts = simple.RedistributeDataSet(Input=ellipsoid())
-    check(simple.DirectionField(Input=simple.ExtractSurface(Input=parts)), wanted, "redistributed")
+    check(simple.DirectionField(
+        Input=simple.ExtractSurface(Input=parts), Diagnostics=1), wanted, "redistributed")
 
-    glyphs = simple.DirectionFieldGlyphs(Input=field)
+    glyphs = simple.DirectionFieldGlyphs(Input=field, Diagnostics=1)
     glyphs.UpdatePipeline()
     assert glyphs.GetFieldDataInformation().GetArray("NumberOfGlyphs").GetRange(0)[0] > 100
 

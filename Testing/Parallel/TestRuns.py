@@ -348,7 +348,7 @@ def test_limit():
     automatic, gather = vtkPDirectionField.AUTOMATIC, vtkPDirectionField.GATHER
     check(warned(len(triangles), automatic) == ("", 0, 1), "at the limit")
     text, count, used = warned(len(triangles) - 1, gather)
-    check("more than GatherLimit" in text and (count, used) == (1, 1), text, count, used)
+    check("more than Gather Limit" in text and (count, used) == (1, 1), text, count, used)
     text, count, used = warned(len(triangles) - 1, automatic)
     if sys.argv[2] == "distributed":
         check((text, count, used) == ("", 0, 2), text, count, used)

@@ -32,7 +32,7 @@ def client(port):
     def compute():
         scaled = simple.Transform(Input=simple.Sphere(ThetaResolution=40, PhiResolution=30))
         scaled.Transform.Scale = [1.0, 1.4, 0.7]
-        field = simple.DirectionField(Input=scaled)
+        field = simple.DirectionField(Input=scaled, Diagnostics=1)
         glyphs = simple.DirectionFieldGlyphs(Input=field)
         glyphs.UpdatePipeline()
         data = servermanager.Fetch(field).GetFieldData()

@@ -42,13 +42,13 @@ void Check(const StreamlineOptions& options)
       throw std::invalid_argument(message);
     }
   };
-  require(options.Spacing >= 0.0, "SeparatingDistance must be 0 or more.");
+  require(options.Spacing >= 0.0, "Spacing must be 0 or more.");
   require(
     options.Ratio >= 0.1 && options.Ratio <= 0.9, "SeparatingDistanceRatio must be 0.1 to 0.9.");
   require(options.MaximumLength >= 0.0, "MaximumStreamlineLength must be 0 or more.");
   require(options.MinimumLength >= 0.0, "MinimumStreamlineLength must be 0 or more.");
   require(options.MaximumNumber >= 1 && options.MaximumNumber <= 10000000,
-    "MaximumNumberOfLines must be 1 to 10000000.");
+    "Maximum Number Of Lines must be 1 to 10000000.");
   require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
 }
 

@@ -40,7 +40,7 @@ void CheckOptions(const StripeOptions& options)
   }
   if (!(std::abs(options.LineOffset) <= 1.0))
   {
-    throw std::invalid_argument("LineOffset must be from -1 to 1.");
+    throw std::invalid_argument("Line Offset must be from -1 to 1.");
   }
 }
 

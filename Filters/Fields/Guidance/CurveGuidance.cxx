@@ -259,7 +259,7 @@ void Check(const CurveGuidanceOptions& options)
     !(options.Falloff > 0.0) || !(options.MaximumDistance >= 0.0))
   {
     throw std::invalid_argument(
-      "Degree must be 1 to 16, Falloff greater than 0, Radius and MaximumDistance at least 0.");
+      "Directions Per Point must be 1 to 16, Falloff greater than 0, Radius and Maximum Distance at least 0.");
   }
 }
 }

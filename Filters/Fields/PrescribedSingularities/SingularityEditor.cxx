@@ -180,7 +180,7 @@ EditedField SingularityEditor::Components::Edit(const std::vector<WantedSingular
   {
     edited.Notes.push_back(std::to_string(edited.WrongTriangles.size()) +
       " triangles have other indices than was asked for: the mesh is too coarse there for the field to turn that "
-      "much. Turn RefineWhereNeeded on, subdivide the mesh, or move the singularities apart.");
+      "much. Turn Refine Where Needed on, subdivide the mesh, or move the singularities apart.");
   }
   return edited;
 }
@@ -292,6 +292,28 @@ const GivenField& SingularityEditor::GetBase() const
 const std::vector<Index>& SingularityEditor::GetFirstPoints() const
 {
   return this->Cache->FirstPoint;
+}
+
+std::vector<WantedSingularity> SingularityEditor::GetOwnSingularities() const
+{
+  const GivenField& base = this->GetBase();
+  const std::vector<int> indices = base.Indices();
+  std::vector<WantedSingularity> own;
+  for (Index t = 0; t < static_cast<Index>(indices.size()); ++t)
+  {
+    if (indices[t] == 0 || !base.GetMesh().IsFront(t))
+    {
+      continue;
+    }
+    // Divided first: the sum of the largest coordinates would overflow.
+    WantedSingularity singularity{ Vector3::Zero(), indices[t] };
+    for (const Index i : base.GetSurface().Triangles[base.GetMesh().InputTriangle(t)])
+    {
+      singularity.Position += base.GetSurface().Points[i] / 3.0;
+    }
+    own.push_back(singularity);
+  }
+  return own;
 }
 
 void SingularityEditor::SetGuidance(std::vector<Complex> guidance)

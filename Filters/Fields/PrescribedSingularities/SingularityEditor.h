@@ -83,13 +83,17 @@ public:
   /// For each point of the surface the one that stands for it in the mesh; empty where each stands
   /// for itself.
   const std::vector<Index>& GetFirstPoints() const;
+  /// The singularities of the given field, each in the middle of its triangle.
+  std::vector<WantedSingularity> GetOwnSingularities() const;
   /// Directions that EditOptions::AlignmentStrength draws the field to, for all further edits.
   /// @param guidance a section of the field's degree over the vertices of the mesh (GuidanceFor);
   ///                 empty for none
   void SetGuidance(std::vector<Complex> guidance);
 
   /// The field with the singularities that are asked for. An edit starts from the given field, not
-  /// from an earlier edit. Several singularities in one triangle add up. Where the mesh is too
+  /// from an earlier edit. Several singularities in one triangle add up. Where the smoothest field
+  /// cannot carry singularities that the given one has in the same triangles, it turns around them
+  /// as the given one does. Where else the mesh is too
   /// coarse for an index, the field has another one there, and says so in WrongTriangles and Notes:
   /// split the surface with SurfaceRefinement.
   ///

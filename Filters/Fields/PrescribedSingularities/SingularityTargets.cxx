@@ -121,7 +121,7 @@ private:
       this->Balance(region, missing);
       notes.push_back("The indices added up to " + std::to_string(sum[region]) + " instead of " +
         std::to_string(needed[region]) + ": " + std::to_string(std::abs(missing)) +
-        (missing > 0 ? " of index +1" : " of index -1") + " were added (BalanceAutomatically).");
+        (missing > 0 ? " of index +1" : " of index -1") + " were added (Balance Automatically).");
     }
   }
 
@@ -133,7 +133,7 @@ private:
     const std::string numbers =
       "The indices of the singularities add up to " + std::to_string(sum) + ", but ";
     const std::string remedy = " Add singularities whose indices add up to " +
-      std::to_string(missing) + ", or turn BalanceAutomatically on";
+      std::to_string(missing) + ", or turn Balance Automatically on";
     if (isWhole)
     {
       const int perEuler = needed / this->Degree;
@@ -143,7 +143,7 @@ private:
     }
     throw std::invalid_argument(numbers + "in the part of the surface that is bounded by " +
       "constrained directions they must add up to " + std::to_string(needed) + "." + remedy +
-      ", or turn KeepConstraints off.");
+      ", or turn Keep Constraints off.");
   }
 
   /// Puts missing singularities where the base has such, first those that are farthest from all
@@ -183,7 +183,7 @@ private:
     if (left > 0)
     {
       throw std::invalid_argument(
-        "The mesh has too few triangles for the singularities that BalanceAutomatically would have to add. "
+        "The mesh has too few triangles for the singularities that Balance Automatically would have to add. "
         "Subdivide it.");
     }
   }

@@ -72,7 +72,8 @@ double AlignField(TrivialConnection& rotation, const RotationTarget& target,
     return 0.0;
   }
   const Eigen::VectorXd weight = areas.array() * guidance.array().abs() / mean;
-  const MergedUnknowns merged = rotation.MergeSingular(target, field.Rotation, {}, {}, nullptr);
+  const MergedUnknowns merged =
+    rotation.MergeSingular(target, field.Rotation, field.Settings, {}, nullptr);
   const std::size_t wrong = rotation.WrongTriangles(target, field).size();
   double share = 1.0;
   for (int halving = 0; halving <= MostHalvings; ++halving, share *= 0.5)

@@ -28,30 +28,6 @@ constexpr int MostRepairs = 16;
 
 /// A set rotation may be exceeded by this much.
 constexpr double Rounding = 1e-6;
-/// A singularity of the given field has the middle of its triangle as its place: one that is there
-/// has not been moved.
-constexpr double SameWeight = 1e-3;
-bool IsMiddle(const MeshPlace& place)
-{
-  return std::all_of(place.Weights.begin(), place.Weights.end(),
-    [](double weight) { return std::abs(weight - 1.0 / 3.0) < SameWeight; });
-}
-
-/// Limits the rotations of edges to the largest that is allowed.
-/// @return whether there are any
-bool LimitEdges(const EdgeForm& rotation, std::vector<TrivialConnection::SetEdge>& edges)
-{
-  const std::size_t before = edges.size();
-  for (Index e = 0; e < static_cast<Index>(rotation.size()); ++e)
-  {
-    if (std::abs(rotation[e]) > MostRotation + Rounding)
-    {
-      edges.push_back({ e, rotation[e] > 0.0 ? MostRotation : -MostRotation });
-    }
-  }
-  return edges.size() > before;
-}
-
 double Wrapped(double angle)
 {
   return angle - 2.0 * Pi * std::round(angle / (2.0 * Pi));
@@ -180,7 +156,7 @@ std::optional<std::array<double, 3>> TrivialConnection::RotationsAt(
   const Index triangle = this->Component.FirstTriangle + localTriangle;
   const int index = target.Indices[localTriangle];
   if (target.Objective == RotationObjective::LeastChange &&
-    index == this->BaseIndices[localTriangle] && (!place || IsMiddle(*place)))
+    index == this->BaseIndices[localTriangle] && (!place || RotationRepair::IsMiddle(*place)))
   {
     return std::array<double, 3>{ this->Forms.Along(this->BaseRotation, 3 * triangle),
       this->Forms.Along(this->BaseRotation, 3 * triangle + 1),
@@ -201,8 +177,22 @@ std::optional<std::array<double, 3>> TrivialConnection::RotationsAt(
   return RotationAround(flat, weights, index, this->Holonomy(localTriangle));
 }
 
+/// Joins the corners of a triangle by the base's rotations along its edges.
+void TrivialConnection::JoinAsBase(
+  Index localTriangle, const EdgeForm& form, MergedUnknowns& sets) const
+{
+  const TriangleMesh& mesh = this->Geometry.Mesh;
+  const Index first = 3 * (this->Component.FirstTriangle + localTriangle);
+  for (Index h = first; h < first + 3; ++h)
+  {
+    sets.Join(this->Constrained.UnknownOf(mesh.Tail(h) - this->Component.FirstVertex),
+      this->Constrained.UnknownOf(mesh.Head(h) - this->Component.FirstVertex),
+      this->Forms.Along(form, h) - this->Forms.Along(this->BaseRotation, h));
+  }
+}
+
 MergedUnknowns TrivialConnection::MergeSingular(const RotationTarget& target, const EdgeForm& form,
-  const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
+  const std::vector<RotationSetting>& settings, const std::vector<SetEdge>& edges,
   const Eigen::VectorXd* givenValues) const
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
@@ -234,8 +224,15 @@ MergedUnknowns TrivialConnection::MergeSingular(const RotationTarget& target, co
       }
     }
   };
-  std::vector<char> isDone = isLoose;
-  isDone.resize(target.Indices.size(), 0);
+  std::vector<char> isDone(target.Indices.size(), 0);
+  for (Index t = 0; t < static_cast<Index>(settings.size()); ++t)
+  {
+    isDone[t] = settings[t] == RotationSetting::Prescribed ? 0 : 1;
+    if (settings[t] == RotationSetting::Base)
+    {
+      this->JoinAsBase(t, form, sets);
+    }
+  }
   for (const MeshPlace& place : target.Places)
   {
     const Index t = place.Triangle - this->Component.FirstTriangle;
@@ -263,34 +260,6 @@ MergedUnknowns TrivialConnection::MergeSingular(const RotationTarget& target, co
   return sets;
 }
 
-/// Lets singular triangles loose that touch one whose index is wrong.
-/// @return whether there are any
-bool TrivialConnection::Loosen(
-  const RotationTarget& target, const std::vector<Index>& wrong, std::vector<char>& isLoose) const
-{
-  const TriangleMesh& mesh = this->Geometry.Mesh;
-  isLoose.resize(target.Indices.size(), 0);
-  bool hasChanged = false;
-  std::vector<Index> fan;
-  for (const Index t : wrong)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      mesh.GetFan(mesh.Tail(3 * (this->Component.FirstTriangle + t) + c), fan);
-      for (const Index h : fan)
-      {
-        const Index near = h / 3 - this->Component.FirstTriangle;
-        if ((target.Indices[near] != 0 || this->BaseIndices[near] != 0) && !isLoose[near])
-        {
-          isLoose[near] = 1;
-          hasChanged = true;
-        }
-      }
-    }
-  }
-  return hasChanged;
-}
-
 void TrivialConnection::SetTurn(
   const Eigen::VectorXd& potential, const EdgeForm& whole, TurnedField& field)
 {
@@ -305,20 +274,27 @@ void TrivialConnection::SetTurn(
   this->Forms.SubtractRise(field.Turn, field.Rotation);
 }
 
-TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress& progress)
+/// The total rotation before the base is turned, or its change from the base's.
+EdgeForm TrivialConnection::FormToMinimize(const RotationTarget& target) const
 {
-  TurnedField field;
   std::vector<int> change(target.Indices.size());
   std::transform(target.Indices.begin(), target.Indices.end(), this->BaseIndices.begin(),
     change.begin(), std::minus<>());
   const IntegerForm jumps = this->Trees.Route(std::move(change));
-  // The form to be minimized: the total rotation, or its change from the base's.
-  EdgeForm form(this->Component.Edges());
   const bool keeps = target.Objective == RotationObjective::LeastChange;
+  EdgeForm form(this->Component.Edges());
   for (Index e = 0; e < this->Component.Edges(); ++e)
   {
     form[e] = 2.0 * Pi * jumps[e] + (keeps ? 0.0 : this->BaseRotation[e]);
   }
+  return form;
+}
+
+TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress& progress)
+{
+  TurnedField field;
+  const bool keeps = target.Objective == RotationObjective::LeastChange;
+  EdgeForm form = this->FormToMinimize(target);
   Eigen::VectorXd potential;
   progress.Report(0.3);
   const std::size_t loops = this->Trees.GetGenerators().size();
@@ -340,35 +316,49 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
     whole[e] += this->BaseRotation[e];
   }
   const Eigen::VectorXd givenValues = potential;
-  std::vector<char> isLoose;
+  const RotationRepair repair(this->Geometry.Mesh, this->Component, this->BaseIndices, target);
+  std::vector<RotationSetting> settings;
   std::vector<SetEdge> edges;
-  TurnedField attempt;
   std::size_t leastWrong = static_cast<std::size_t>(this->Component.Triangles()) + 1;
-  for (int repairs = 0; repairs < MostRepairs; ++repairs)
+  const auto attempt = [&]
   {
+    TurnedField next;
     const MergedUnknowns merged =
-      this->MergeSingular(target, whole, isLoose, edges, hasSeveralSets ? &givenValues : nullptr);
-    potential = this->SolveFor(form, std::move(potential), &merged, progress, attempt.Residual);
-    this->SetTurn(potential, whole, attempt);
-    const std::vector<Index> wrong = this->WrongTriangles(target, attempt);
-    if (wrong.empty())
-    {
-      field = std::move(attempt);
-      break;
-    }
+      this->MergeSingular(target, whole, settings, edges, hasSeveralSets ? &givenValues : nullptr);
+    potential = this->SolveFor(form, std::move(potential), &merged, progress, next.Residual);
+    this->SetTurn(potential, whole, next);
+    next.Settings = settings;
+    std::vector<Index> wrong = this->WrongTriangles(target, next);
     if (wrong.size() < leastWrong)
     {
       leastWrong = wrong.size();
-      field = attempt;
+      field = next;
     }
+    return std::pair(std::move(wrong), std::move(next.Rotation));
+  };
+  for (int repairs = 0; repairs < MostRepairs && leastWrong > 0; ++repairs)
+  {
+    const auto [wrong, rotation] = attempt();
     // Where singularities are too near to each other, it is the edges that have to be bounded.
-    if (this->Loosen(target, wrong, isLoose))
+    if (repair.Loosen(wrong, settings))
     {
       edges.clear();
     }
-    else if (!LimitEdges(attempt.Rotation, edges))
+    else if (!RotationRepair::LimitEdges(rotation, edges))
     {
       break;
+    }
+  }
+  if (leastWrong > 0)
+  {
+    // The base shows how the mesh can carry what nobody has changed.
+    settings = field.Settings;
+    edges.clear();
+    std::vector<Index> wrong = this->WrongTriangles(target, field);
+    for (int k = 0; k < MostRepairs && leastWrong > 0 && repair.KeepBase(wrong, 1 << k, settings);
+         ++k)
+    {
+      wrong = attempt().first;
     }
   }
   field.KeepsTurningNumbers = loops > MostLoops;

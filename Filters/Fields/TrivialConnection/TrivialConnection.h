@@ -9,7 +9,7 @@
 #include "TrivialConnection/ConstrainedSets.h"
 #include "TrivialConnection/DiscreteForms.h"
 #include "TrivialConnection/PoissonSolver.h"
-#include "TrivialConnection/RotationObjective.h"
+#include "TrivialConnection/RotationRepair.h"
 #include "TrivialConnection/TreeCotree.h"
 
 #include <optional>
@@ -17,17 +17,6 @@
 
 namespace DirectionFields::Internal
 {
-/// The singularities that a component is to have.
-struct RotationTarget
-{
-  /// Of each triangle of the component, in units of 1/n.
-  std::vector<int> Indices;
-  /// Where in their triangles singularities are, with weights of the mesh's corners. Others are
-  /// where the base vanishes.
-  std::vector<MeshPlace> Places;
-  RotationObjective Objective = RotationObjective::Smoothest;
-};
-
 /// A field of a component whose singularities are prescribed.
 struct TurnedField
 {
@@ -46,6 +35,8 @@ struct TurnedField
   double Residual = 0.0;
   /// The component has too many loops for the best turning numbers to be looked for.
   bool KeepsTurningNumbers = false;
+  /// How the rotations in each triangle were set; empty where all are as prescribed.
+  std::vector<RotationSetting> Settings;
 };
 
 /// The fields of one component whose singularities are prescribed: trivial connections (K. Crane,
@@ -83,20 +74,14 @@ public:
   /// target.
   std::vector<Index> WrongTriangles(const RotationTarget& target, const TurnedField& field) const;
 
-  /// An edge along which the rotation is set, counted from the component's first one.
-  struct SetEdge
-  {
-    Index Edge;
-    double Rotation;
-  };
   /// The corners of singular triangles, joined by the rotations along their edges.
   /// @param form        the rotation along the edges before the base is turned
   /// @param edges       other edges whose ends are joined, too
-  /// @param isLoose     not 0 for triangles whose rotations are not set; empty for none
+  /// @param settings    of the triangles; empty where all are as prescribed
   /// @param givenValues the values of the sets of given vertices, which are joined at the whole
   ///                    turns nearest to these; null for none
   MergedUnknowns MergeSingular(const RotationTarget& target, const EdgeForm& form,
-    const std::vector<char>& isLoose, const std::vector<SetEdge>& edges,
+    const std::vector<RotationSetting>& settings, const std::vector<SetEdge>& edges,
     const Eigen::VectorXd* givenValues) const;
 
   /// More loops than this keep the turning numbers of the base.
@@ -118,8 +103,8 @@ private:
   double Holonomy(Index localTriangle) const;
   std::optional<std::array<double, 3>> RotationsAt(
     const RotationTarget& target, Index localTriangle, const MeshPlace* place) const;
-  bool Loosen(const RotationTarget& target, const std::vector<Index>& wrong,
-    std::vector<char>& isLoose) const;
+  void JoinAsBase(Index localTriangle, const EdgeForm& form, MergedUnknowns& sets) const;
+  EdgeForm FormToMinimize(const RotationTarget& target) const;
   void SetTurn(const Eigen::VectorXd& potential, const EdgeForm& whole, TurnedField& field);
   void ChooseTurning(EdgeForm& form, Eigen::VectorXd& potential, const Progress& progress);
 

@@ -128,6 +128,10 @@ int vtkPDirectionField::FillInputPortInformation(int port, vtkInformation* info)
 void vtkPDirectionField::AddDistribution(
   int used, vtkIdType pieces, vtkIdType sharedPoints, vtkPolyData* output) const
 {
+  if (!this->Diagnostics)
+  {
+    return;
+  }
   vtkNew<vtkIdTypeArray> distribution;
   distribution->SetName("Distribution");
   distribution->SetNumberOfComponents(3);
@@ -224,7 +228,7 @@ void vtkPDirectionField::ComputePiece(
   {
     warning += (warning.empty() ? "The" : " The") + std::string(" surface has ") +
       std::to_string(all) +
-      " polygons, more than GatherLimit. All of them are on one process now, which takes about " +
+      " polygons, more than Gather Limit. All of them are on one process now, which takes about " +
       std::to_string(std::max<vtkIdType>(1, all * 67 / 100000000)) +
       " GB there. Decimate the surface where that is too much.";
   }

@@ -7,6 +7,8 @@
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/ComparisonToPolyData.h"
+#include "Conversion/Output/FieldToPolyData.h"
+#include "Support/OutputSummaries.h"
 
 #include <DirectionFields/Progress.h>
 
@@ -20,8 +22,10 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkCompareDirectionFields);
 
@@ -94,10 +98,14 @@ void vtkCompareDirectionFields::SetOtherData(vtkDataObject* field)
 }
 
 //------------------------------------------------------------------------------
-int vtkCompareDirectionFields::FillInputPortInformation(int, vtkInformation* info)
+int vtkCompareDirectionFields::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
 }
 
@@ -107,7 +115,7 @@ void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other,
 {
   DirectionFields::CheckPolyData(input);
   DirectionFields::CheckPolyData(other);
-  output->ShallowCopy(input);
+  DirectionFields::CopyWithoutReports(input, output);
   if (input->GetNumberOfPoints() == 0 && other->GetNumberOfPoints() == 0)
   {
     return;
@@ -126,25 +134,30 @@ void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other,
     DirectionFields::PolyDataToSurface(other, progress.Part(0.5 * ProgressRead, ProgressRead))
       .Mesh);
   const DirectionFields::GivenField field(surface.Mesh, first);
-  DirectionFields::AddDifference(DirectionFields::Compare(field, second), output);
+  const DirectionFields::FieldDifference difference = DirectionFields::Compare(field, second);
+  DirectionFields::AddDifference(difference, output);
   progress.Report(ProgressCompared);
-  if (!this->MatchSingularities && !this->DivergenceAndCurl)
+  std::optional<DirectionFields::GivenField> otherField;
+  if (this->DivergenceAndCurl || this->MatchSingularities)
   {
-    return;
+    otherField.emplace(surface.Mesh, second);
   }
-  const DirectionFields::GivenField otherField(surface.Mesh, second);
   if (this->DivergenceAndCurl)
   {
     DirectionFields::AddDerivatives(surface, DirectionFields::FieldDerivatives(field), 0, output);
     DirectionFields::AddDerivatives(
-      surface, DirectionFields::FieldDerivatives(otherField), 1, output);
+      surface, DirectionFields::FieldDerivatives(*otherField), 1, output);
   }
+  std::vector<DirectionFields::ComparedSingularity> singularities;
   if (this->MatchSingularities)
   {
-    DirectionFields::AddMatches(surface,
-      DirectionFields::MatchSingularities(field, otherField, progress.Part(ProgressCompared, 1.0)),
-      output, matches);
+    singularities =
+      DirectionFields::MatchSingularities(field, *otherField, progress.Part(ProgressCompared, 1.0));
+    DirectionFields::AddMatches(surface, singularities, output, matches);
   }
+  const std::string summary =
+    DirectionFields::Summary(difference, this->MatchSingularities ? &singularities : nullptr);
+  Summarize(summary, { output, matches });
 }
 
 //------------------------------------------------------------------------------
@@ -188,6 +201,15 @@ void vtkCompareDirectionFields::CompareBlocks(vtkCompositeDataSet* input, vtkDat
 void vtkCompareDirectionFields::Execute(
   const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
+  if (!inputs[1])
+  {
+    vtkWarningMacro(<< "Choose the field to compare with: it is the second input, Other, in the "
+                       "dialog Change Input.");
+    outputs[0]->ShallowCopy(inputs[0]);
+    DirectionFields::RemoveReports(outputs[0]->GetFieldData());
+    Summarize("there is no field to compare with", outputs);
+    return;
+  }
   if (auto* const composite = vtkCompositeDataSet::SafeDownCast(inputs[0]))
   {
     auto* const differences = vtkCompositeDataSet::SafeDownCast(outputs[0]);

@@ -15,7 +15,8 @@
  * @section Input Input
  * Both ports: a vtkPolyData with the point arrays `Direction0`, ... that vtkDirectionField gives.
  * They have the same points and the same cells. Where port 0 has a composite dataset, port 1 has
- * one of the same structure, or one surface that is compared with all.
+ * one of the same structure, or one surface that is compared with all. Without any connection to
+ * port 1 the output is the first input as it is, with a warning.
  *
  * @section Output Output
  * Port 0: the first surface with

@@ -3,6 +3,7 @@
 
 #include "vtkDirectionField.h"
 
+#include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToGuidance.h"
 #include "Conversion/Output/CellDirections.h"
@@ -17,6 +18,7 @@
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -177,7 +179,7 @@ void vtkDirectionField::Execute(
   }
 
   const DirectionFields::TriangulatedPolyData& surface = this->Last->GetSurface();
-  output->ShallowCopy(input);
+  DirectionFields::CopyWithoutReports(input, output);
   const int type = this->TypeOfArrays(input);
   DirectionFields::AddFieldArrays(surface, field, type, output, progress.Part(ProgressSolved, 1.0));
   if (this->CellDirections)
@@ -186,11 +188,13 @@ void vtkDirectionField::Execute(
   }
   DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
   DirectionFields::MakeSingularPoints(surface, field, figures, type, singularities);
-  const std::string summary = DirectionFields::Summary(figures, field, options);
-  for (vtkPolyData* const data : { output, singularities })
+  std::string summary = DirectionFields::Summary(figures, field, options);
+  if (this->Alignment != ALIGN_POINT_VECTORS && !this->ConstrainGuidance &&
+    input->GetPointData()->HasArray(DirectionFields::ArrayNames::GuidanceVectors))
   {
-    DirectionFields::AddSummary(summary, data->GetFieldData());
+    summary += ", guidance is there but not used (Alignment, Constrain Guidance)";
   }
+  Summarize(summary, { output, singularities });
 }
 
 //------------------------------------------------------------------------------

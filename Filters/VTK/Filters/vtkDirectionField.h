@@ -93,15 +93,14 @@
  *   NonManifoldEdges, NonManifoldPoints, NonOrientableComponents, MergedPoints. 0 for a clean
  *   surface.
  * - field data `Summary`: string, one tuple; on port 1, too. One line in ASCII that describes the
- *   field: "32 singularities (20 +, 12 -), index sum 8, converged in 15 iterations". The
- *   singularities are the points of port 1 and how many of them have a positive and a negative
- *   index; the sum is that of all components, in units of 1/n, followed by "over 3 components"
- *   where there are several; the iterations are the most that a component took, and are left out
- *   where none was needed. Where the solver did not reach its tolerance it says "not converged
- *   (residual 2e-05)" or "1 of 3 components not converged (residual 2e-05)", with the largest
- *   residual. There follow, where they apply, "aligned", "120 points constrained", and "unit length
- *   with 31 % less energy", from the sums of `UnitEnergy`. An input without triangles has "no
- *   field, for there are no triangles".
+ *   field: "32 singularities (20 +, 12 -), index sum 8, 24 points constrained". The singularities
+ *   are the points of port 1 and how many of them have a positive and a negative index; the sum is
+ *   that of all components, in units of 1/n, followed by "over 3 components" where there are
+ *   several. Where the solver did not reach its tolerance it says "not converged (residual 2e-05)"
+ *   or "1 of 3 components not converged (residual 2e-05)", with the largest residual. There follow,
+ *   where they apply, "aligned", "120 points constrained", "unit length with 31 % less energy",
+ *   from the sums of `UnitEnergy`, and that an array GuidanceVectors is there which is not used. An
+ *   input without triangles has "no field, for there are no triangles".
  *
  * Where there are any, also
  * - field data `Warnings`: string. The warnings of this run, one a tuple.

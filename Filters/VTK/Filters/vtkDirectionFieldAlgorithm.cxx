@@ -4,21 +4,49 @@
 #include "vtkDirectionFieldAlgorithm.h"
 
 #include "Conversion/Input/PolyDataCheck.h"
+#include "Conversion/Output/FieldToPolyData.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/DefaultThreads.h"
 
 #include <DirectionFields/Progress.h>
 #include <DirectionFields/Support/Threads.h>
 
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <exception>
+#include <functional>
 #include <new>
+
+namespace
+{
+/// Calls visit with the field data of an output: of each of its blocks where it is composite.
+void ForEachFieldData(vtkDataObject* output, const std::function<void(vtkFieldData*)>& visit)
+{
+  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(output))
+  {
+    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      visit(at->GetCurrentDataObject()->GetFieldData());
+    }
+  }
+  visit(output->GetFieldData());
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Diagnostics: " << this->Diagnostics << "\n";
+}
 
 //------------------------------------------------------------------------------
 void vtkDirectionFieldAlgorithm::Release(bool) {}
@@ -62,6 +90,15 @@ void vtkDirectionFieldAlgorithm::Warn(const std::vector<std::string>& warnings)
   for (const std::string& warning : warnings)
   {
     vtkWarningMacro(<< warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldAlgorithm::Summarize(const std::string& summary, const Ports& outputs)
+{
+  for (vtkDataObject* const output : outputs)
+  {
+    DirectionFields::AddSummary(summary, output->GetFieldData());
   }
 }
 
@@ -136,12 +173,30 @@ bool vtkDirectionFieldAlgorithm::Compute(
 {
   bool isComplete = false;
   error.clear();
+  for (vtkDataObject* const output : outputs)
+  {
+    // The pipeline has passed the field data of the first input on.
+    DirectionFields::RemoveReports(output->GetFieldData());
+  }
   try
   {
     DirectionFields::Threads threads(this->ThreadsToUse());
     const DirectionFields::Threads::Scope scope(threads);
     const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
     this->Execute(inputs, outputs, DirectionFields::Progress(report));
+    for (vtkDataObject* const output : outputs)
+    {
+      if (!output->IsA("vtkCompositeDataSet") && !output->GetFieldData()->HasArray("Summary"))
+      {
+        Summarize("nothing, for there is no surface", { output });
+      }
+    }
+    for (vtkDataObject* const output : this->Diagnostics ? Ports() : outputs)
+    {
+      ForEachFieldData(output,
+        [&](vtkFieldData* data)
+        { DirectionFields::RemoveDiagnostics(inputs[0]->GetFieldData(), data); });
+    }
     this->UpdateProgress(1.0);
     isComplete = true;
   }

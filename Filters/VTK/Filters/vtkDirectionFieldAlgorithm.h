@@ -7,6 +7,9 @@
  * vtkDirectionFieldAlgorithm runs a filter with the threads that it may use, reports its errors,
  * and empties its outputs where it has one or was stopped. Filters that take composite datasets as
  * a whole get outputs of the same class.
+ *
+ * Every output has a line in its field data that says what the filter has made, `Summary`, and
+ * `Warnings` where there are any. Reports of the filters before it are not passed on.
  */
 
 #ifndef vtkDirectionFieldAlgorithm_h
@@ -27,6 +30,17 @@ class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldAlgorithm : public vtkPo
 {
 public:
   vtkAbstractTypeMacro(vtkDirectionFieldAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether the outputs have the figures of the computation in their field data, beside Summary and
+   * Warnings, and arrays for few. Default on; in ParaView, whose menus list them all, off.
+   */
+  vtkSetMacro(Diagnostics, bool);
+  vtkGetMacro(Diagnostics, bool);
+  vtkBooleanMacro(Diagnostics, bool);
+  ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -75,10 +89,14 @@ protected:
   /// Throws DirectionFields::Stopped where a computation was aborted, or the filter is to stop.
   void ThrowIfStopped(bool wasAborted);
   void Warn(const std::vector<std::string>& warnings);
+  /// Says in one line what the outputs are.
+  static void Summarize(const std::string& summary, const Ports& outputs);
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  bool Diagnostics = true;
 
 private:
   vtkDirectionFieldAlgorithm(const vtkDirectionFieldAlgorithm&) = delete;

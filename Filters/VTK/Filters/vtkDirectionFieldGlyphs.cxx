@@ -9,6 +9,7 @@
 #include "Conversion/Output/GlyphsToPolyData.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/GlyphSurfaceCache.h"
+#include "Support/OutputSummaries.h"
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -126,6 +127,7 @@ void vtkDirectionFieldGlyphs::Execute(
   this->ThrowIfStopped(glyphs.Aborted);
   DirectionFields::AddGlyphs(
     glyphs, input->GetPoints()->GetDataType(), vtkPolyData::SafeDownCast(outputs[0]));
+  Summarize(DirectionFields::Summary(glyphs), outputs);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
+#include "Support/OutputSummaries.h"
 
 #include <DirectionFields/Exchange/FieldImport.h>
 
@@ -15,8 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -28,17 +27,6 @@ namespace
 // other.
 constexpr double ProgressRead = 0.3;
 constexpr double ProgressImported = 0.8;
-
-/// One line that describes the field.
-std::string SummaryOf(const DirectionFields::Result& field)
-{
-  const auto& indices = field.SingularityIndex;
-  const auto positive = std::count_if(indices.begin(), indices.end(), [](int k) { return k > 0; });
-  const auto negative = std::count_if(indices.begin(), indices.end(), [](int k) { return k < 0; });
-  return std::to_string(positive + negative) + " singularities (" + std::to_string(positive) +
-    " +, " + std::to_string(negative) + " -), index sum " +
-    std::to_string(std::accumulate(indices.begin(), indices.end(), 0)) + ", read from a file";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +61,7 @@ void vtkDirectionFieldReader::Execute(
   if (!this->FileName || !*this->FileName)
   {
     throw std::invalid_argument(
-      "There is no FileName. Choose a .rosy, .ffield, .rawfield or .obj file.");
+      "There is no File Name. Choose a .rosy, .ffield, .rawfield or .obj file.");
   }
   DirectionFields::CheckPolyData(input);
   const DirectionFields::FieldFile file = DirectionFields::ReadFieldFile(this->FileName);
@@ -83,16 +71,13 @@ void vtkDirectionFieldReader::Execute(
     static_cast<DirectionFields::FieldOn>(this->FieldOn), DirectionFields::HasOnlyTriangles(input),
     progress.Part(ProgressRead, ProgressImported));
   this->Warn(imported.Warnings);
-  output->ShallowCopy(input);
+  DirectionFields::CopyWithoutReports(input, output);
   DirectionFields::AddGivenField(
     surface, imported.Field, output, progress.Part(ProgressImported, 1.0));
   DirectionFields::AddReport(imported.Field.Repaired, imported.Warnings, output->GetFieldData());
   DirectionFields::MakeSingularPoints(surface, imported.Field,
     DirectionFields::FiguresOf(surface.Mesh, imported.Field.SingularityIndex),
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
-  const std::string summary = SummaryOf(imported.Field);
-  for (vtkPolyData* const data : { output, singularities })
-  {
-    DirectionFields::AddSummary(summary, data->GetFieldData());
-  }
+  const std::string summary = DirectionFields::SummaryOfFile(imported.Field, this->FileName);
+  Summarize(summary, { output, singularities });
 }

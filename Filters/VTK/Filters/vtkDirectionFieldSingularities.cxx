@@ -6,7 +6,9 @@
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToGuidance.h"
 #include "Conversion/Output/EditedPolyData.h"
+#include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RefinedPolyData.h"
+#include "Support/OutputSummaries.h"
 #include "Support/SingularityEditorCache.h"
 
 #include <DirectionFields/PrescribedSingularities/EditedResult.h>
@@ -113,6 +115,10 @@ int vtkDirectionFieldSingularities::FillInputPortInformation(int port, vtkInform
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
 }
 
@@ -129,15 +135,21 @@ DirectionFields::EditOptions vtkDirectionFieldSingularities::MakeOptions() const
 
 //------------------------------------------------------------------------------
 void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
-  const std::vector<WantedSingularity>& wanted, const DirectionFields::Progress& progress,
+  const std::vector<WantedSingularity>* given, const DirectionFields::Progress& progress,
   vtkPolyData* output, vtkPolyData* singularities)
 {
   DirectionFields::SingularityEditorCache::Block& block =
     this->Last->Next(input, this->KeepConstraints, progress.Part(0.0, ProgressRead));
   if (!block.Editor)
   {
-    output->ShallowCopy(input);
+    DirectionFields::CopyWithoutReports(input, output);
     return;
+  }
+  // Without points the field has its own singularities, to which nothing is added.
+  std::vector<WantedSingularity> wanted;
+  if (given || this->SingularityMode == REPLACE)
+  {
+    wanted = given ? *given : block.Editor->GetOwnSingularities();
   }
   std::vector<std::string> warnings;
   DirectionFields::SingularityEditorCache::Block refined;
@@ -168,9 +180,13 @@ void vtkDirectionFieldSingularities::EditBlock(vtkPolyData* input,
       "not fit together at the seams. Edit the whole surface before it is distributed.");
   }
   this->Warn(warnings);
-  output->ShallowCopy(surface);
-  DirectionFields::AddEditedField(*edits->Surface, *edits->Editor, edited, warnings, surface,
-    output, singularities, progress.Part(ProgressEdited, 1.0));
+  DirectionFields::CopyWithoutReports(surface, output);
+  const DirectionFields::Result field = DirectionFields::ToResult(*edits->Editor, edited);
+  DirectionFields::AddEditedField(*edits->Surface, edited, field, warnings, surface, output,
+    singularities, progress.Part(ProgressEdited, 1.0));
+  const std::string summary = DirectionFields::SummaryOfEdit(
+    field, edited, static_cast<DirectionFields::RotationObjective>(this->Objective));
+  Summarize(summary, { output, singularities });
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +215,8 @@ void vtkDirectionFieldSingularities::Execute(
   if (auto* const surface = vtkPolyData::SafeDownCast(inputs[0]))
   {
     DirectionFields::CheckPolyData(surface);
-    this->EditBlock(surface, DirectionFields::WantedSingularities(inputs[1]), progress,
+    const std::vector<WantedSingularity> wanted = DirectionFields::WantedSingularities(inputs[1]);
+    this->EditBlock(surface, inputs[1] ? &wanted : nullptr, progress,
       vtkPolyData::SafeDownCast(outputs[0]), vtkPolyData::SafeDownCast(outputs[1]));
   }
   else
@@ -241,7 +258,8 @@ void vtkDirectionFieldSingularities::EditBlocks(vtkCompositeDataSet* input, vtkD
     vtkNew<vtkPolyData> field;
     vtkNew<vtkPolyData> singular;
     const double begin = part * static_cast<double>(k);
-    this->EditBlock(blocks[k], wanted[k], progress.Part(begin, begin + part), field, singular);
+    this->EditBlock(blocks[k], points ? &wanted[k] : nullptr, progress.Part(begin, begin + part),
+      field, singular);
     output->SetDataSet(at, field);
     singularities->SetDataSet(at, singular);
   }

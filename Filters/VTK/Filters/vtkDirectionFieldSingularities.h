@@ -20,8 +20,10 @@
  * A point counts for the nearest triangle. Its place within the triangle counts, too: while a point
  * moves, the smoothest field changes continuously. A triangle can hardly have more than the index 1
  * or -1; the rest of larger ones goes to triangles nearby. Where the mesh is too coarse for the
- * field to turn as much as is asked for, the triangles whose index is another one are counted in
- * `WrongTriangles`, with a warning; RefineWhereNeeded subdivides the surface there.
+ * smoothest field to turn as much as is asked for, it turns as the input's field does around
+ * singularities that this has in the same triangles. Elsewhere the triangles whose index is another
+ * one are counted in `WrongTriangles`, with a warning; RefineWhereNeeded subdivides the surface
+ * there.
  *
  * Data that do not depend on the points are kept until the input changes: to drag a point takes one
  * linear system.
@@ -30,7 +32,8 @@
  * Port 0: a surface with the arrays of vtkDirectionField's first output, or of
  * vtkDirectionFieldReader's; port 1: points, or a composite dataset of such, with the point data
  * `SingularityIndex`: integers in units of 1/n, 1 where there is no such array. That is the format
- * of vtkDirectionField's second output, which can be edited and given here. Where port 0 is a
+ * of vtkDirectionField's second output, which can be edited and given here. Without any connection
+ * to port 1 they are the field's own singularities, to which ADD adds none. Where port 0 is a
  * composite dataset, a point counts for the same block where port 1 has the same structure, else
  * for the nearest block.
  *
@@ -228,7 +231,8 @@ private:
   void operator=(const vtkDirectionFieldSingularities&) = delete;
 
   /// Edits one surface. Throws DirectionFields::Stopped.
-  void EditBlock(vtkPolyData* input, const std::vector<DirectionFields::WantedSingularity>& wanted,
+  /// @param given null where there is no second input
+  void EditBlock(vtkPolyData* input, const std::vector<DirectionFields::WantedSingularity>* given,
     const DirectionFields::Progress& progress, vtkPolyData* output, vtkPolyData* singularities);
   DirectionFields::EditedField EditField(vtkPolyData* surface,
     DirectionFields::SingularityEditor& editor,

@@ -8,6 +8,7 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StreamlinesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
+#include "Support/OutputSummaries.h"
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -110,7 +111,7 @@ void vtkDirectionFieldStreamlines::Execute(
   if (this->SeedType == POINTS && !seeds)
   {
     throw std::invalid_argument("Lines from points need points: give a second input (Seed Source), "
-                                "or choose another SeedType.");
+                                "or choose another Seed Type.");
   }
   const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
   const DirectionFields::TriangulatedPolyData surface =
@@ -125,17 +126,20 @@ void vtkDirectionFieldStreamlines::Execute(
   if (traced.IsLimited)
   {
     vtkWarningMacro(<< "There are " << this->MaximumNumberOfLines
-                    << " lines, and there would be more. Raise MaximumNumberOfLines, or"
-                       " SeparatingDistance for fewer lines.");
+                    << " lines, and there would be more. Raise Maximum Number Of Lines, or"
+                       " Spacing for fewer lines.");
   }
   const int type = input->GetPoints()->GetDataType();
-  DirectionFields::AddLines(traced, type, vtkPolyData::SafeDownCast(outputs[0]));
+  DirectionFields::AddLines(traced, type, this->Diagnostics, vtkPolyData::SafeDownCast(outputs[0]));
   DirectionFields::AddNodes(
     traced, field.GetDegree(), surface, type, vtkPolyData::SafeDownCast(outputs[1]));
+  const std::string summary =
+    DirectionFields::Summary(traced, static_cast<DirectionFields::SeedType>(this->SeedType));
+  Summarize(summary, outputs);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkDirectionFieldStreamlines::MemoryAdvice() const
 {
-  return "Raise Separating Distance, lower Maximum Streamline Length, or decimate the surface";
+  return "Raise Spacing, lower Maximum Streamline Length, or decimate the surface";
 }

@@ -76,7 +76,7 @@ void vtkDirectionFieldWriter::WriteFiles()
   vtkPolyData* input = this->GetInput();
   if (!input || !this->FileName || !*this->FileName)
   {
-    throw std::invalid_argument("There is no FileName to write to, or no input.");
+    throw std::invalid_argument("There is no File Name to write to, or no input.");
   }
   DirectionFields::ExportOptions options;
   options.Format = DirectionFields::FormatOf(this->FileName);

@@ -10,6 +10,7 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
 #include "Support/AlgorithmProgress.h"
+#include "Support/OutputSummaries.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
@@ -89,7 +90,7 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* i
   options.UseEdgeLength = this->SizeMode == EDGE_LENGTH;
   options.NumberOfFaces = this->NumberOfFaces;
   options.EdgeLength = this->EdgeLength;
-  options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "SizingArray");
+  options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
   options.PureQuads = this->PureQuads;
   options.KeepFeatures = this->KeepFeatures;
   options.FeatureAngle = this->FeatureAngle;
@@ -142,11 +143,13 @@ void vtkFieldAlignedRemesh::Execute(
   this->ThrowIfStopped(mesh.Aborted);
   warnings.insert(warnings.end(), mesh.Notes.begin(), mesh.Notes.end());
   this->Warn(warnings);
-  DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
+  const double leastQuality = DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
   DirectionFields::AddReport(mesh.Repaired, warnings, output->GetFieldData());
   DirectionFields::AddIrregularVertices(mesh, degree,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
     vtkPolyData::SafeDownCast(outputs[1]));
+  const std::string summary = DirectionFields::Summary(mesh, leastQuality);
+  Summarize(summary, outputs);
 }
 
 //------------------------------------------------------------------------------

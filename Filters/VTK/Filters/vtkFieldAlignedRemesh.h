@@ -30,6 +30,8 @@
  *   corner, 4 singularity of the field.
  * - point data `FieldIndex`: int. The singularity's index in units of 1/n, 0 elsewhere.
  * - cell data `Regular`: signed char. 1 for cells of the map's grid.
+ * - cell data `ScaledJacobian`: float. The least sine of an angle of a face, relative to that of an
+ *   even one: 1 for squares and even triangles, negative for faces that overlap.
  * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices`
  *   (those that are no points of the grid, but could not be removed), `FlippedTriangles` (of the
  *   map): int.
@@ -38,7 +40,9 @@
  * - field data `EulerCharacteristic`: int, two components, of the surface and of the mesh.
  * - field data `Repairs` and `Warnings`, as vtkDirectionField.
  *
- * Port 1: the irregular vertices, with point data `Valence` and `FieldIndex`: int.
+ * Port 1: the irregular vertices, with point data `Valence`, `FieldIndex` and `MissingEdges` (of a
+ * regular vertex, negative for more edges): int; `Size`: float, the diameter of a ball that shows
+ * the vertex, as fits the faces.
  *
  * The same input gives the same bytes, whatever the number of threads.
  *

@@ -6,10 +6,13 @@
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
+#include "Conversion/Output/FieldToPolyData.h"
+#include "Support/OutputSummaries.h"
 
 #include <DirectionFields/Guidance/CurveGuidance.h>
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
@@ -22,7 +25,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -75,11 +81,62 @@ Curves LinesOf(vtkDataObject* data)
   return curves;
 }
 
+/// The mean length of a surface's edges.
+double MeanEdge(const DirectionFields::Surface& surface)
+{
+  double sum = 0.0;
+  for (const DirectionFields::Triangle& triangle : surface.Triangles)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      sum += (surface.Points[triangle[(c + 1) % 3]] - surface.Points[triangle[c]]).norm();
+    }
+  }
+  return sum / std::max(1.0, 3.0 * static_cast<double>(surface.Triangles.size()));
+}
+
+/// Draws the curves, and a stroke through each guided point, as long as an edge times its weight.
+void AddStrokes(const DirectionFields::Surface& surface, const Curves& curves,
+  const DirectionFields::CurveGuidance& guidance, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> kind;
+  kind->SetName("Kind");
+  const auto add = [&](const std::vector<DirectionFields::Vector3>& line, unsigned char isStroke)
+  {
+    cells->InsertNextCell(static_cast<int>(line.size()));
+    for (const DirectionFields::Vector3& place : line)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(place.data()));
+    }
+    kind->InsertNextValue(isStroke);
+  };
+  for (const std::vector<DirectionFields::Vector3>& curve : curves)
+  {
+    add(curve, 0);
+  }
+  const double half = 0.5 * MeanEdge(surface);
+  for (std::size_t i = 0; i < guidance.Vectors.size(); ++i)
+  {
+    if (guidance.Weights[i] > 0.0)
+    {
+      const DirectionFields::Vector3 arm = half * guidance.Vectors[i];
+      add({ surface.Points[i] - arm, surface.Points[i] + arm }, 1);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(cells);
+  output->GetCellData()->AddArray(kind);
+}
+
 template <typename ArrayT>
 void AddArrays(const DirectionFields::CurveGuidance& guidance, vtkPointData* data)
 {
-  data->AddArray(DirectionFields::MakeVectors<ArrayT>("GuidanceVectors", guidance.Vectors));
-  data->AddArray(DirectionFields::MakeScalars<ArrayT>("GuidanceWeights", guidance.Weights));
+  data->AddArray(DirectionFields::MakeVectors<ArrayT>(
+    DirectionFields::ArrayNames::GuidanceVectors, guidance.Vectors));
+  data->AddArray(DirectionFields::MakeScalars<ArrayT>(
+    DirectionFields::ArrayNames::GuidanceWeights, guidance.Weights));
 }
 }
 
@@ -92,6 +149,7 @@ vtkGuidanceCurves::vtkGuidanceCurves()
   this->Falloff = defaults.Falloff;
   this->MaximumDistance = defaults.MaximumDistance;
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -123,6 +181,7 @@ int vtkGuidanceCurves::FillInputPortInformation(int port, vtkInformation* info)
   if (port == 1)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
 }
@@ -134,6 +193,14 @@ void vtkGuidanceCurves::Execute(
   auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
   auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
   DirectionFields::CheckPolyData(input);
+  if (!inputs[1])
+  {
+    vtkWarningMacro(<< "Choose the curves that guide a field, such as those of Poly Line Source: "
+                       "they are the second input, Curves, in the dialog Change Input.");
+    DirectionFields::CopyWithoutReports(input, output);
+    Summarize("no curves yet", outputs);
+    return;
+  }
   const Curves lines = LinesOf(inputs[1]);
   const DirectionFields::TriangulatedPolyData surface =
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
@@ -149,9 +216,11 @@ void vtkGuidanceCurves::Execute(
     vtkWarningMacro(
       << (guidance.Samples == 0
              ? "The curves have no lines of any length, which could guide a field."
-             : "All parts of the curves are farther from the surface than MaximumDistance. Raise it, or set it to 0."));
+             : "All parts of the curves are farther from the surface than Maximum Distance. Raise it, or set it to 0."));
   }
-  output->ShallowCopy(input);
+  DirectionFields::CopyWithoutReports(input, output);
+  AddStrokes(surface.Mesh, lines, guidance, vtkPolyData::SafeDownCast(outputs[1]));
+  Summarize(DirectionFields::Summary(guidance, lines.size()), outputs);
   if (input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE)
   {
     AddArrays<vtkDoubleArray>(guidance, output->GetPointData());

@@ -21,7 +21,8 @@
  *
  * @section Input Input
  * Port 0: a surface of polygons or strips. Port 1: a vtkPolyData with lines, or a composite dataset
- * of such. Its polygons and vertices do not count.
+ * of such. Its polygons and vertices do not count. Without any connection to port 1 the output is
+ * the surface as it is, with a warning.
  *
  * @section Output Output
  * The surface with the point data
@@ -29,6 +30,10 @@
  *   of the length of the weight; zero where there is no guidance.
  * - `GuidanceWeights`: 1 component of the same type, 0 to 1. 1 on a curve, less with the distance
  *   from it and where curves do not agree.
+ *
+ * Port 1, to be looked at: the curves, and through each guided point a line along its vector, one
+ * mean edge long times the weight, with the cell data `Kind` (unsigned char): 0 for curves, 1 for
+ * these lines.
  *
  * @sa
  * vtkDirectionField

@@ -9,6 +9,7 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StripesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
+#include "Support/OutputSummaries.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
@@ -74,7 +75,7 @@ void vtkStripePattern::Execute(
   }
   const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
   const std::vector<double> spacings =
-    DirectionFields::PointValues(input, this->SpacingArray, "SpacingArray");
+    DirectionFields::PointValues(input, this->SpacingArray, "Spacing Array");
   const DirectionFields::TriangulatedPolyData surface =
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, 0.5 * ProgressRead));
   const DirectionFields::GivenField field(surface.Mesh, directions);
@@ -94,8 +95,9 @@ void vtkStripePattern::Execute(
   this->ThrowIfStopped(pattern.Aborted);
   if (pattern.LineOffset != this->LineOffset)
   {
-    vtkWarningMacro(<< "Stripes of a line field (degree 2) have no left and right side: LineOffset "
-                    << pattern.LineOffset << " is taken. Choose a multiple of 0.5.");
+    vtkWarningMacro(
+      << "Stripes of a line field (degree 2) have no left and right side: Line Offset "
+      << pattern.LineOffset << " is taken. Choose a multiple of 0.5.");
   }
   if (pattern.CrowdedBranchPoints > MostCrowded * pattern.BranchPoints)
   {
@@ -109,6 +111,8 @@ void vtkStripePattern::Execute(
   DirectionFields::AddStripeBands(input, surface, pattern, vtkPolyData::SafeDownCast(outputs[1]));
   DirectionFields::AddStripeSingularities(
     surface, pattern, type, vtkPolyData::SafeDownCast(outputs[2]));
+  const std::string summary = DirectionFields::Summary(pattern);
+  Summarize(summary, outputs);
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ std::vector<Vector3> ConstraintsOf(vtkPolyData* input)
   {
     throw std::invalid_argument(
       "The point arrays \"ConstraintKind\" and \"ConstraintDirection\" must have 1 and 3 components, as Direction "
-      "Field makes them. Rename them, or turn KeepConstraints off.");
+      "Field makes them. Rename them, or turn Keep Constraints off.");
   }
   std::vector<Vector3> constraints(
     static_cast<std::size_t>(input->GetNumberOfPoints()), Vector3::Zero());

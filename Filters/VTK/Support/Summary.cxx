@@ -42,16 +42,14 @@ std::vector<ComponentReport> OwnComponents(const Result& field)
   return components;
 }
 
-/// How the solvers of all components ended.
+/// How many components' solvers ended before they had converged; empty where all have.
 std::string DescribeConvergence(
   const std::vector<ComponentReport>& components, const Options& options)
 {
-  int iterations = 0;
   Index unsolved = 0;
   double worst = 0.0;
   for (const ComponentReport& component : components)
   {
-    iterations = std::max(iterations, component.Iterations);
     if (!component.Converged)
     {
       ++unsolved;
@@ -62,9 +60,10 @@ std::string DescribeConvergence(
   }
   if (unsolved == 0)
   {
-    return iterations == 0 ? "converged" : "converged in " + Count(iterations, "iteration");
+    return {};
   }
   std::ostringstream text;
+  text << ", ";
   if (components.size() > 1)
   {
     text << unsolved << " of " << components.size() << " components ";
@@ -137,7 +136,7 @@ std::string Summary(const SurfaceFigures& figures, const Result& field, const Op
   {
     text += " over " + Count(static_cast<Index>(components.size()), "component");
   }
-  return text + ", " + DescribeConvergence(components, options) +
-    DescribeGuidance(components, options) + DescribeUnitLength(components, options);
+  return text + DescribeConvergence(components, options) + DescribeGuidance(components, options) +
+    DescribeUnitLength(components, options);
 }
 }

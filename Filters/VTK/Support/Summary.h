@@ -12,10 +12,10 @@
 
 namespace DirectionFields
 {
-/// One line in ASCII that describes a field: the number of its singularities, their sum, how the
-/// solver ended, and the options that shaped it. For instance
+/// One line in ASCII that describes a field: the number of its singularities, their sum, the solver
+/// where it failed to converge, and the options that shaped it. For instance
 ///
-///     32 singularities (20 +, 12 -), index sum 8, converged in 15 iterations
+///     32 singularities (20 +, 12 -), index sum 8, 24 points constrained
 ///
 /// The documentation of vtkDirectionField lists the other parts.
 /// @param figures of the whole surface

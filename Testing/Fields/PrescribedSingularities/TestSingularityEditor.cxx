@@ -95,6 +95,47 @@ TEST(SingularityEditor, RefusesPlacesThatAreNoneAndSumsThatCannotBe)
   EXPECT_THROW(editor.Edit({ { Vector3::UnitX(), 8 } }, {}, Progress(stop)), Stopped);
 }
 
+/// Rough surfaces have singularities close together and large angles, where the smoothest field alone
+/// would turn too much for the mesh.
+TEST(SingularityEditor, OwnSingularitiesComeBackWhateverTheMesh)
+{
+  std::vector<Surface> surfaces = { Meshes::Icosphere(3), Meshes::Torus(40, 20), Meshes::Disk(16),
+    Meshes::MoebiusStrip(40, 6), Meshes::BadSphere(4, 0.3, 2) };
+  for (const unsigned seed : { 1u, 2u, 3u })
+  {
+    surfaces.push_back(Meshes::Roughened(Meshes::Potato(4), 0.5, seed));
+    surfaces.push_back(Meshes::Roughened(Meshes::Torus(60, 30), 0.5, seed));
+  }
+  Index kept = 0;
+  for (const Surface& surface : surfaces)
+  {
+    for (const int degree : { 1, 2, 4, 6 })
+    {
+      const Result base = Fields::Compute(surface, degree);
+      SingularityEditor editor(surface, DirectionsOf(base));
+      const std::vector<WantedSingularity> own = editor.GetOwnSingularities();
+      const std::vector<int> before = editor.GetBase().Indices();
+      for (const bool adds : { false, true })
+      {
+        for (const auto objective :
+          { RotationObjective::Smoothest, RotationObjective::LeastChange })
+        {
+          EditOptions options = Placements::With(objective);
+          options.AddsToBase = adds;
+          const EditedField edited =
+            editor.Edit(adds ? std::vector<WantedSingularity>() : own, options);
+          EXPECT_TRUE(edited.WrongTriangles.empty());
+          EXPECT_TRUE(edited.Notes.empty());
+          EXPECT_EQ(
+            SingularityIndices(editor.GetBase().GetGeometry(), degree, edited.Section), before);
+          kept += !edited.Components.empty() && edited.Components[0].MaximumRotation > 0.999;
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept, 0);
+}
+
 /// Points across seams are one in the mesh where the directions agree there.
 TEST(SingularityEditor, KnowsThePointsThatBecameOne)
 {

@@ -53,7 +53,7 @@ std::vector<double> PointValues(vtkPolyData* polyData, const char* name, const c
 Guidance PolyDataToGuidance(vtkPolyData* polyData, const char* vectors, const char* weights)
 {
   Guidance guidance;
-  if (vtkDataArray* array = FindPointArray(polyData, vectors, 3, "GuidanceVectors"))
+  if (vtkDataArray* array = FindPointArray(polyData, vectors, 3, "Guidance Vectors"))
   {
     guidance.Vectors.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -61,7 +61,7 @@ Guidance PolyDataToGuidance(vtkPolyData* polyData, const char* vectors, const ch
       array->GetTuple(i, guidance.Vectors[i].data());
     }
   }
-  guidance.Weights = PointValues(polyData, weights, "GuidanceWeights");
+  guidance.Weights = PointValues(polyData, weights, "Guidance Weights");
   return guidance;
 }
 }

@@ -8,7 +8,6 @@
 #include "Conversion/Output/SingularityPoints.h"
 
 #include <DirectionFields/Distance/ClosestPoints.h>
-#include <DirectionFields/PrescribedSingularities/EditedResult.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -26,7 +25,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 
 namespace DirectionFields
@@ -171,23 +169,6 @@ void AddFigures(const EditedField& edited, vtkFieldData* data)
   data->AddArray(wrong);
   data->AddArray(turning);
 }
-
-/// One line that describes the field.
-std::string SummaryOf(const Result& field, const EditedField& edited)
-{
-  const std::vector<int>& indices = field.SingularityIndex;
-  const auto positive = std::count_if(indices.begin(), indices.end(), [](int k) { return k > 0; });
-  const auto negative = std::count_if(indices.begin(), indices.end(), [](int k) { return k < 0; });
-  std::string summary = std::to_string(positive + negative) + " singularities (" +
-    std::to_string(positive) + " +, " + std::to_string(negative) + " -), index sum " +
-    std::to_string(std::accumulate(indices.begin(), indices.end(), 0)) + ", edited";
-  if (!edited.WrongTriangles.empty())
-  {
-    summary +=
-      ", " + std::to_string(edited.WrongTriangles.size()) + " triangles with wrong indices";
-  }
-  return summary;
-}
 }
 
 std::vector<WantedSingularity> WantedSingularities(vtkDataObject* points)
@@ -255,11 +236,10 @@ std::vector<std::vector<WantedSingularity>> WantedOfBlocks(
   return wanted;
 }
 
-void AddEditedField(const TriangulatedPolyData& surface, const SingularityEditor& editor,
-  const EditedField& edited, const std::vector<std::string>& warnings, vtkPolyData* input,
+void AddEditedField(const TriangulatedPolyData& surface, const EditedField& edited,
+  const Result& field, const std::vector<std::string>& warnings, vtkPolyData* input,
   vtkPolyData* output, vtkPolyData* singularities, const Progress& progress)
 {
-  const Result field = ToResult(editor, edited);
   AddGivenField(surface, field, output, progress);
   KeepArrays(input, output);
   KeepDirections(surface, field, edited, input, output);
@@ -267,10 +247,5 @@ void AddEditedField(const TriangulatedPolyData& surface, const SingularityEditor
   AddReport(field.Repaired, warnings, output->GetFieldData());
   MakeSingularPoints(surface, field, FiguresOf(surface.Mesh, field.SingularityIndex),
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT, singularities);
-  const std::string summary = SummaryOf(field, edited);
-  for (vtkPolyData* const data : { output, singularities })
-  {
-    AddSummary(summary, data->GetFieldData());
-  }
 }
 }

@@ -8,6 +8,7 @@
 
 #include <DirectionFields/PrescribedSingularities/SingularityEditor.h>
 #include <DirectionFields/Progress.h>
+#include <DirectionFields/Result.h>
 
 #include <string>
 #include <vector>
@@ -31,8 +32,9 @@ std::vector<std::vector<WantedSingularity>> WantedOfBlocks(
 
 /// Adds the edited field's arrays to a copy of the input, and makes its singularities. Throws
 /// Stopped.
-void AddEditedField(const TriangulatedPolyData& surface, const SingularityEditor& editor,
-  const EditedField& edited, const std::vector<std::string>& warnings, vtkPolyData* input,
+/// @param field of the edit (ToResult)
+void AddEditedField(const TriangulatedPolyData& surface, const EditedField& edited,
+  const Result& field, const std::vector<std::string>& warnings, vtkPolyData* input,
   vtkPolyData* output, vtkPolyData* singularities, const Progress& progress);
 }
 

@@ -32,6 +32,15 @@ namespace
 constexpr int MostDirections = 16;
 /// Points whose directions stay in the cache.
 constexpr Index FewPoints = 256;
+/// The field data of all filters that are figures of the computation.
+constexpr const char* ReportNames[] = { "Eigenvalue", "Residual", "Iterations", "SolverUsed",
+  "EulerCharacteristic", "IndexSum", "Lambda", "SmoothnessEnergy", "SystemResidual", "UnitEnergy",
+  "CancelledPairs", "UnitSteps", ArrayNames::Repairs, "Distribution", "RotationEnergy",
+  "MaximumRotation", "WrongTriangles", "TurningNumbers", "SeparatingDistance", "Spacing",
+  "LineOffset", "Misfit", "BranchPoints", "NumberOfGlyphs", "Faces", "Quads", "Triangles",
+  "IrregularVertices", "KeptVertices", "FlippedTriangles", "EdgeLength", "MaximumDistance",
+  "MeanAngleDifference", "MaximumAngleDifference", "MatchedSingularities", "MeanMatchDistance",
+  "MaximumMatchDistance" };
 
 /// Adds an array of vectors over the points; where there are none, removes one that an earlier run
 /// left in the input.
@@ -337,5 +346,36 @@ void AddReport(
 void AddSummary(const std::string& summary, vtkFieldData* data)
 {
   AddTexts(ArrayNames::Summary, { summary }, data);
+}
+
+void RemoveReports(vtkFieldData* data)
+{
+  if (data && data->HasArray(ArrayNames::Summary))
+  {
+    for (const char* const name : ReportNames)
+    {
+      data->RemoveArray(name);
+    }
+    data->RemoveArray(ArrayNames::Warnings);
+    data->RemoveArray(ArrayNames::Summary);
+  }
+}
+
+void RemoveDiagnostics(vtkFieldData* input, vtkFieldData* output)
+{
+  for (const char* const name : ReportNames)
+  {
+    vtkAbstractArray* const array = output->GetAbstractArray(name);
+    if (array && (!input || input->GetAbstractArray(name) != array))
+    {
+      output->RemoveArray(name);
+    }
+  }
+}
+
+void CopyWithoutReports(vtkPolyData* input, vtkPolyData* output)
+{
+  output->ShallowCopy(input);
+  RemoveReports(output->GetFieldData());
 }
 }

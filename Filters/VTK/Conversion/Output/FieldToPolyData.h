@@ -38,8 +38,18 @@ void RemoveFieldArrays(vtkPolyData* output);
 void AddReport(
   const Repairs& repaired, const std::vector<std::string>& warnings, vtkFieldData* data);
 
-/// Adds the line that describes the field.
+/// Adds the line that describes what a filter has made.
 void AddSummary(const std::string& summary, vtkFieldData* data);
+
+/// Removes what one of these filters has said of its output, which is not true of what another
+/// filter makes of it: the figures, the warnings and the summary. Data without a summary are not
+/// theirs, and stay as they are.
+void RemoveReports(vtkFieldData* data);
+/// Shallow copy without these reports.
+void CopyWithoutReports(vtkPolyData* input, vtkPolyData* output);
+/// Removes the figures of the computation, but for arrays that the output shares with the input.
+/// @param input may be null
+void RemoveDiagnostics(vtkFieldData* input, vtkFieldData* output);
 }
 
 #endif

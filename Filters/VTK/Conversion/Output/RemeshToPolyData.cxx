@@ -20,14 +20,22 @@
 #include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace DirectionFields
 {
 namespace
 {
+/// The diameter of the ball that shows a vertex of one edge more or less, in edges: it is seen, and
+/// hides less than the faces around it.
+constexpr double SizeOfBall = 1.2;
+
 int SizeOf(const std::array<Index, 4>& face)
 {
   return face[3] == None ? 3 : 4;
@@ -72,6 +80,33 @@ struct Valences
   std::vector<char> IsBoundary;
 };
 
+/// The least sine of an angle of a face, with the sign of its side: 1 for a square, and, as by
+/// Verdict, for an even triangle, too.
+double ScaledJacobian(const RemeshResult& mesh, const std::array<Index, 4>& face)
+{
+  const int size = SizeOf(face);
+  const double even = size == 4 ? 1.0 : 2.0 / std::sqrt(3.0);
+  std::array<Vector3, 4> normals;
+  std::array<double, 4> lengths;
+  Vector3 sum = Vector3::Zero();
+  for (int c = 0; c < size; ++c)
+  {
+    const Vector3& at = mesh.Points[face[c]];
+    const Vector3 next = mesh.Points[face[(c + 1) % size]] - at;
+    const Vector3 last = mesh.Points[face[(c + size - 1) % size]] - at;
+    normals[c] = next.cross(last);
+    lengths[c] = next.norm() * last.norm();
+    sum += normals[c];
+  }
+  const Vector3 normal = sum.stableNormalized();
+  double least = 1.0;
+  for (int c = 0; c < size; ++c)
+  {
+    least = std::min(least, lengths[c] > 0.0 ? even * normals[c].dot(normal) / lengths[c] : 0.0);
+  }
+  return least;
+}
+
 template <typename ArrayT>
 void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData* data)
 {
@@ -81,7 +116,7 @@ void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData*
 }
 }
 
-void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
+double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
   vtkPolyData* output)
 {
   const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
@@ -107,6 +142,13 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   output->GetPointData()->AddArray(MakeScalars<vtkSignedCharArray>("VertexKind", kind));
   output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", mesh.FieldIndex));
   output->GetCellData()->AddArray(MakeScalars<vtkSignedCharArray>("Regular", mesh.Regular));
+  std::vector<double> quality;
+  quality.reserve(mesh.Faces.size());
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    quality.push_back(ScaledJacobian(mesh, face));
+  }
+  output->GetCellData()->AddArray(MakeScalars<vtkFloatArray>("ScaledJacobian", quality));
 
   vtkFieldData* data = output->GetFieldData();
   AddNumber<vtkIntArray>("Faces", static_cast<int>(mesh.Faces.size()), data);
@@ -123,6 +165,7 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   euler->SetTypedComponent(0, 0, mesh.EulerCharacteristicBefore);
   euler->SetTypedComponent(0, 1, mesh.EulerCharacteristicAfter);
   data->AddArray(euler);
+  return quality.empty() ? 1.0 : *std::min_element(quality.begin(), quality.end());
 }
 
 void AddIrregularVertices(
@@ -132,6 +175,8 @@ void AddIrregularVertices(
   std::vector<Vector3> places;
   std::vector<int> valence;
   std::vector<int> index;
+  std::vector<int> missing;
+  std::vector<double> size;
   for (std::size_t v = 0; v < mesh.Points.size(); ++v)
   {
     if (valences.IsBoundary[v] == 0 && valences.Edges[v] != degree)
@@ -139,10 +184,14 @@ void AddIrregularVertices(
       places.push_back(mesh.Points[v]);
       valence.push_back(valences.Edges[v]);
       index.push_back(mesh.FieldIndex[v]);
+      missing.push_back(degree - valences.Edges[v]);
+      size.push_back(SizeOfBall * mesh.EdgeLength * std::abs(missing.back()));
     }
   }
   SetVertices(places, pointDataType, output);
   output->GetPointData()->SetScalars(MakeScalars<vtkIntArray>("Valence", valence));
   output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", index));
+  output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("MissingEdges", missing));
+  output->GetPointData()->AddArray(MakeScalars<vtkFloatArray>("Size", size));
 }
 }

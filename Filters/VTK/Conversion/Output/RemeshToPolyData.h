@@ -14,9 +14,10 @@ namespace DirectionFields
 {
 /// Fills an empty output with a mesh, the data of the surface that it was made of, and its own
 /// arrays.
+/// @return the least scaled Jacobian of a face; 1 without faces
 /// @param input   of which the surface was made
 /// @param surface the input's triangles, which the mesh refers to
-void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
+double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
   vtkPolyData* output);
 
 /// Fills an empty output with the irregular vertices of a mesh.

@@ -36,15 +36,19 @@ void AddSpacing(double spacing, vtkPolyData* output)
     "SeparatingDistance", 1, [spacing](std::size_t) { return spacing; }));
 }
 
-void AddCellArrays(const Streamlines& lines, vtkCellData* data)
+void AddCellArrays(const Streamlines& lines, bool diagnostics, vtkCellData* data)
 {
   const std::size_t size = lines.Length.size();
+  data->AddArray(
+    MakeValues<vtkDoubleArray>("Length", size, [&](std::size_t i) { return lines.Length[i]; }));
+  if (!diagnostics)
+  {
+    return;
+  }
   data->AddArray(
     MakeValues<vtkIdTypeArray>("SeedIds", size, [&](std::size_t i) { return lines.Seed[i]; }));
   data->AddArray(
     MakeValues<vtkIntArray>("Family", size, [&](std::size_t i) { return lines.Family[i]; }));
-  data->AddArray(
-    MakeValues<vtkDoubleArray>("Length", size, [&](std::size_t i) { return lines.Length[i]; }));
   data->AddArray(MakeValues<vtkUnsignedCharArray>(
     "Closed", size, [&](std::size_t i) { return lines.Closed[i]; }));
   data->AddArray(MakeReasons(
@@ -85,18 +89,22 @@ std::vector<StreamlineSeed> NearestPlaces(const Surface& surface, vtkPointSet* p
   return seeds;
 }
 
-void AddLines(const Streamlines& lines, int pointDataType, vtkPolyData* output)
+void AddLines(const Streamlines& lines, int pointDataType, bool diagnostics, vtkPolyData* output)
 {
   SetPolyLines(lines.Points, lines.Offsets, pointDataType, output);
   vtkPointData* data = output->GetPointData();
   data->SetNormals(MakeVectors<vtkFloatArray>("Normals", lines.Normals));
   data->SetVectors(MakeVectors<vtkFloatArray>("Direction", lines.Directions));
   data->AddArray(MakeScalars<vtkDoubleArray>("ArcLength", lines.Arc));
-  data->AddArray(MakeScalars<vtkFloatArray>(ArrayNames::RepresentationMagnitude, lines.Magnitude));
-  data->AddArray(MakeValues<vtkIdTypeArray>(
-    "PointId", lines.Point.size(), [&](std::size_t i) { return lines.Point[i]; }));
-  data->AddArray(MakeScalars<vtkIntArray>("Branch", lines.Branch));
-  AddCellArrays(lines, output->GetCellData());
+  if (diagnostics)
+  {
+    data->AddArray(
+      MakeScalars<vtkFloatArray>(ArrayNames::RepresentationMagnitude, lines.Magnitude));
+    data->AddArray(MakeValues<vtkIdTypeArray>(
+      "PointId", lines.Point.size(), [&](std::size_t i) { return lines.Point[i]; }));
+    data->AddArray(MakeScalars<vtkIntArray>("Branch", lines.Branch));
+  }
+  AddCellArrays(lines, diagnostics, output->GetCellData());
   AddSpacing(lines.Spacing, output);
 }
 

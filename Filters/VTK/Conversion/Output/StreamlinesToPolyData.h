@@ -19,7 +19,10 @@ std::vector<StreamlineSeed> NearestPlaces(const Surface& surface, vtkPointSet* p
 
 /// Adds points, cells and arrays of lines to an empty output. The points are double if the given
 /// data type is, else float.
-void AddLines(const Streamlines& lines, int pointDataType, vtkPolyData* output);
+/// @param diagnostics whether with the arrays for few: which point, direction and magnitude of the
+///                    field is nearest to each point of a line, the families of lines, and where
+///                    and why they begin and end
+void AddLines(const Streamlines& lines, int pointDataType, bool diagnostics, vtkPolyData* output);
 
 /// The same for the nodes at which lines start and end.
 void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& surface,

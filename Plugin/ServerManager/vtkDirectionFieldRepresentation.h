@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkDirectionFieldRepresentation
+ * @brief shows a surface together with the directions of its field
+ *
+ * Beside the surface it draws the glyphs that vtkDirectionFieldGlyphs makes of it with its defaults,
+ * in a colour of their own. They are made where the data are, of each block and of each process's
+ * piece, and only while the representation is shown. Data without a field look as a surface does.
+ */
+
+#ifndef vtkDirectionFieldRepresentation_h
+#define vtkDirectionFieldRepresentation_h
+
+#include "vtkDirectionFieldsServerManagerModule.h" // For export macro
+#include "vtkGeometryRepresentationWithFaces.h"
+#include "vtkNew.h"          // For the actor
+#include "vtkSmartPointer.h" // For the filters
+
+#include <cstddef>
+#include <vector>
+
+class vtkActor;
+class vtkDirectionFieldGlyphs;
+class vtkPolyData;
+class vtkPolyDataMapper;
+
+class VTKDIRECTIONFIELDSSERVERMANAGER_EXPORT vtkDirectionFieldRepresentation
+  : public vtkGeometryRepresentationWithFaces
+{
+public:
+  static vtkDirectionFieldRepresentation* New();
+  vtkTypeMacro(vtkDirectionFieldRepresentation, vtkGeometryRepresentationWithFaces);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
+  void SetVisibility(bool visible) override;
+
+protected:
+  vtkDirectionFieldRepresentation();
+  ~vtkDirectionFieldRepresentation() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  /// The glyphs of a block; null where it has no directions.
+  vtkPolyData* GlyphsOf(vtkPolyData* block, std::size_t number);
+
+  /// One for each block that has directions; they keep what does not depend on the directions.
+  std::vector<vtkSmartPointer<vtkDirectionFieldGlyphs>> Filters;
+  vtkNew<vtkPolyData> Glyphs;
+  vtkNew<vtkPolyDataMapper> GlyphMapper;
+  vtkNew<vtkActor> GlyphActor;
+
+  vtkDirectionFieldRepresentation(const vtkDirectionFieldRepresentation&) = delete;
+  void operator=(const vtkDirectionFieldRepresentation&) = delete;
+};
+
+#endif
