@@ -308,12 +308,12 @@ void TestErrors()
   CheckWriteError(mesh, name + ".rosy", { "Direction0", "Apply Direction Field" });
   CheckWriteError(field, name + ".obj", { ".rosy" });
   CheckWriteError(field, name + ".xyz", { ".rosy", ".xyz" });
-  CheckWriteError(field, "", { "FileName" });
+  CheckWriteError(field, "", { "File Name" });
   CheckWriteError(field, Directory + "/not/there.rosy", { "cannot be written" });
   CheckWriteError(Field(PolyMeshes::QuadTorus(12, 8), 4), name + ".rosy", { "Triangulate" });
   CheckWriteError(Field(mesh, 2), name + ".ffield", { "degree 4", "degree 2" });
 
-  CheckReadError(mesh, "", { "FileName" });
+  CheckReadError(mesh, "", { "File Name" });
   CheckReadError(mesh, name + ".rosy", { "cannot be read" });
   CheckReadError(mesh, Directory, { ".rosy" });
   WriteFile(name + ".rosy", "80\n4\n1 0 0\n");

@@ -36,8 +36,13 @@ double LargestTurn(const Surface& surface, const Result& result)
         const Index from = t[c];
         const Index to = t[(c + 1) % 3];
         const Vector3& normal = result.Normal[to];
-        const auto bend = Eigen::Quaterniond::FromTwoVectors(
-          result.Normal[from], normal.dot(result.Normal[from]) < 0.0 ? Vector3(-normal) : normal);
+        // The shortest rotation of one normal to the other: by half of the angle about their cross
+        // product. Eigen's FromTwoVectors takes the compiler ten seconds for its decomposition.
+        const Vector3& first = result.Normal[from];
+        const Vector3 last = normal.dot(first) < 0.0 ? Vector3(-normal) : normal;
+        const Vector3 axis = first.cross(last);
+        const auto bend =
+          Eigen::Quaterniond(1.0 + first.dot(last), axis.x(), axis.y(), axis.z()).normalized();
         for (int k = 0; k < result.Degree; ++k)
         {
           largest = std::max(largest, Deviation(result, to, bend * result.Direction(from, k)));

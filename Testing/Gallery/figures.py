@@ -415,7 +415,7 @@ class LinesPanel(Panel):
         self.view.UseColorPaletteForBackground = 0
         self.view.Background = [1.0, 1.0, 1.0]
         self.view.OrientationAxesVisibility = 0
-        self.proxy = simple.DirectionField(Input=source, Degree=degree)
+        self.proxy = simple.DirectionField(Input=source, Degree=degree, Diagnostics=1)
         self.field = Field(self.proxy)
         self.camera = camera
         for port in (0, 1):

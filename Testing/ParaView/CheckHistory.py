@@ -27,13 +27,17 @@ def check_trace_and_replay():
         # ParaView 6 sets all properties in one call, one a line.
         assert (f"directionField1.{name} = {value}\n" in text
                 or re.search(rf"directionField1\.Set\([^)]*\b{name}={value}\b", text)), (name, text)
-    # One press of Apply shows a surface in a solid colour, and the singularities.
+    # One press of Apply shows a surface in a solid colour with its directions, and the singularities.
     view = GetActiveView()
     display = GetRepresentation(filters()[0], view)
-    assert display.Visibility == 1 and display.Representation == "Surface"
+    assert display.Visibility == 1 and display.Representation == "Direction Field"
     assert not display.ColorArrayName[1], display.ColorArrayName
     assert GetRepresentation(OutputPort(filters()[0], 1), view).Visibility == 1
-    # The panel Information lists these.
+    # The panel Information lists the figures of the computation only where they are switched on.
+    data = filters()[0].GetDataInformation(0).GetFieldDataInformation()
+    assert data.GetArrayInformation("Summary") and not data.GetArrayInformation("IndexSum")
+    filters()[0].Diagnostics = 1
+    filters()[0].UpdatePipeline()
     data = filters()[0].GetDataInformation(0).GetFieldDataInformation()
     for name in ("Eigenvalue", "Residual", "Iterations", "EulerCharacteristic", "IndexSum"):
         array = data.GetArrayInformation(name)

@@ -3,13 +3,15 @@
 
 #include "Eigenpairs/Lanczos.h"
 
+#include "Eigenpairs/HermitianSpectrum.h"
 #include "SparseCholesky/Factorization.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace DirectionFields::Internal
@@ -45,16 +47,15 @@ double RayleighQuotient(const ComplexVector& u, const ComplexVector& au, const C
 Eigenpair DenseEigenpair(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start)
 {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver{ Eigen::MatrixXcd(energy),
-    Eigen::MatrixXcd(mass) };
-  if (solver.info() != Eigen::Success)
+  const HermitianSpectrum spectrum{ Eigen::MatrixXcd(energy), Eigen::MatrixXcd(mass) };
+  if (!spectrum.IsFound)
   {
     throw std::runtime_error("The eigenvalue problem of a small component has no solution.");
   }
-  const Eigen::VectorXd& values = solver.eigenvalues();
+  const Eigen::VectorXd& values = spectrum.Values;
   const double bound = values[0] + 1e-9 * values.cwiseAbs().maxCoeff();
   const Eigen::Index multiplicity = (values.array() <= bound).count();
-  const auto space = solver.eigenvectors().leftCols(multiplicity);
+  const auto space = spectrum.Vectors.leftCols(multiplicity);
   const ComplexVector coefficients = space.adjoint() * (mass * start);
   Eigenpair pair;
   pair.Vector = coefficients.norm() > 1e-9 * start.norm() ? ComplexVector(space * coefficients)
@@ -129,7 +130,7 @@ public:
   {
     const int m = this->Dimension;
     return this->Basis.leftCols(m + 1) *
-      (this->Projected.topLeftCorner(m + 1, m) * this->Ritz.eigenvectors().col(m - 1));
+      (this->Projected.topLeftCorner(m + 1, m) * this->Ritz->Vectors.col(m - 1));
   }
 
 private:
@@ -147,23 +148,23 @@ private:
   {
     const int m = this->Dimension;
     const Eigen::MatrixXcd square = this->Projected.topLeftCorner(m, m);
-    this->Ritz.compute(0.5 * (square + square.adjoint()));
+    this->Ritz.emplace(0.5 * (square + square.adjoint()));
     this->LargestBefore = this->Largest;
-    this->Largest = this->Ritz.eigenvalues()[m - 1];
+    this->Largest = this->Ritz->Values[m - 1];
   }
 
   void Restart()
   {
     const int m = this->Dimension;
     const int kept = KeptDimension;
-    const Eigen::MatrixXcd vectors = this->Ritz.eigenvectors().rightCols(kept);
+    const Eigen::MatrixXcd vectors = this->Ritz->Vectors.rightCols(kept);
     const Eigen::RowVectorXcd last = this->Projected.row(m).head(m) * vectors;
     this->Basis.leftCols(kept) = (this->Basis.leftCols(m) * vectors).eval();
     this->MassBasis.leftCols(kept) = (this->MassBasis.leftCols(m) * vectors).eval();
     this->Basis.col(kept) = this->Basis.col(m).eval();
     this->MassBasis.col(kept) = this->MassBasis.col(m).eval();
     this->Projected.setZero();
-    this->Projected.diagonal().head(kept) = this->Ritz.eigenvalues().tail(kept).cast<Complex>();
+    this->Projected.diagonal().head(kept) = this->Ritz->Values.tail(kept).cast<Complex>();
     this->Projected.row(kept).head(kept) = last;
     this->Dimension = kept;
   }
@@ -176,7 +177,7 @@ private:
   int Dimension = 0;
   double Largest = 0.0;
   double LargestBefore = 0.0;
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> Ritz;
+  std::optional<HermitianSpectrum> Ritz;
 };
 
 /// Scales the vector to u^* M u = 1 and fills in the other figures.

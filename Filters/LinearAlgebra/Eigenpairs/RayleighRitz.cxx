@@ -3,8 +3,9 @@
 
 #include "Eigenpairs/RayleighRitz.h"
 
+#include "Eigenpairs/HermitianSpectrum.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
@@ -43,19 +44,19 @@ RitzPairs RayleighRitz(const SmallMatrix& energy, const SmallMatrix& mass, int w
   }
   else
   {
-    const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(scaled);
+    const HermitianSpectrum spectrum(scaled);
     const Eigen::Index kept =
-      (spectrum.eigenvalues().array() > IndependentDistance * IndependentDistance).count();
-    basis = basis * spectrum.eigenvectors().rightCols(kept) *
-      spectrum.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+      (spectrum.Values.array() > IndependentDistance * IndependentDistance).count();
+    basis = basis * spectrum.Vectors.rightCols(kept) *
+      spectrum.Values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   }
   if (basis.cols() == 0)
   {
     return {};
   }
   const SmallMatrix projected = basis.adjoint() * (0.5 * (energy + energy.adjoint())) * basis;
-  const Eigen::SelfAdjointEigenSolver<SmallMatrix> spectrum(projected);
+  const HermitianSpectrum spectrum(projected);
   const Eigen::Index count = std::min<Eigen::Index>(wanted, basis.cols());
-  return { spectrum.eigenvalues().head(count), basis * spectrum.eigenvectors().leftCols(count) };
+  return { spectrum.Values.head(count), basis * spectrum.Vectors.leftCols(count) };
 }
 }

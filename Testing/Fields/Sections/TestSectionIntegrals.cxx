@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Meshes/DenseAlgebra.h"
 #include "Meshes/LocalMatrices.h"
 #include "Sections/SectionIntegrals.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <functional>
@@ -30,14 +29,14 @@ struct GaussRule
   Eigen::VectorXd Weights;
   explicit GaussRule(int points)
   {
-    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(points, points);
+    Eigen::MatrixXcd jacobi = Eigen::MatrixXcd::Zero(points, points);
     for (int k = 1; k < points; ++k)
     {
       jacobi(k, k - 1) = jacobi(k - 1, k) = k / std::sqrt(4.0 * k * k - 1.0);
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi);
-    this->Nodes = 0.5 * (solver.eigenvalues().array() + 1.0);
-    this->Weights = solver.eigenvectors().row(0).array().square();
+    const DensePairs pairs = DenseEigenpairs(jacobi, Eigen::MatrixXcd::Identity(points, points));
+    this->Nodes = 0.5 * (pairs.Values.array() + 1.0);
+    this->Weights = pairs.Vectors.row(0).cwiseAbs2();
   }
 };
 

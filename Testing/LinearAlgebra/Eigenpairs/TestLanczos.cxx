@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Eigenpairs/Lanczos.h"
+#include "Meshes/DenseAlgebra.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
@@ -17,11 +17,9 @@ using namespace Meshes;
 
 namespace
 {
-Eigen::VectorXd DenseEigenvalues(const Operators& o)
+Eigen::VectorXd SystemEigenvalues(const Operators& o)
 {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd>(
-    Eigen::MatrixXcd(o.Energy), Eigen::MatrixXcd(o.Mass), Eigen::EigenvaluesOnly)
-    .eigenvalues();
+  return DenseEigenpairs(Eigen::MatrixXcd(o.Energy), Eigen::MatrixXcd(o.Mass)).Values;
 }
 
 /// So many quads in a row, of length 1.
@@ -61,7 +59,7 @@ TEST(Lanczos, EqualsTheDenseSolver)
       settings.Scale = system.Scale;
       const Eigenpair pair = SolveByLanczos(system.Matrices.Energy, system.Matrices.Mass,
         RandomVector(system.Matrices.Energy.rows(), 1), settings);
-      const double exact = DenseEigenvalues(system.Matrices)[0];
+      const double exact = SystemEigenvalues(system.Matrices)[0];
       EXPECT_LE(pair.Residual, 1e-9);
       EXPECT_NEAR(pair.Value / exact, 1.0, 1e-9);
       EXPECT_NEAR(pair.Vector.dot(system.Matrices.Mass * pair.Vector).real(), 1.0, 1e-12);
@@ -135,16 +133,15 @@ TEST(Lanczos, DoubtsThePairOfAPoorStart)
   const System system(Potato(3), 4, 0.0);
   const SparseMatrix& a = system.Matrices.Energy;
   const SparseMatrix& m = system.Matrices.Mass;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> dense{ Eigen::MatrixXcd(a),
-    Eigen::MatrixXcd(m) };
-  const Eigen::VectorXd& values = dense.eigenvalues();
+  const DensePairs dense = DenseEigenpairs(Eigen::MatrixXcd(a), Eigen::MatrixXcd(m));
+  const Eigen::VectorXd& values = dense.Values;
   for (const double tolerance : { 1e-4, 1e-3, 1e-2 })
   {
     EXPECT_GT(values[1], (1.0 + 2.0 * tolerance) * values[0]) << "the promise tells them apart";
     EigenpairSettings settings;
     settings.Tolerance = tolerance;
     settings.Scale = system.Scale;
-    const ComplexVector start = dense.eigenvectors().col(1) + 1e-9 * dense.eigenvectors().col(0);
+    const ComplexVector start = dense.Vectors.col(1) + 1e-9 * dense.Vectors.col(0);
     const Eigenpair pair = SolveByLanczos(a, m, start, settings);
     EXPECT_TRUE(HasConverged(pair));
     EXPECT_LT(pair.RequiredResidual, tolerance);
@@ -200,12 +197,10 @@ TEST(Lanczos, DegenerateEigenspaceGivesTheProjectionOfTheStart)
   const SparseMatrix& a = system.Matrices.Energy;
   const SparseMatrix& m = system.Matrices.Mass;
   const ComplexVector start = RandomVector(a.rows(), 9);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> dense{ Eigen::MatrixXcd(a),
-    Eigen::MatrixXcd(m) };
-  const Eigen::Index multiplicity =
-    (dense.eigenvalues().array() < dense.eigenvalues()[0] * (1.0 + 1e-9)).count();
+  const DensePairs dense = DenseEigenpairs(Eigen::MatrixXcd(a), Eigen::MatrixXcd(m));
+  const Eigen::Index multiplicity = (dense.Values.array() < dense.Values[0] * (1.0 + 1e-9)).count();
   EXPECT_EQ(multiplicity, 3);
-  const auto space = dense.eigenvectors().leftCols(multiplicity);
+  const auto space = dense.Vectors.leftCols(multiplicity);
   ComplexVector projection = space * (space.adjoint() * (m * start));
   projection /= std::sqrt(projection.dot(m * projection).real());
   ASSERT_LE(a.rows(), 48) << "the dense branch is meant";

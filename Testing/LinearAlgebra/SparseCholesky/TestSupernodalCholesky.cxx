@@ -197,7 +197,8 @@ TYPED_TEST(SupernodalCholeskyOf, IsGivenUpWhenTold)
   {
     Threads threads(number);
     const Threads::Scope scope(threads);
-    for (const int most : { 1, 2 })
+    // Beside another thread that does all the work the calling one may ask no second time.
+    for (int most = 1; most <= 3 - number; ++most)
     {
       int calls = 0;
       const ProgressFunction stop = [&](double) { return ++calls < most; };

@@ -5,6 +5,7 @@
 #include "Curvature/ShapeSmoothing.h"
 #include "Features/Creases.h"
 #include "Geometry/DihedralAngles.h"
+#include "Meshes/DenseAlgebra.h"
 #include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
@@ -149,11 +150,12 @@ TEST(ShapeFit, IsTheLeastSquaresSolution)
       equations.row(static_cast<Eigen::Index>(k)) << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
       heights[static_cast<Eigen::Index>(k)] = p.dot(geometry.Frames.Normal[v]);
     }
-    const Eigen::VectorXd solution = equations.colPivHouseholderQr().solve(heights);
+    const Eigen::VectorXd solution = RealLeastSquares(equations, heights);
     EXPECT_NEAR(shapes[v].Mean, -0.5 * (solution[3] + solution[5]), 1e-9);
     EXPECT_NEAR(shapes[v].Hopf.real(), -0.5 * (solution[3] - solution[5]), 1e-9);
     EXPECT_NEAR(shapes[v].Hopf.imag(), -solution[4], 1e-9);
-    const Eigen::MatrixXd covariance = (equations.transpose() * equations).inverse();
+    const Eigen::MatrixXd covariance =
+      RealSolution(equations.transpose() * equations, Eigen::MatrixXd::Identity(6, 6));
     const double variance =
       0.25 * (covariance(3, 3) + covariance(5, 5)) - 0.5 * covariance(3, 5) + covariance(4, 4);
     EXPECT_NEAR(shapes[v].Variance, variance, 1e-8 * variance);

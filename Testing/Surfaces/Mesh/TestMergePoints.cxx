@@ -179,7 +179,7 @@ TEST(MergePoints, ANoteTellsSoupFromSurfacesWithABoundary)
   }
   ASSERT_EQ(notes(Soup(Tetrahedron())).size(), 1u);
   EXPECT_EQ(notes(Soup(Tetrahedron()))[0].rfind("12 of the 12 points", 0), 0u);
-  EXPECT_NE(notes(Soup(Tetrahedron()))[0].find("MergePoints"), std::string::npos);
+  EXPECT_NE(notes(Soup(Tetrahedron()))[0].find("Merge Points"), std::string::npos);
   // Two squares of 16 boundary points each that touch along a side of 5 points, 10 of 32: a seam.
   EXPECT_TRUE(
     notes(Joined(Square(4), Transformed(Square(4), Eigen::Matrix3d::Identity(), { 1, 0, 0 })))
