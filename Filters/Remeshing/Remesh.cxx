@@ -47,6 +47,15 @@ FeatureSettings FeaturesOf(const RemeshOptions& options, double edgeLength)
     ShortestFeature * edgeLength };
 }
 
+/// How strongly the mesh's own field is drawn to the principal curvatures. Their two lines are no
+/// part of a field that has three.
+double StrengthOf(const RemeshOptions& options)
+{
+  const bool isDrawn =
+    options.Alignment == FieldAlignment::Shape && options.Element == Element::Quads;
+  return isDrawn ? options.AlignmentStrength : 0.0;
+}
+
 /// The length of edges that is asked for, or that gives the wanted number of faces.
 double EdgeLengthFor(double area, const RemeshOptions& options)
 {
@@ -78,6 +87,8 @@ void Check(const RemeshOptions& options, std::size_t points)
     "Feature Angle has to be between 0 and 180 degrees.");
   require(options.MinimumFeatureLength >= 0.0 && std::isfinite(options.MinimumFeatureLength),
     "Minimum Feature Length has to be at least 0.");
+  require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,
+    "Alignment Strength has to be between 0 and 1.");
   require(options.SmoothingIterations >= 0 && options.SmoothingIterations <= 1000,
     "Smoothing Iterations has to be between 0 and 1000.");
   require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
@@ -352,12 +363,13 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   sizes.MapLength = sizes.EdgeLength * (policy == QuadPolicy::Split ? 2.0 : 1.0);
   const int degree = DegreeOf(options.Element);
   const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
+  const double strength = StrengthOf(options);
   const std::vector<double> longest = LongestEdges(sizes.AtPoints, area, sizes.MapLength);
-  if (!this->Cache || !this->Cache->IsFor(degree, features, longest, directions))
+  if (!this->Cache || !this->Cache->IsFor(degree, features, longest, directions, strength))
   {
     this->Cache.reset();
     this->Cache = std::make_unique<PreparedField>(
-      *this->Input, degree, features, longest, directions, progress);
+      *this->Input, degree, features, longest, directions, strength, progress);
   }
   const SurfaceGeometry& geometry = this->Cache->GetGeometry();
   const std::vector<double> continued = this->Cache->GetSurface().Continued(sizes.AtPoints);

@@ -31,6 +31,17 @@ enum class Element
   Triangles = 1
 };
 
+/// The field that a mesh follows where none is given.
+enum class FieldAlignment
+{
+  /// Of unit length, drawn to the principal curvatures where the surface is bent differently in two
+  /// directions: loops of edges go around limbs and tubes. Meshes of triangles, whose fields have
+  /// three lines at a point, are made as by Smooth.
+  Shape = 0,
+  /// The smoothest one along boundary and features.
+  Smooth = 1
+};
+
 /// The options of a new mesh. The defaults stand here and nowhere else.
 struct RemeshOptions
 {
@@ -53,6 +64,11 @@ struct RemeshOptions
   /// As in Options. Angles of coarse round surfaces should not pass for features.
   double FeatureAngle = 40.0;
   double MinimumFeatureLength = 0.5;
+  /// The field, if none is given.
+  FieldAlignment Alignment = FieldAlignment::Shape;
+  /// How strongly the field is drawn to the principal curvatures for Alignment::Shape, as
+  /// Options::AlignmentStrength: 0 for not at all, 1 for as much as can be. Range 0 to 1.
+  double AlignmentStrength = 0.25;
   /// Steps in which vertices move so that faces become regular. 0 leaves them on the grid. Range 0
   /// to 1000.
   int SmoothingIterations = 12;
@@ -126,8 +142,8 @@ public:
 
   /// Throws MeshError for a surface that cannot be processed, and std::invalid_argument.
   /// @param directions any of the directions of a field of degree 4 (6 for triangles) at each point
-  ///                   of the surface; empty to compute the field that is smoothest along boundary
-  ///                   and features
+  ///                   of the surface; empty to compute one along boundary and features, as
+  ///                   RemeshOptions::Alignment says
   RemeshResult Compute(const RemeshOptions& options, const std::vector<Vector3>& directions = {},
     const ProgressFunction& progress = {});
 

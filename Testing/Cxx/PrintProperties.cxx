@@ -141,6 +141,8 @@ void PrintRemesh()
   RANGE(EdgeLength);
   VALUE(KeepFeatures);
   RANGE(FeatureAngle);
+  RANGE(Alignment);
+  RANGE(AlignmentStrength);
   RANGE(SmoothingIterations);
   VALUE(KeepStages);
   RANGE(NumberOfThreads);

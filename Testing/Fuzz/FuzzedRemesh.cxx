@@ -32,6 +32,8 @@ RemeshOptions ReadOptions(const Bytes& bytes)
   options.FeatureAngle = Real(bytes.At(7), options.FeatureAngle, 0.0, 180.0);
   options.MinimumFeatureLength = Real(bytes.At(8), options.MinimumFeatureLength, 0.0, 1.0);
   options.SmoothingIterations = Whole(bytes.At(9), 3, 0, 12);
+  options.Alignment = bytes.At(11) % 2 == 0 ? FieldAlignment::Shape : FieldAlignment::Smooth;
+  options.AlignmentStrength = Real(bytes.At(12), options.AlignmentStrength, 0.0, 1.0);
   options.NumberOfThreads = bytes.At(10) < FirstInvalid ? static_cast<int>(bytes.At(10) % 4) : -1;
   return options;
 }

@@ -17,8 +17,9 @@ AllFigures.switch_on()
 ENUMERATIONS = {
     "Element": ["Quads", "Triangles"],
     "SizeMode": ["Number Of Faces", "Edge Length"],
+    "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("SizingArray", "SmoothingIterations", "KeepStages", "NumberOfThreads")
+ADVANCED = ("SizingArray", "AlignmentStrength", "SmoothingIterations", "KeepStages", "NumberOfThreads")
 
 
 def number(data, name):

@@ -427,6 +427,9 @@ TEST(Remesh, RefusesWhatMakesNoSense)
   options.EdgeLength = 0.0;
   EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
   options = {};
+  options.AlignmentStrength = 1.5;
+  EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
+  options = {};
   options.Sizing = { 1.0 };
   EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
 }

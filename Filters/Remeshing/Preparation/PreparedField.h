@@ -7,7 +7,7 @@
 #include "Charts/FieldMatching.h"
 #include "Distance/ClosestPoints.h"
 #include "Features/KeptFeatures.h"
-#include "Options.h"
+#include "OwnField/OwnField.h"
 #include "Parametrization/ParametrizationCache.h"
 #include "Preparation/PreparedSurface.h"
 #include "Preparation/Seams.h"
@@ -28,14 +28,16 @@ public:
   /// Throws MeshError and Stopped.
   /// @param degree   4 or 6
   /// @param longest  longest edges of the prepared surface, as for PreparedSurface
-  /// @param given    any of the directions of a field at each point of the input; empty to compute
-  ///                 the smoothest field that follows the boundary and the features
+  /// @param given    any of the directions of a field at each point of the input; empty for an
+  ///                 OwnField
+  /// @param strength how strongly that is drawn to the principal curvatures, 0 to 1
   PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
-    std::vector<double> longest, const std::vector<Vector3>& given, const Progress& progress);
+    std::vector<double> longest, const std::vector<Vector3>& given, double strength,
+    const Progress& progress);
 
   /// Whether the same field would be prepared from these.
   bool IsFor(int degree, const FeatureSettings& settings, const std::vector<double>& longest,
-    const std::vector<Vector3>& given) const;
+    const std::vector<Vector3>& given, double strength) const;
 
   const PreparedSurface& GetSurface() const { return this->Prepared; }
   const SurfaceGeometry& GetGeometry() const { return this->Prepared.GetGeometry(); }
@@ -51,15 +53,12 @@ public:
   std::vector<ParametrizationCache>& GetCaches() { return this->Caches; }
 
 private:
-  /// Vectors along the features, at the points of the prepared surface.
-  Guidance AlongFeatures() const;
-  std::vector<Complex> SmoothestField(
-    const FeatureSettings& settings, const Progress& progress) const;
   std::vector<Complex> GivenField() const;
 
   int Degree;
   std::vector<double> Longest;
   std::vector<Vector3> Given;
+  double Strength;
   PreparedSurface Prepared;
   ClosestPoints InputTriangles;
   std::vector<char> IsFeature;

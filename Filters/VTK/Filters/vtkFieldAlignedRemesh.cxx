@@ -53,6 +53,8 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->PureQuads = defaults.PureQuads;
   this->KeepFeatures = defaults.KeepFeatures;
   this->FeatureAngle = defaults.FeatureAngle;
+  this->Alignment = static_cast<int>(defaults.Alignment);
+  this->AlignmentStrength = defaults.AlignmentStrength;
   this->SmoothingIterations = defaults.SmoothingIterations;
   this->KeepStages = true;
   this->NumberOfThreads = defaults.NumberOfThreads;
@@ -77,6 +79,8 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PureQuads: " << this->PureQuads << "\n";
   os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
   os << indent << "KeepStages: " << this->KeepStages << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
@@ -94,6 +98,8 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* i
   options.PureQuads = this->PureQuads;
   options.KeepFeatures = this->KeepFeatures;
   options.FeatureAngle = this->FeatureAngle;
+  options.Alignment = static_cast<DirectionFields::FieldAlignment>(this->Alignment);
+  options.AlignmentStrength = this->AlignmentStrength;
   options.SmoothingIterations = this->SmoothingIterations;
   options.NumberOfThreads = this->NumberOfThreads;
   return options;

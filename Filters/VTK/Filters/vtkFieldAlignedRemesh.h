@@ -21,7 +21,7 @@
  * A vtkPolyData: triangles, polygons or triangle strips. If it has a direction field of degree 4 (6
  * for triangles), as output port 0 of vtkDirectionField does in the point arrays `Direction0`,
  * `Direction1`, ..., the mesh follows that, else a field of unit length along boundary and sharp
- * edges is computed.
+ * edges is computed, as Alignment says.
  *
  * @section Output Output
  * Port 0: polygons, wound as the input, with its point data interpolated and its cell data copied,
@@ -161,6 +161,32 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
+  enum Alignments
+  {
+    SHAPE = 0,
+    SMOOTH = 1
+  };
+
+  ///@{
+  /**
+   * The field that is computed if the input has none: drawn to the principal curvatures where the
+   * surface is bent differently in two directions, so that loops of edges go around limbs and tubes
+   * (SHAPE, 0, default), or the smoothest one along boundary and sharp edges (SMOOTH, 1). Meshes of
+   * triangles are made as by SMOOTH.
+   */
+  vtkSetClampMacro(Alignment, int, SHAPE, SMOOTH);
+  vtkGetMacro(Alignment, int);
+  ///@}
+
+  ///@{
+  /**
+   * How strongly SHAPE draws the field: 0 not at all, 1 as much as can be, as
+   * vtkDirectionField::SetAlignmentStrength. Range 0 to 1, default 0.25.
+   */
+  vtkSetClampMacro(AlignmentStrength, double, 0.0, 1.0);
+  vtkGetMacro(AlignmentStrength, double);
+  ///@}
+
   ///@{
   /**
    * Steps in which vertices move along the surface so that faces become regular. 0: they stay where
@@ -212,6 +238,8 @@ private:
   bool PureQuads;
   bool KeepFeatures;
   double FeatureAngle;
+  int Alignment;
+  double AlignmentStrength;
   int SmoothingIterations;
   bool KeepStages;
   int NumberOfThreads;

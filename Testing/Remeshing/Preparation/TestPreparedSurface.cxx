@@ -143,12 +143,13 @@ TEST(PreparedSurface, PathsAlongFeaturesAreThoseOfTheInput)
 TEST(PreparedField, IsOnlyForTheInputItWasPreparedFor)
 {
   const Surface cube = Meshes::FlatlySubdivided(Meshes::Cube(), 2);
-  const PreparedField field(cube, 4, Sharp, {}, {}, Progress());
-  EXPECT_TRUE(field.IsFor(4, Sharp, {}, {}));
-  EXPECT_FALSE(field.IsFor(6, Sharp, {}, {}));
-  EXPECT_FALSE(field.IsFor(4, { true, 100.0, 0.5, 0.0 }, {}, {}));
-  EXPECT_FALSE(field.IsFor(4, Sharp, std::vector<double>(cube.Points.size(), 1.0), {}));
-  EXPECT_FALSE(field.IsFor(4, Sharp, {}, cube.Points));
+  const PreparedField field(cube, 4, Sharp, {}, {}, 0.25, Progress());
+  EXPECT_TRUE(field.IsFor(4, Sharp, {}, {}, 0.25));
+  EXPECT_FALSE(field.IsFor(6, Sharp, {}, {}, 0.25));
+  EXPECT_FALSE(field.IsFor(4, { true, 100.0, 0.5, 0.0 }, {}, {}, 0.25));
+  EXPECT_FALSE(field.IsFor(4, Sharp, std::vector<double>(cube.Points.size(), 1.0), {}, 0.25));
+  EXPECT_FALSE(field.IsFor(4, Sharp, {}, cube.Points, 0.25));
+  EXPECT_FALSE(field.IsFor(4, Sharp, {}, {}, 0.5));
   // The field follows the features: one of its directions is along each of their edges, up to the
   // vertices' tangent planes.
   const SurfaceGeometry& geometry = field.GetGeometry();

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OwnField/OwnField.h"
+
+#include "Computation/ComponentFields.h"
+#include "Computation/Guide.h"
+#include "Computation/Stages.h"
+#include "Features/KeptFeatures.h"
+#include "Guidance/Guidance.h"
+
+#include <string>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// What a singularity costs a field that is drawn to the principal curvatures, as
+/// Options::SingularityCost: without it each wave of the surface has its own.
+constexpr double Cost = 1.5;
+
+/// Vectors along the features, at the points of the surface.
+Guidance AlongFeatures(
+  const Surface& surface, const SurfaceGeometry& geometry, const std::vector<char>& isFeature)
+{
+  const std::vector<Vector3> directions = FeatureDirections(geometry, isFeature);
+  Guidance guidance;
+  guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
+  for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (!directions[v].isZero(0.0))
+    {
+      guidance.Vectors[geometry.Mesh.Point(v)] = directions[v];
+    }
+  }
+  return guidance;
+}
+}
+
+std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
+  const SurfaceGeometry& geometry, const std::vector<char>& isFeature,
+  const OwnFieldSettings& settings, const Progress& progress)
+{
+  progress.Report(0.0);
+  Options options;
+  options.Degree = settings.Degree;
+  options.ConstrainBoundary = true;
+  options.ConstrainGuidance = settings.FollowsFeatures;
+  options.MergePoints = MergePoints::Off;
+  options.UnitLength = true;
+  if (settings.Strength > 0.0)
+  {
+    options.Alignment = Alignment::PrincipalCurvature;
+    options.AlignmentStrength = settings.Strength;
+    options.SingularityCost = Cost;
+  }
+  std::vector<std::string> notes;
+  const Guidance guidance = AlongFeatures(*surface, geometry, isFeature);
+  Stages stages(surface);
+  const Guide guide(stages, options, guidance, notes);
+  constexpr double afterEnergy = 0.55;
+  EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, afterEnergy));
+  return SolveComponents(stages, energy, guide, {}, options, false, progress.Part(afterEnergy, 1.0))
+    .Section;
+}
+}

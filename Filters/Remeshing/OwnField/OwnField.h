@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_OwnField_h
+#define DirectionFields_OwnField_h
+
+#include "Geometry/SurfaceGeometry.h"
+#include "Progress.h"
+#include "Surface.h"
+
+#include <memory>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// How the mesher makes a field of its own.
+struct OwnFieldSettings
+{
+  /// 4 or 6
+  int Degree = 4;
+  /// Whether the field runs along the features.
+  bool FollowsFeatures = true;
+  /// The strength of the alignment to the principal curvatures, from 0 for none to 1, as
+  /// Options::AlignmentStrength.
+  double Strength = 0.0;
+};
+
+/// Computes a section of unit length over the vertices of a surface, kept along its boundary and
+/// its features, drawn to the principal curvatures where the surface is bent differently in two
+/// directions. Throws Stopped.
+/// @param surface   the surface that the geometry is of
+/// @param isFeature not 0 for each edge that is a feature
+std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
+  const SurfaceGeometry& geometry, const std::vector<char>& isFeature,
+  const OwnFieldSettings& settings, const Progress& progress);
+}
+
+#endif
