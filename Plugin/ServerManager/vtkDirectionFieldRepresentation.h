@@ -50,7 +50,7 @@ private:
   /// The glyphs of a block; null where it has no directions.
   vtkPolyData* GlyphsOf(vtkPolyData* block, std::size_t number);
 
-  /// One for each block that has directions; they keep what does not depend on the directions.
+  /// One for each block that has directions; they keep their places while the directions change.
   std::vector<vtkSmartPointer<vtkDirectionFieldGlyphs>> Filters;
   vtkNew<vtkPolyData> Glyphs;
   vtkNew<vtkPolyDataMapper> GlyphMapper;

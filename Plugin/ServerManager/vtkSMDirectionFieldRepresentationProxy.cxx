@@ -150,7 +150,7 @@ void vtkSMDirectionFieldRepresentationProxy::HideDirectionsIn(vtkSMProxy* view)
   }
   if (auto* const all = vtkSMViewProxy::SafeDownCast(hasChanged ? view : nullptr))
   {
-    // The surface has not been prepared as what it is shown as now.
+    // The surface has not been prepared for the representation that shows it now.
     all->Update();
   }
 }

@@ -28,8 +28,8 @@ std::vector<int> Pieces(const Surface& surface)
   return pieces;
 }
 
-/// The triangles of a piece, and for ghosts those within so many layers around, in an order of its
-/// own. Points are not renumbered.
+/// The triangles of a piece, and for ghosts those within the given number of layers around, in an
+/// order of its own. Points are not renumbered.
 Surface PieceOf(const Surface& whole, const std::vector<int>& pieces, int piece, int layers)
 {
   std::vector<char> taken(whole.Triangles.size(), 0);

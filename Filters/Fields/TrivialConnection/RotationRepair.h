@@ -40,8 +40,8 @@ struct SetEdge
   Index Edge;
   double Rotation;
 };
-/// What is tried where a field has not the indices that it is to have: its rotation along some edge
-/// is more than half a turn.
+/// The attempt to mend a field that has not the indices that it is to have: its rotation along some
+/// edge is more than half a turn.
 class RotationRepair
 {
 public:

@@ -351,7 +351,7 @@ TurnedField TrivialConnection::Turn(const RotationTarget& target, const Progress
   }
   if (leastWrong > 0)
   {
-    // The base shows how the mesh can carry what nobody has changed.
+    // The base shows how the mesh can carry the indices that nobody has changed.
     settings = field.Settings;
     edges.clear();
     std::vector<Index> wrong = this->WrongTriangles(target, field);

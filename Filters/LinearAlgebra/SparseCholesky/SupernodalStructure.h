@@ -33,7 +33,7 @@ struct Supernode
   }
 };
 
-/// What the pattern of a Hermitian matrix says of its factor P K P^T = L L^*: an order of
+/// The structure of the factor P K P^T = L L^*, from the pattern of a Hermitian matrix: an order of
 /// elimination that leaves little fill, and the supernodes, columns of L that have nearly the same
 /// rows, as the nodes of a tree.
 class SupernodalStructure

@@ -131,7 +131,7 @@ TriangleMesh MeshOf(const Keyhole& keyhole, const std::vector<Index>& triangles)
   return TriangleMesh(surface);
 }
 
-/// A disk with so many holes.
+/// A disk with the given number of holes.
 void ExpectHoles(const Keyhole& keyhole, int holes)
 {
   const std::vector<Index> triangles = CutEars(keyhole.Places(), false);

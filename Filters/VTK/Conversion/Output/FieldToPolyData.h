@@ -41,8 +41,8 @@ void AddReport(
 /// Adds the line that describes what a filter has made.
 void AddSummary(const std::string& summary, vtkFieldData* data);
 
-/// Removes what one of these filters has said of its output, which is not true of what another
-/// filter makes of it: the figures, the warnings and the summary. Data without a summary are not
+/// Removes the figures, the warnings and the summary that one of these filters has written, which
+/// are not true of the output that another filter makes of it. Data without a summary are not
 /// theirs, and stay as they are.
 void RemoveReports(vtkFieldData* data);
 /// Shallow copy without these reports.
