@@ -29,8 +29,8 @@ constexpr double InnerReduction = 0.001;
 /// Nor does a step go below this part of the residual of the step before: near other eigenvalues
 /// steps gain little, however far they go.
 constexpr double InnerPart = 0.1;
-/// How far it goes where all steps are kept: that space gains by each of them, whence it pays to take
-/// many short steps.
+/// How far it goes where all steps are kept: as that space gains by each of them, many short steps
+/// pay.
 constexpr double InnerReductionInSpace = 0.2;
 constexpr int MostInnerSteps = 8;
 constexpr int MostInnerStepsInSpace = 6;

@@ -27,8 +27,8 @@ public:
 
   /// False where the matrix is not positive definite up to rounding.
   bool IsDefinite() const { return this->Definite; }
-  /// Releases the memory of the elimination, and a factor of more than mostValues values: nothing can
-  /// be solved then until it is restored. The structure of the factor stays.
+  /// Releases the memory of the elimination, and a factor of more than mostValues values: nothing
+  /// can be solved then until it is restored. The structure of the factor stays.
   void Shrink(std::size_t mostValues);
   /// Makes a released factor again, the same one.
   void Restore();
