@@ -16,6 +16,7 @@
 #include "vtkMultiBlockDataSet.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -324,6 +325,28 @@ void TestErrors()
   CheckReadError(mesh, name + ".sing", { ".rawfield" });
 }
 
+/// The filter's words for a mesh that was turned, and for what is no file.
+void TestOtherMeshes()
+{
+  auto mesh = PolyMeshes::Pebble(2);
+  const std::string name = Directory + "/other";
+  Remove(name);
+  CHECK(Write(Field(mesh, 4), name + ".rosy"));
+  vtkNew<vtkPolyData> turned;
+  turned->DeepCopy(mesh);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    turned->GetPoints()->SetPoint(i, p[2], p[1], -p[0]);
+  }
+  CheckReadError(turned, name + ".rosy", { "another mesh" });
+  std::remove((Directory + "/device.rosy").c_str());
+  std::filesystem::create_symlink("/dev/zero", Directory + "/device.rosy");
+  CheckReadError(mesh, Directory + "/device.rosy", { "no regular file" });
+  CheckWriteError(Field(mesh, 4), Directory + "/device.rosy", { "no regular file" });
+  CHECK(!std::filesystem::exists(Directory + "/device.obj"));
+}
+
 /// Broken files are errors, whatever is wrong with them.
 void TestBroken()
 {
@@ -471,6 +494,7 @@ int TestDirectionFieldFiles(int argc, char* argv[])
   TestSingularities();
   TestCompanions();
   TestErrors();
+  TestOtherMeshes();
   TestBroken();
   TestFieldgen();
   TestUnusual();

@@ -5,9 +5,79 @@
 
 #include "Exchange/TextWriter.h"
 
+#include <array>
+#include <charconv>
+#include <cstdint>
+
 namespace DirectionFields::Internal
 {
 const std::string_view ObjMark = "# The mesh of a direction field written by Direction Fields";
+
+namespace
+{
+constexpr std::string_view ChecksumMark = "# checksum ";
+constexpr std::string_view BesideMark = "# beside it ";
+
+/// Takes the first line off a text.
+std::string_view TakeLine(std::string_view& text)
+{
+  const std::size_t end = text.find('\n');
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  return line;
+}
+
+bool StartsWith(std::string_view text, std::string_view beginning)
+{
+  return text.substr(0, beginning.size()) == beginning;
+}
+}
+
+std::string Checksum(std::string_view text)
+{
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : text)
+  {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  }
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16);
+  const std::string number(digits.data(), end.ptr);
+  return std::string(digits.size() - number.size(), '0') + number;
+}
+
+std::string WithRecord(std::string_view obj, const FileRecord& record)
+{
+  TakeLine(obj);
+  std::string rest;
+  for (const auto& [ending, checksum] : record)
+  {
+    rest += std::string(BesideMark) + ending + " " + checksum + "\n";
+  }
+  rest += obj;
+  return std::string(ObjMark) + "\n" + std::string(ChecksumMark) + Checksum(rest) + "\n" + rest;
+}
+
+std::optional<FileRecord> RecordOf(std::string_view obj)
+{
+  const std::string_view mark = TakeLine(obj);
+  const std::string_view checksum = TakeLine(obj);
+  if (mark != ObjMark || checksum != std::string(ChecksumMark) + Checksum(obj))
+  {
+    return std::nullopt;
+  }
+  FileRecord record;
+  while (StartsWith(obj, BesideMark))
+  {
+    const std::string_view entry = TakeLine(obj).substr(BesideMark.size());
+    const std::size_t blank = entry.find(' ');
+    if (blank != std::string_view::npos)
+    {
+      record[std::string(entry.substr(0, blank))] = entry.substr(blank + 1);
+    }
+  }
+  return record;
+}
 
 std::string WriteObj(const Surface& surface)
 {

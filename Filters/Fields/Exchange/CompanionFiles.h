@@ -7,6 +7,8 @@
 #include "Surface.h"
 #include "Types.h"
 
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,18 @@ struct SingularElement
 
 /// The first line of the mesh files that WriteObj makes, which tells them from others.
 extern const std::string_view ObjMark;
+
+/// The checksum of each file that was written with a mesh, by the end of its name.
+using FileRecord = std::map<std::string, std::string>;
+
+/// 16 hexadecimal digits (FNV-1a).
+std::string Checksum(std::string_view text);
+
+/// An .obj file of WriteObj, whose comments then tell which files were written with it, and that
+/// none has been changed since.
+std::string WithRecord(std::string_view obj, const FileRecord& record);
+/// The record of such a text; none for a mesh that another program wrote or changed.
+std::optional<FileRecord> RecordOf(std::string_view obj);
 
 /// The text of an .obj file with all points and triangles in their order, on which the rows of a
 /// file with a field count.

@@ -4,12 +4,14 @@
 #include "Exchange/FieldExport.h"
 
 #include "Exchange/CompanionFiles.h"
+#include "Exchange/FileSet.h"
 #include "Exchange/SharpEdges.h"
 #include "Exchange/TextFile.h"
 #include "Support/VectorMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace DirectionFields
@@ -170,24 +172,57 @@ std::vector<SingularElement> SingularTriangles(const GivenField& field)
   return singular;
 }
 
-/// Throws FileError where a file that is not an earlier run's would be replaced.
-void RequireOwn(const std::string& name, const std::vector<ExportedFile>& files)
+/// The checksum of a file; empty where it cannot be read.
+std::string ChecksumOf(const std::string& path)
+{
+  try
+  {
+    return Checksum(ReadText(path));
+  }
+  catch (const FileError&)
+  {
+    return {};
+  }
+}
+
+[[noreturn]] void RefuseForeign(const std::string& path)
+{
+  throw FileError("There is a file " + path +
+    " already, which was not written here or has been changed since, and would be replaced: a field's "
+    "file comes with the mesh that its rows belong to. Choose another name.");
+}
+
+/// The files beside a mesh that an earlier run wrote and nobody changed since. Throws FileError
+/// where another file than these, or another mesh, would be replaced.
+FileRecord RequireOwn(const std::string& name, const std::vector<ExportedFile>& files)
 {
   const std::string mesh = name + ".obj";
-  const std::string mark(ObjMark);
-  if (IsThere(mesh) && ReadText(mesh, mark.size()) == mark)
+  std::optional<FileRecord> record;
+  if (IsThere(mesh))
   {
-    return;
+    record = RecordOf(ReadText(mesh));
+    if (!record)
+    {
+      RefuseForeign(mesh);
+    }
+  }
+  FileRecord own;
+  for (const auto& [ending, checksum] : record.value_or(FileRecord()))
+  {
+    if (ChecksumOf(name + ending) == checksum)
+    {
+      own[ending] = checksum;
+    }
   }
   for (std::size_t i = 1; i < files.size(); ++i)
   {
-    if (IsThere(name + files[i].Ending))
+    const std::string& ending = files[i].Ending;
+    if (ending != ".obj" && IsThere(name + ending) && own.count(ending) == 0)
     {
-      throw FileError("There is a file " + name + files[i].Ending +
-        " already, which was not written here and would be replaced: a field's file comes with the mesh that "
-        "its rows belong to. Choose another name.");
+      RefuseForeign(name + ending);
     }
   }
+  return own;
 }
 }
 
@@ -237,11 +272,21 @@ std::vector<ExportedFile> ExportField(
 void WriteFiles(const std::string& fileName, const std::vector<ExportedFile>& files)
 {
   const std::string name = fileName.substr(0, fileName.rfind('.'));
-  RequireOwn(name, files);
-  WriteText(fileName, files.at(0).Text);
-  for (std::size_t i = 1; i < files.size(); ++i)
+  FileRecord record = RequireOwn(name, files);
+  for (const ExportedFile& file : files)
   {
-    WriteText(name + files[i].Ending, files[i].Text);
+    if (file.Ending != ".obj")
+    {
+      record[file.Ending] = Checksum(file.Text);
+    }
   }
+  std::vector<FileText> written;
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    const ExportedFile& file = files[i];
+    written.push_back({ i == 0 ? fileName : name + file.Ending,
+      file.Ending == ".obj" ? WithRecord(file.Text, record) : file.Text });
+  }
+  WriteTogether(written);
 }
 }

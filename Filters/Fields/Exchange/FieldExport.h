@@ -50,9 +50,12 @@ struct ExportedFile
 std::vector<ExportedFile> ExportField(
   const GivenField& field, const FaceField* given = nullptr, const ExportOptions& options = {});
 
-/// Writes the first of the files under its name, and the others beside it, with their own endings.
+/// Writes the first of the files under its name, and the others beside it, with their own endings:
+/// all of them or, where that fails, none. Until then files of these names are as they were. The
+/// mesh gets comments that say which files were written with it, and their checksums.
+///
 /// Throws FileError where a file cannot be written, and where one of the others is there already
-/// and was not written here, as the mesh beside it says.
+/// and was not written here, or was changed since, as these comments say.
 /// @param fileName with the ending of the first file
 /// @param files    of ExportField; at least one
 void WriteFiles(const std::string& fileName, const std::vector<ExportedFile>& files);

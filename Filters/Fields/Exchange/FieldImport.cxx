@@ -181,6 +181,163 @@ std::size_t CountZeros(const TriangleMesh& mesh, const std::vector<Complex>& sec
   return count;
 }
 
+/// Throws FileError where a component has no direction that the others could be continued from.
+void RequireDirections(const TriangleMesh& mesh, const std::vector<Complex>& section)
+{
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    const auto begin = section.begin() + component.FirstVertex;
+    const auto end = section.begin() + component.EndVertex;
+    if (begin != end && std::all_of(begin, end, [](const Complex& u) { return u == 0.0; }))
+    {
+      throw FileError("The file has no direction for any of the " +
+        Counted(static_cast<std::size_t>(component.Vertices()), "points") +
+        " of a part of the surface (point " + std::to_string(mesh.Point(component.FirstVertex)) +
+        " is one of them): its rows are zero, upright on the surface, or cancel. Rows must be vectors along "
+        "the surface.");
+    }
+  }
+}
+
+/// How far the directions of a file stand out of the planes of the elements, in degrees.
+class PlaneDeviation
+{
+public:
+  void Add(const FieldFile& file, std::size_t row, const Vector3& normal)
+  {
+    double largest = 0.0;
+    bool isGiven = false;
+    for (int k = 0; k < file.PerRow; ++k)
+    {
+      const Vector3 direction = file.Direction(row, k).stableNormalized();
+      isGiven = isGiven || !direction.isZero(0.0);
+      largest = std::max(largest, std::abs(direction.dot(normal)));
+    }
+    if (isGiven && !normal.isZero(0.0))
+    {
+      const double angle = std::asin(std::min(largest, 1.0)) * 180.0 / Pi;
+      this->Sum += angle;
+      ++this->Rows;
+      this->Outside += angle > Outlying ? 1 : 0;
+    }
+  }
+
+  /// Throws FileError where so many stand out that the mesh must be another one. A sentence where a
+  /// few do; else empty.
+  /// @param isExact other programs have the same planes, as those of triangles; normals of points
+  ///                are a matter of weights
+  std::string Check(bool isExact) const
+  {
+    if (this->Rows == 0)
+    {
+      return {};
+    }
+    const double mean = this->Sum / static_cast<double>(this->Rows);
+    std::string sentence = "The directions of the file stand out of the surface by " +
+      std::to_string(std::lround(mean)) + " degrees in the mean, and by more than " +
+      std::to_string(std::lround(Outlying)) + " in " + Counted(this->Outside, "of ") +
+      Counted(this->Rows, "rows") + ". ";
+    if (mean > LargestMean)
+    {
+      throw FileError(sentence +
+        "The file seems to belong to another mesh. Give the very mesh, its points and faces in the same "
+        "order, at the same places.");
+    }
+    const bool isNoted = isExact ? this->Outside > 0 : mean > LargestMeanOfPoints;
+    return isNoted ? sentence +
+        "Their tangential parts are taken. If this is not the mesh that the file belongs to, the field is wrong."
+                   : std::string();
+  }
+
+private:
+  /// Directions that have nothing to do with the surface stand out by 33 degrees in the mean. Those
+  /// for other normals of the same points hardly reach ten, even where there are many edges.
+  static constexpr double LargestMean = 20.0;
+  static constexpr double LargestMeanOfPoints = 10.0;
+  static constexpr double Outlying = 5.0;
+
+  double Sum = 0.0;
+  std::size_t Rows = 0;
+  std::size_t Outside = 0;
+};
+
+Vector3 NormalOf(const Surface& surface, const Triangle& triangle)
+{
+  const Vector3& a = surface.Points[triangle[0]];
+  const Vector3 along = (surface.Points[triangle[1]] - a).stableNormalized();
+  const Vector3 other = (surface.Points[triangle[2]] - a).stableNormalized();
+  // Needles have no normal that the digits of a file could tell.
+  constexpr double leastSine = 1e-3;
+  const Vector3 normal = along.cross(other);
+  return normal.norm() < leastSine ? Vector3(Vector3::Zero()) : normal.stableNormalized();
+}
+
+/// Compares the rows with the planes of the mesh's triangles or vertices (PlaneDeviation::Check).
+std::string CheckPlanes(
+  const FieldFile& file, const SurfaceGeometry& geometry, const Surface& surface, FieldOn on)
+{
+  PlaneDeviation deviation;
+  const TriangleMesh& mesh = geometry.Mesh;
+  for (Index t = 0; on == FieldOn::Cells && t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const Index row = mesh.InputTriangle(t);
+    if (mesh.IsFront(t))
+    {
+      deviation.Add(file, static_cast<std::size_t>(row), NormalOf(surface, surface.Triangles[row]));
+    }
+  }
+  // Rows that are found by their places belong to the mesh.
+  const bool isByNumber = file.Rows() == surface.Points.size();
+  for (Index v = 0; on == FieldOn::Points && isByNumber && v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.IsFrontVertex(v))
+    {
+      deviation.Add(file, static_cast<std::size_t>(mesh.Point(v)), geometry.Frames.Normal[v]);
+    }
+  }
+  return deviation.Check(on == FieldOn::Cells);
+}
+
+/// A sentence where the directions of neighbours agree as little as directions at random; else
+/// empty.
+/// @param section of modulus 1 or 0 for rows of points; else its modulus is how much the triangles
+///                around a vertex agree
+std::string CheckAgreement(
+  const SurfaceGeometry& geometry, int degree, const std::vector<Complex>& section, FieldOn on)
+{
+  // Of directions at random the means are near 0.37 around six triangles, and 0 along edges. Less
+  // than so many say nothing.
+  constexpr double leastOfCells = 0.5;
+  constexpr double leastOfPoints = 0.2;
+  constexpr double leastCount = 50.0;
+  const TriangleMesh& mesh = geometry.Mesh;
+  double sum = 0.0;
+  double count = 0.0;
+  for (Index v = 0; on == FieldOn::Cells && v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const bool counts = mesh.IsFrontVertex(v) && !mesh.IsBoundary(v);
+    sum += counts ? std::abs(section[v]) : 0.0;
+    count += counts ? 1.0 : 0.0;
+  }
+  for (Index e = 0; on == FieldOn::Points && e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    const Complex there = section[mesh.Head(h)];
+    const Complex carried =
+      section[mesh.Tail(h)] * std::polar(1.0, degree * geometry.Transport.RotationAlong(mesh, h));
+    const bool counts = there != 0.0 && carried != 0.0;
+    sum += counts ? std::real(carried * std::conj(there)) : 0.0;
+    count += counts ? 1.0 : 0.0;
+  }
+  const double least = on == FieldOn::Cells ? leastOfCells : leastOfPoints;
+  if (count < leastCount || sum >= least * count)
+  {
+    return {};
+  }
+  return "The directions of neighbours agree as little as directions at random. If this is not the mesh that "
+         "the file belongs to, its points and faces in the same order, the field is wrong.";
+}
+
 /// Makes the section the same on both sides of surfaces that cannot be oriented, to the last bit.
 void Symmetrize(const IntrinsicGeometry& geometry, int degree, std::vector<Complex>& section)
 {
@@ -216,13 +373,23 @@ ImportedField ImportField(const FieldFile& file, const Surface& surface, FieldOn
   }
   const SurfaceGeometry geometry(std::move(merged.Mesh), surface);
   progress.Report(0.5);
+  const auto note = [&](const std::string& sentence)
+  {
+    if (!sentence.empty())
+    {
+      imported.Warnings.push_back(sentence);
+    }
+  };
+  note(CheckPlanes(file, geometry, surface, rowsAreFor));
   std::vector<Complex> section = rowsAreFor == FieldOn::Cells
     ? ToVertices(geometry,
         FromVectors(geometry, file.Degree, file.Directions, static_cast<std::size_t>(file.PerRow)))
     : FromPoints(geometry, file, surface);
+  RequireDirections(geometry.Mesh, section);
+  note(CheckAgreement(geometry, file.Degree, section, rowsAreFor));
   if (const std::size_t count = CountZeros(geometry.Mesh, section))
   {
-    imported.Warnings.push_back("The file has no direction for " + Counted(count, "points") +
+    note("The file has no direction for " + Counted(count, "points") +
       "; they get those of their neighbours.");
     Continue(geometry, file.Degree, section);
   }

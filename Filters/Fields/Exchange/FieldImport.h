@@ -40,7 +40,13 @@ struct ImportedField
 /// of an .obj file belong to the points at their places, where there are not as many points as
 /// rows.
 ///
-/// Throws FileError where the numbers do not match, MeshError, and Stopped. Takes linear time.
+/// A file of another mesh with as many elements is noticed: directions that stand out of the
+/// triangles' planes, or of the tangent planes at points, by more than 20 degrees in the mean are
+/// an error, less is a warning; so are directions that agree with those of their neighbours as
+/// little as directions at random.
+///
+/// Throws FileError where the numbers do not match, where a part of the surface has no direction at
+/// all, MeshError, and Stopped. Takes linear time.
 /// @param facesAreTriangles whether each face of the input is one triangle of the surface: only
 ///                          then rows can be for faces
 ImportedField ImportField(const FieldFile& file, const Surface& surface, FieldOn on,

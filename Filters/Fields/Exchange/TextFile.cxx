@@ -7,26 +7,47 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace DirectionFields::Internal
 {
-std::string ReadText(const std::string& path, std::size_t most)
+namespace fs = std::filesystem;
+
+void RequireShort(const std::string& path, std::uint64_t bytes)
 {
+  if (bytes > MostTextBytes)
+  {
+    throw FileError("The file " + path +
+      " is longer than the 4 GB that a text may have here. Decimate the surface, or divide it.");
+  }
+}
+
+std::string ReadText(const std::string& path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw FileError(
+      "The file " + path + " cannot be read: it is no regular file, but a folder, pipe or device.");
+  }
   std::ifstream stream(path, std::ios::binary);
-  // Directories can be opened, but not read.
-  if (!stream || (stream.peek() == std::ifstream::traits_type::eof() && !stream.eof()))
+  if (!stream)
   {
     throw FileError("The file " + path + " cannot be read.");
   }
+  const std::uintmax_t size = fs::file_size(path, error);
+  RequireShort(path, error ? 0 : size);
   std::string text;
   std::array<char, 1 << 16> buffer;
-  stream.clear();
-  while (text.size() < most && stream)
+  while (stream)
   {
-    stream.read(
-      buffer.data(), static_cast<std::streamsize>(std::min(buffer.size(), most - text.size())));
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    // It may grow while it is read.
+    RequireShort(path, text.size());
   }
   if (stream.bad())
   {
@@ -35,23 +56,9 @@ std::string ReadText(const std::string& path, std::size_t most)
   return text;
 }
 
-void WriteText(const std::string& path, std::string_view text)
-{
-  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-  if (!stream)
-  {
-    throw FileError("The file " + path + " cannot be written.");
-  }
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream)
-  {
-    throw FileError("The file " + path + " could not be written to its end; the disk may be full.");
-  }
-}
-
 bool IsThere(const std::string& path)
 {
-  return std::ifstream(path).good();
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
 }
 }

@@ -5,19 +5,23 @@
 #define DirectionFields_TextFile_h
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace DirectionFields::Internal
 {
-/// The bytes of a file, or its first ones. Throws FileError where it cannot be read.
-/// @param most bytes that are read
-std::string ReadText(const std::string& path, std::size_t most = static_cast<std::size_t>(-1));
+/// Texts are 4 GB at most: the directions of 17 million triangles with four directions each.
+constexpr std::uint64_t MostTextBytes = std::uint64_t(1) << 32U;
 
-/// Writes a file anew. Throws FileError where that fails.
-void WriteText(const std::string& path, std::string_view text);
+/// Throws FileError where a text is longer than MostTextBytes.
+/// @param path of the file that has it, or gets it
+void RequireShort(const std::string& path, std::uint64_t bytes);
 
-/// Whether there is a file that can be read.
+/// The bytes of a file. Throws FileError where it cannot be read, is longer than MostTextBytes, or
+/// is no regular file: reading a pipe may wait, and a device may not end.
+std::string ReadText(const std::string& path);
+
+/// Whether the name is taken, by whatever: a link to nowhere is there, too.
 bool IsThere(const std::string& path);
 }
 

@@ -17,8 +17,9 @@
  * the sharp edges that QuadWild does not look for where a mesh comes with a field. Numbers have up
  * to 17 digits, by which they are read back to the last bit, and a decimal point in any locale.
  *
- * NAME.obj and the files beside it are only replaced if an earlier run wrote them: a mesh of that
- * name that came from elsewhere stays, and the writer reports an error.
+ * All of the files are written or, where that fails, none: until then files of these names are as
+ * they were. NAME.obj and the files beside it are only replaced if an earlier run wrote them and
+ * nobody changed them since, which comments in NAME.obj tell; else the writer reports an error.
  *
  * @section Input Input
  * A vtkPolyData of triangles with the point arrays `Direction0`, ..., or with cell arrays of these
