@@ -30,7 +30,7 @@ release=$(debian_release)
 # packages.
 # shellcheck disable=SC2034
 plugin_packages=(
-  g++ make cmake libeigen3-dev libsuitesparse-dev libgtest-dev
+  g++ make cmake libeigen3-dev libgtest-dev
   paraview paraview-dev python3-paraview python3-numpy libpython3-dev xvfb xauth libgl1-mesa-dri
   dpkg-dev file)
 paraview_packages=(
@@ -101,16 +101,16 @@ ${0##*/}: this command installs packages of Debian 12, 13 and sid only, but this
 install what the build needs by name and run it again with DIRECTIONFIELDS_SKIP_PACKAGES=1 in the
 environment, or build with CMake as the README describes. Their names, not tried:
   Ubuntu       sudo apt install ${plugin_packages[*]} ${paraview_packages[*]} ${qt6_packages[*]}
-  Fedora       sudo dnf install gcc-c++ make cmake eigen3-devel suitesparse-devel gtest-devel
+  Fedora       sudo dnf install gcc-c++ make cmake eigen3-devel gtest-devel
                paraview-devel python3-paraview python3-numpy python3-devel vtk-devel boost-devel
                hdf5-devel jsoncpp-devel libxml2-devel protobuf-devel protobuf-compiler pugixml-devel
                fmt-devel utf8cpp-devel PEGTL-devel json-devel qt6-qtbase-devel qt6-qttools-devel
                qt6-qtsvg-devel qt6-qt5compat-devel xorg-x11-server-Xvfb xauth
-  Arch         sudo pacman -S base-devel cmake eigen suitesparse gtest paraview python-numpy qt6-base
+  Arch         sudo pacman -S base-devel cmake eigen gtest paraview python-numpy qt6-base
                qt6-tools qt6-svg qt6-5compat xorg-server-xvfb xorg-xauth
-  conda-forge  conda install -c conda-forge cxx-compiler make cmake eigen suitesparse gtest
+  conda-forge  conda install -c conda-forge cxx-compiler make cmake eigen gtest
                'paraview=*=*qt' qt6-main numpy
-  Homebrew     brew install cmake eigen suite-sparse googletest vtk
+  Homebrew     brew install cmake eigen googletest vtk
                (the filters without the plugin: its ParaView has no development files)
 EOF
   exit 1

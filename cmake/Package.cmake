@@ -44,9 +44,6 @@ if (NOT VTK_DIR MATCHES "/paraview-")
   # ParaView is built upon Debian's VTK.
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libvtk9-dev")
 endif ()
-if (DIRECTIONFIELDS_HAVE_CHOLMOD)
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libsuitesparse-dev")
-endif ()
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "This package has the headers, the static libraries of DirectionFields::Core and the
 CMake package for programs that compute direction fields, with VTK or without.")

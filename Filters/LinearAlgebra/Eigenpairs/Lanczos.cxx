@@ -4,7 +4,7 @@
 #include "Eigenpairs/Lanczos.h"
 
 #include "Eigenpairs/HermitianSpectrum.h"
-#include "SparseCholesky/Factorization.h"
+#include "SparseCholesky/SupernodalCholesky.h"
 
 #include <Eigen/Core>
 
@@ -67,7 +67,7 @@ Eigenpair DenseEigenpair(
 class KrylovSpace
 {
 public:
-  KrylovSpace(const Factorization& factor, const SparseMatrix& mass, const ComplexVector& start)
+  KrylovSpace(const ComplexCholesky& factor, const SparseMatrix& mass, const ComplexVector& start)
     : Factor(factor)
     , Mass(mass)
     , Basis(mass.rows(), KrylovDimension + 1)
@@ -169,7 +169,7 @@ private:
     this->Dimension = kept;
   }
 
-  const Factorization& Factor;
+  const ComplexCholesky& Factor;
   const SparseMatrix& Mass;
   Eigen::MatrixXcd Basis;
   Eigen::MatrixXcd MassBasis;
@@ -193,7 +193,7 @@ void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pa
 /// Factors A plus the smallest multiple of M that makes it definite, at least NextToNothing, which
 /// is returned. Throws std::runtime_error, and Stopped.
 double FactorShifted(const SparseMatrix& energy, const SparseMatrix& mass,
-  const EigenpairSettings& settings, const Progress& progress, Factorization& factor)
+  const EigenpairSettings& settings, const Progress& progress, ComplexCholesky& factor)
 {
   double shift = settings.NextToNothing();
   while (!factor.Compute(energy + shift * mass, progress))
@@ -220,14 +220,14 @@ bool IsSmallest(const SparseMatrix& energy, const SparseMatrix& mass, const Eige
   const double below =
     pair.Value - settings.Tolerance * (pair.Value + settings.NextToNothing()) - hidden;
   // A has no eigenvalue below zero.
-  return below <= 0.0 || Factorization().Compute(energy - below * mass, progress);
+  return below <= 0.0 || ComplexCholesky().Compute(energy - below * mass, progress);
 }
 
 /// Expands a Krylov space until its best pair has converged.
 Eigenpair Iterate(const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start,
   const EigenpairSettings& settings, const Progress& progress)
 {
-  Factorization factor;
+  ComplexCholesky factor;
   const double shift = FactorShifted(energy, mass, settings, progress, factor);
   KrylovSpace space(factor, mass, start);
   Eigenpair best;

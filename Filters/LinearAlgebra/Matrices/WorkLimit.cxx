@@ -3,8 +3,6 @@
 
 #include "Matrices/WorkLimit.h"
 
-#include "SparseCholesky/Factorization.h"
-
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
@@ -13,12 +11,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Measured on surfaces of 3 000 to 200 000 vertices. The supernodal factorization is bound by its
-/// work for each entry, the other one by the operations.
-constexpr double PerOperation = 0.75;
-constexpr double PerFactorEntry = 20.0;
-constexpr double PerSupernodalOperation = 0.15;
-constexpr double PerSupernodalEntry = 110.0;
+/// Measured on surfaces of 2 500 to 200 000 vertices, where they tell the time to a tenth.
+constexpr double PerOperation = 0.34;
+constexpr double PerFactorEntry = 40.0;
 /// Of a solve, which goes through the factor twice.
 constexpr double PerSolvedEntry = 7.0;
 /// Every iteration may take this much work: less than anybody notices, and more than ordinary
@@ -58,9 +53,7 @@ FactorWork::FactorWork(const SparseMatrix& matrix)
 
 double FactorWork::OfFactor() const
 {
-  return Factorization::IsSupernodal(static_cast<Eigen::Index>(this->Rows))
-    ? PerSupernodalOperation * this->Operations + PerSupernodalEntry * this->Entries
-    : PerOperation * this->Operations + PerFactorEntry * this->Entries;
+  return PerOperation * this->Operations + PerFactorEntry * this->Entries;
 }
 
 double FactorWork::OfSolve() const

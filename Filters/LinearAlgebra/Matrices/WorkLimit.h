@@ -24,7 +24,7 @@ struct FactorWork
 
   /// Counts them. That takes about a twentieth of the time of the factorization.
   explicit FactorWork(const SparseMatrix& matrix);
-  /// The work of the factorization, by the backend that takes a matrix of this size.
+  /// The work of the factorization.
   double OfFactor() const;
   /// The work of a solve with the factor.
   double OfSolve() const;

@@ -18,6 +18,9 @@ namespace
 {
 /// Rows and columns of pieces of large blocks.
 constexpr Index PieceSize = 96;
+/// From this number of columns on, products of complex blocks are made of real ones, which Eigen
+/// multiplies faster: large matrices are factored in a fifth less time.
+constexpr Index WideColumns = 16;
 /// Between two questions whether to go on, in the unit of Supernode::GetWork: some hundredths of a
 /// second.
 constexpr double WorkBetweenQuestions = 5e7;
@@ -71,6 +74,48 @@ private:
   double Work = 0.0;
   std::atomic<bool> IsStopped{ false };
 };
+}
+
+/// Subtracts B B^* from the lower triangle of an update. What is above of it may change, too.
+template <typename Block, typename Scalar>
+void SubtractSquare(
+  const Block& block, Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& update)
+{
+  const auto below = static_cast<Index>(block.rows());
+  if constexpr (Eigen::NumTraits<Scalar>::IsComplex)
+  {
+    if (block.cols() >= WideColumns)
+    {
+      // With B = X + i Y the parts of B B^* are (X Y) (X Y)^T and (Y -X) (X Y)^T.
+      Eigen::MatrixXd left(below, 2 * block.cols());
+      Eigen::MatrixXd right(below, 2 * block.cols());
+      left << block.real(), block.imag();
+      right << block.imag(), -block.real();
+      ParallelFor(below, PieceSize,
+        [&](Index begin, Index end)
+        {
+          const Index size = end - begin;
+          const Index rows = below - begin;
+          const auto columns = left.middleRows(begin, size).transpose();
+          const Eigen::MatrixXd real = left.bottomRows(rows) * columns;
+          const Eigen::MatrixXd imaginary = right.bottomRows(rows) * columns;
+          auto piece = update.block(begin, begin, rows, size);
+          piece.real() -= real;
+          piece.imag() -= imaginary;
+        });
+      return;
+    }
+  }
+  ParallelFor(below, PieceSize,
+    [&](Index begin, Index end)
+    {
+      const Index size = end - begin;
+      update.block(begin, begin, size, size)
+        .template selfadjointView<Eigen::Lower>()
+        .rankUpdate(block.middleRows(begin, size), -1.0);
+      update.block(end, begin, below - end, size).noalias() -=
+        block.bottomRows(below - end) * block.middleRows(begin, size).adjoint();
+    });
 }
 
 /// One run over the tree, which leaves the values of the factor.
@@ -193,9 +238,10 @@ bool SupernodalCholesky<Scalar>::Elimination::Eliminate(Index s, Questions& ques
   const Index below = node.Height() - width;
   Eigen::Map<Dense> block(this->Values + node.Values, node.Height(), width);
   Eigen::Ref<Dense> top = block.topRows(width);
-  const Eigen::LLT<Eigen::Ref<Dense>> factor(top);
-  // Eigen takes what is not a number for positive.
-  if (factor.info() != Eigen::Success || !(top.diagonal().real().array() > 0.0).all())
+  // The class LLT would compute a norm of the block, too, which takes a twentieth of all time. It
+  // takes what is not a number for positive.
+  if (Eigen::internal::llt_inplace<Scalar, Eigen::Lower>::blocked(top) >= 0 ||
+    !(top.diagonal().real().array() > 0.0).all())
   {
     return false;
   }
@@ -206,18 +252,7 @@ bool SupernodalCholesky<Scalar>::Elimination::Eliminate(Index s, Questions& ques
         .template triangularView<Eigen::Upper>()
         .template solveInPlace<Eigen::OnTheRight>(block.middleRows(width + begin, end - begin));
     });
-  const auto rest = block.bottomRows(below);
-  ParallelFor(below, PieceSize,
-    [&](Index begin, Index end)
-    {
-      const Index size = end - begin;
-      this->Updates[s]
-        .block(begin, begin, size, size)
-        .template selfadjointView<Eigen::Lower>()
-        .rankUpdate(rest.middleRows(begin, size), -1.0);
-      this->Updates[s].block(end, begin, below - end, size).noalias() -=
-        rest.bottomRows(below - end) * rest.middleRows(begin, size).adjoint();
-    });
+  SubtractSquare(block.bottomRows(below), this->Updates[s]);
   return true;
 }
 
@@ -234,6 +269,7 @@ bool SupernodalCholesky<Scalar>::Compute(const Matrix& matrix, Index last, const
   const LowerPattern pattern(matrix);
   this->Last = last;
   this->Structure = SupernodalStructure(pattern, last);
+  progress.RequireToGoOn();
   return this->Factor(matrix, progress);
 }
 

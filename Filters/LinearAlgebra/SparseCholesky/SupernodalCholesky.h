@@ -75,6 +75,10 @@ private:
   LargeArray<Scalar> Values;
 };
 
+/// Of energies, masses and their combinations. Of such matrices, whose entries are given on both
+/// sides of the diagonal, half is not looked at.
+using ComplexCholesky = SupernodalCholesky<Complex>;
+
 extern template class SupernodalCholesky<double>;
 extern template class SupernodalCholesky<std::complex<double>>;
 }

@@ -5,7 +5,7 @@
 
 #include "Matrices/OperatorProducts.h"
 #include "Matrices/SparseProducts.h"
-#include "SparseCholesky/Factorization.h"
+#include "SparseCholesky/SupernodalCholesky.h"
 #include "Systems/ConjugateGradientLoop.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ double CheckedNorm(const ComplexVector& rightHandSide)
 }
 
 /// Factors a matrix, with a little added to its diagonal where it needs that.
-void Factor(const SparseMatrix& matrix, const Progress& progress, Factorization& factor)
+void Factor(const SparseMatrix& matrix, const Progress& progress, ComplexCholesky& factor)
 {
   for (const double regularization : Regularizations)
   {
@@ -78,7 +78,7 @@ SystemSolution SolveByFactor(
   {
     return solution;
   }
-  Factorization factor;
+  ComplexCholesky factor;
   Factor(matrix, progress, factor);
   ComplexVector residual = b;
   solution.Residual = 1.0;
@@ -126,8 +126,8 @@ class FactoredIteration
 {
 public:
   /// @param factor of K_ff
-  FactoredIteration(const FreeColumns& matrix, const Factorization& factor, const ComplexVector& b,
-    const Progress& progress, ComplexVector u)
+  FactoredIteration(const FreeColumns& matrix, const ComplexCholesky& factor,
+    const ComplexVector& b, const Progress& progress, ComplexVector u)
     : Matrix(matrix)
     , Factor(factor)
     , Listener(progress)
@@ -174,7 +174,7 @@ private:
   }
 
   const FreeColumns& Matrix;
-  const Factorization& Factor;
+  const ComplexCholesky& Factor;
   const Progress& Listener;
   ComplexVector Solution;
   ComplexVector Residual;
@@ -201,7 +201,7 @@ SystemSolution SolveByFactoredSquare(
   {
     return solution;
   }
-  Factorization factor;
+  ComplexCholesky factor;
   Factor(matrix.Square, progress, factor);
   solution.Residual = 1.0;
   for (int start = 0; start < MaximumRestarts && solution.Residual > WantedResidual; ++start)

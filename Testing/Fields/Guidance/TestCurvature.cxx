@@ -6,7 +6,7 @@
 #include "Geometry/DihedralAngles.h"
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
-#include "SparseCholesky/Factorization.h"
+#include "SparseCholesky/SupernodalCholesky.h"
 
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ Errors Compare(const Surface& surface, const Gradient& gradient)
   }
   const Operators operators =
     AssembleOperators(stages.GetGeometry(), mesh.GetComponents()[0], 2, 0.0);
-  Factorization factor;
+  ComplexCholesky factor;
   EXPECT_TRUE(factor.Compute(operators.Energy + unit * unit * operators.Mass));
   const auto weak = [&](const ComplexVector& q)
   {

@@ -6,7 +6,7 @@
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
 #include "Sections/Singularities.h"
-#include "SparseCholesky/Factorization.h"
+#include "SparseCholesky/SupernodalCholesky.h"
 
 #include <gtest/gtest.h>
 
@@ -180,7 +180,7 @@ TEST(CurvatureAccuracy, NoiseLeavesATenthOfTheSingularities)
           std::sqrt(system.Lengths.SquaredLength[edge]) *
           std::polar(1.0, 2.0 * system.Transport.EdgeAngle[h]);
       }
-      Factorization factor;
+      ComplexCholesky factor;
       ASSERT_TRUE(factor.Compute(system.Matrices.Mass));
       const ComplexVector weak = factor.Solve(right);
       const auto singular = [&](const std::vector<Complex>& hopf)
