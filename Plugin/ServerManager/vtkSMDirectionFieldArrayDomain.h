@@ -6,6 +6,9 @@
  *
  * An InputArrayDomain, optional or not, is told in the generated help as "The dataset must contain
  * a field array"; a domain of another name is not.
+ *
+ * With the attribute `array_name` the input must have a point array of that name, so that menus
+ * offer a filter of fields for fields only, and not for every surface that has normals.
  */
 
 #ifndef vtkSMDirectionFieldArrayDomain_h
@@ -13,6 +16,8 @@
 
 #include "vtkDirectionFieldsServerManagerModule.h" // For export macro
 #include "vtkSMInputArrayDomain.h"
+
+#include <string>
 
 class VTKDIRECTIONFIELDSSERVERMANAGER_EXPORT vtkSMDirectionFieldArrayDomain
   : public vtkSMInputArrayDomain
@@ -22,11 +27,21 @@ public:
   vtkTypeMacro(vtkSMDirectionFieldArrayDomain, vtkSMInputArrayDomain);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Returns 1 if the first input that a property holds, or is about to, has such an array.
+   */
+  int IsInDomain(vtkSMProperty* property) override;
+
 protected:
   vtkSMDirectionFieldArrayDomain();
   ~vtkSMDirectionFieldArrayDomain() override;
 
+  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
+
 private:
+  /// Empty for any name.
+  std::string ArrayName;
+
   vtkSMDirectionFieldArrayDomain(const vtkSMDirectionFieldArrayDomain&) = delete;
   void operator=(const vtkSMDirectionFieldArrayDomain&) = delete;
 };

@@ -29,10 +29,16 @@ void ShowDirectionFieldActions::show()
 {
   // One step back undoes the whole picture.
   BEGIN_UNDO_SET("Show direction field");
-  // The modules of plugins are known once ParaView's own are.
-  vtkPythonInterpreter::RunSimpleString("import paraview.simple\n"
-                                        "import directionfields\n"
-                                        "directionfields.show_active()\n");
+  // The modules of plugins are known once ParaView's own are. show_active() itself raises nothing.
+  vtkPythonInterpreter::RunSimpleString(
+    "try:\n"
+    "  import paraview.simple\n"
+    "  import directionfields\n"
+    "  directionfields.show_active()\n"
+    "except ImportError as problem:\n"
+    "  from vtkmodules.vtkCommonCore import vtkOutputWindow\n"
+    "  vtkOutputWindow.GetInstance().DisplayWarningText(\n"
+    "    f'Show direction field needs a module of Python that is not there: {problem}\\n')\n");
   END_UNDO_SET();
   pqApplicationCore::instance()->render();
 }

@@ -34,10 +34,10 @@ def check_picture(view):
     assert not shown(field.Input, view)
     balls = GetRepresentation(OutputPort(field, 1), view)
     assert balls.Visibility == 1 and balls.Representation == "3D Glyphs"
-    glyphs = FindSource("DirectionFieldGlyphs1")
+    glyphs = FindSource("Glyphs of bunny.ply")
     assert glyphs.GetDataInformation().GetNumberOfCells() > 500
-    assert shown(glyphs, view) and shown(FindSource("Surface"), view)
-    assert shown(FindSource("Summary"), view)
+    assert shown(glyphs, view) and shown(FindSource("Surface of bunny.ply"), view)
+    assert shown(FindSource("Summary of bunny.ply"), view)
     # The camera stays where the user has put it.
     assert camera(view) == os.environ["DIRECTIONFIELDS_TEST_CAMERA"], camera(view)
     # Singularities alone have a legend, and nothing is shown twice.

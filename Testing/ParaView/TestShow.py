@@ -183,7 +183,7 @@ def test_state():
     del shown
     simple.ResetSession()
     simple.LoadState(state)
-    glyphs = simple.FindSource("DirectionFieldGlyphs1")
+    glyphs = simple.FindSource("Glyphs of bunny.ply")
     glyphs.UpdatePipeline()
     assert glyphs.GetDataInformation().GetNumberOfCells() == count
     path = picture_of(simple.GetActiveViewOrCreate("RenderView"), "ShowAfter.png")

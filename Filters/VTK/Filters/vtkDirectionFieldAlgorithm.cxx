@@ -183,7 +183,16 @@ bool vtkDirectionFieldAlgorithm::Compute(
     DirectionFields::Threads threads(this->ThreadsToUse());
     const DirectionFields::Threads::Scope scope(threads);
     const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
-    this->Execute(inputs, outputs, DirectionFields::Progress(report));
+    if (inputs[0]->IsA("vtkPolyData") || inputs[0]->IsA("vtkCompositeDataSet"))
+    {
+      this->Execute(inputs, outputs, DirectionFields::Progress(report));
+    }
+    else
+    {
+      // A group may have blocks of other kinds, with which the pipeline calls all the same.
+      this->Warn({ std::string("Put Extract Surface before this filter: a ") +
+        inputs[0]->GetClassName() + " is no surface, and is left out." });
+    }
     for (vtkDataObject* const output : outputs)
     {
       if (!output->IsA("vtkCompositeDataSet") && !output->GetFieldData()->HasArray("Summary"))

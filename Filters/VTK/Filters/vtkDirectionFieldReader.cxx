@@ -16,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <stdexcept>
 #include <string>
 
 vtkStandardNewMacro(vtkDirectionFieldReader);
@@ -58,12 +57,15 @@ void vtkDirectionFieldReader::Execute(
   auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
   auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
   auto* const singularities = vtkPolyData::SafeDownCast(outputs[1]);
+  DirectionFields::CheckPolyData(input);
   if (!this->FileName || !*this->FileName)
   {
-    throw std::invalid_argument(
-      "There is no File Name. Choose a .rosy, .ffield, .rawfield or .obj file.");
+    // Windows apply the filter before a user can have chosen a file.
+    this->Warn({ "Choose a File Name: that of a .rosy, .ffield, .rawfield or .obj file." });
+    DirectionFields::CopyWithoutReports(input, output);
+    Summarize("no file yet", { output, singularities });
+    return;
   }
-  DirectionFields::CheckPolyData(input);
   const DirectionFields::FieldFile file = DirectionFields::ReadFieldFile(this->FileName);
   const DirectionFields::TriangulatedPolyData surface =
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));

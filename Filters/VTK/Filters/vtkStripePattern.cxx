@@ -74,6 +74,15 @@ void vtkStripePattern::Execute(
     return;
   }
   const DirectionFields::PointDirections directions = DirectionFields::RequireDirections(input);
+  if (directions.Degree > 2)
+  {
+    // The field that Direction Field gives as it comes is such a one.
+    const std::string number = std::to_string(directions.Degree);
+    this->Warn({ "Stripes follow a field of one or two directions per point, and this one is of "
+                 "degree " + number + ". Set Degree of Direction Field to 2." });
+    Summarize("no stripes, for the field has " + number + " directions per point", outputs);
+    return;
+  }
   const std::vector<double> spacings =
     DirectionFields::PointValues(input, this->SpacingArray, "Spacing Array");
   const DirectionFields::TriangulatedPolyData surface =
