@@ -16,7 +16,8 @@ namespace DirectionFields::Internal
 /// stays the same; features and the boundary remain paths of edges, vertices where features end,
 /// meet or turn remain. So does every vertex that shares its point with another one, and no two
 /// such become neighbours: a mesh of the triangles that are left is connected as this one is.
-/// Covers are left alone. Takes time linear in the triangles.
+/// Covers are left alone. Takes time linear in the triangles. Of VTK's, vtkQuadricDecimation moves
+/// vertices, and vtkDecimatePro takes neither given features nor a length for each vertex.
 class Decimation
 {
 public:

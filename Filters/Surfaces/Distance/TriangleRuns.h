@@ -13,9 +13,9 @@ namespace DirectionFields::Internal
 {
 /// Finds the closest points of a surface for a few places: boxes around runs of triangles that
 /// follow each other in a given order. They are made in the time that it takes to read the
-/// triangles; each search looks at all boxes. Eight places on 330 000 triangles take 1 % of the
-/// time of a smoothest field on them, ClosestPoints 17 %, because it sorts and copies the triangles
-/// first.
+/// triangles; each search looks at all boxes. Eight places on 40 000 to 330 000 triangles take 0.2
+/// % of the time of a smoothest field on them, ClosestPoints 6 to 9 %, because it sorts and copies
+/// the triangles first: an edit of singularities would take 10 to 15 % longer.
 class TriangleRuns
 {
 public:
