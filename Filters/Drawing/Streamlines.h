@@ -53,7 +53,8 @@ struct StreamlineOptions
   bool StopAtCrossings = false;
   /// Of lines from points, for degree 1; lines of other fields always run in both directions.
   IntegrationDirection Direction = IntegrationDirection::Both;
-  /// Greatest number of lines, 1 to 10000000.
+  /// Greatest number of lines, 1 to 10000000. With StopAtCrossings all lines are traced, as each
+  /// may stop others, and those of the first singularities are given.
   Index MaximumNumber = 100000;
   /// Height of the lines above the surface as a part of the spacing, -1 to 1: outwards on surfaces
   /// that enclose a volume, whichever way their triangles are wound, with holes or without;
@@ -165,7 +166,8 @@ struct Streamlines
 /// @param directions the n directions at each point of the surface
 /// @param seeds      for SeedType::Points; ignored for the other types
 /// @param progress   returns false to stop: Streamlines::Aborted is set then
-/// @throw std::invalid_argument for options out of their ranges
+/// @throw std::invalid_argument for options out of their ranges, and for evenly spaced lines that
+///        would have many million points: on a surface thinner than the spacing, too
 Streamlines TraceStreamlines(const GivenField& field, const PointDirections& directions,
   const std::vector<StreamlineSeed>& seeds = {}, const StreamlineOptions& options = {},
   const ProgressFunction& progress = {});

@@ -21,6 +21,9 @@ namespace
 constexpr double DefaultSpacing = 1.0 / 40.0;
 constexpr double LeastSpacing = 1.0 / 1000.0;
 constexpr double DefaultLength = 20.0;
+/// The most squares of the side of the spacing that evenly spaced lines may fill, all families
+/// together: with some seven points each they take two gigabytes.
+constexpr double MostSquares = 1e6;
 /// Evenly spaced lines are no shorter than this part of the spacing, which is no number of the
 /// fifths that they are cut at: rounding must not decide.
 constexpr double LeastOfSpacing = 0.9;
@@ -130,8 +133,39 @@ private:
     return excluded;
   }
 
+  /// Throws std::invalid_argument where evenly spaced lines would have more points than there is
+  /// memory for, most likely. Triangles narrower than the spacing have lines of their length.
+  void RequireFewPoints() const
+  {
+    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    double squares = 0.0;
+    for (Index c = 0; c < static_cast<Index>(geometry.Mesh.GetComponents().size()); ++c)
+    {
+      const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
+      const double spacing = this->Spacing / this->Unit(c);
+      for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+      {
+        double longest = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          longest = std::max(longest,
+            std::sqrt(geometry.Lengths.SquaredLength[geometry.Mesh.Edge(3 * t + k)]) / spacing);
+        }
+        const double filled = geometry.Lengths.Area[t] / spacing / spacing;
+        squares += longest > 1.0 ? std::max(filled, longest) : filled;
+      }
+    }
+    if (squares * NumberOfFamilies(this->Field.GetDegree()) > MostSquares)
+    {
+      throw std::invalid_argument(
+        "The lines are so close, or the surface is so thin, that they would "
+        "have many million points. Raise Spacing.");
+    }
+  }
+
   std::vector<TracedStreamline> Evenly(const Progress& progress)
   {
+    this->RequireFewPoints();
     const auto components = static_cast<Index>(this->Field.GetMesh().GetComponents().size());
     const std::vector<char> ghosts = this->Ghosts();
     std::vector<TracedStreamline> lines;
@@ -332,6 +366,10 @@ Streamlines TraceStreamlines(const GivenField& field, const PointDirections& dir
     std::vector<TracedStreamline> traced =
       tracing.Trace(seeds, steps.Part(ProgressRead, ProgressTraced));
     const bool isLimited = static_cast<Index>(traced.size()) >= options.MaximumNumber;
+    if (isLimited)
+    {
+      traced.erase(traced.begin() + options.MaximumNumber, traced.end());
+    }
     const auto& units = field.GetGeometry().Lengths.Unit;
     traced.erase(std::remove_if(traced.begin(), traced.end(),
                    [&](const TracedStreamline& line)

@@ -106,7 +106,8 @@ public:
   ///@{
   /**
    * Distance between evenly spaced lines of one family, in the input's unit of length. 0: the root
-   * of the surface's area / 40. No less than the root of the area / 1000 is taken. Range 0 to
+   * of the surface's area / 40. No less than the root of the area / 1000 is taken, and
+   * lines of many million points are an error. Range 0 to
    * VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(SeparatingDistance, double, 0.0, VTK_DOUBLE_MAX);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 using namespace DirectionFields;
@@ -196,6 +197,53 @@ TEST(StreamlineTrace, StopsAtTheLengthThatIsAskedFor)
     EXPECT_LE(
       TraceStreamlines(field, directions, { { 3, { 0.2, 0.3, 0.5 } } }, options).Length.size(), 1u);
   }
+}
+
+TEST(StreamlineTrace, KeepsToTheGreatestNumberWhereLinesStopAtCrossings)
+{
+  const Surface surface = Meshes::Joined(Meshes::Potato(2),
+    Meshes::Transformed(Meshes::Potato(2), Eigen::Matrix3d::Identity(), Vector3(9.0, 0.0, 0.0)));
+  const Result result = Fields::Compute(surface, 4);
+  const PointDirections directions = Fields::Of(result);
+  const GivenField field(surface, directions);
+  for (const bool stops : { false, true })
+  {
+    StreamlineOptions options;
+    options.Seeds = SeedType::Singularities;
+    options.StopAtCrossings = stops;
+    const Streamlines all = TraceStreamlines(field, directions, {}, options);
+    EXPECT_GT(all.Length.size(), 20U);
+    EXPECT_FALSE(all.IsLimited);
+    options.MaximumNumber = 3;
+    const Streamlines few = TraceStreamlines(field, directions, {}, options);
+    EXPECT_TRUE(few.IsLimited);
+    ASSERT_EQ(few.Length.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(few.Length[i], all.Length[i]);
+    }
+  }
+}
+
+TEST(StreamlineTrace, RefusesMoreLinesThanThereIsMemoryFor)
+{
+  const auto trace = [](const Surface& surface, double spacing)
+  {
+    const Result result = Fields::Compute(surface, 4);
+    const PointDirections directions = Fields::Of(result);
+    const GivenField field(surface, directions);
+    StreamlineOptions options;
+    options.Spacing = spacing;
+    options.MaximumNumber = 1;
+    return TraceStreamlines(field, directions, {}, options).Length.size();
+  };
+  EXPECT_THROW(trace(Meshes::Square(10), 1e-30), std::invalid_argument);
+  EXPECT_EQ(trace(Meshes::Square(10), 0.01), 1U);
+  // A strip much thinner than its lines are apart.
+  const Surface strip = Meshes::Transformed(Meshes::Square(10),
+    Eigen::Vector3d(392.0, 1e-7, 1.0).asDiagonal().toDenseMatrix(), Vector3(0.0, 0.0, 0.0));
+  EXPECT_THROW(trace(strip, 0.0), std::invalid_argument);
+  EXPECT_EQ(trace(strip, 1.0), 1U);
 }
 
 TEST(StreamlineTrace, TakesWhateverSurfaceComes)
