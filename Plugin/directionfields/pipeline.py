@@ -6,7 +6,7 @@ from paraview import servermanager
 from paraview import simple
 
 # Filters that add a field to a surface.
-MAKERS = ("DirectionField", "ReadDirectionField", "EditSingularities")
+MAKERS = ("DirectionField", "ReadDirectionField", "DirectionFieldFile", "EditSingularities")
 # Those that draw a field: what they give may have directions, too, but the field is their input's.
 DRAWINGS = ("DirectionFieldGlyphs", "DirectionFieldStreamlines", "StripePattern",
             "CompareDirectionFields", "PythonAnnotation", "PPolyDataNormals", "PolyDataNormals",

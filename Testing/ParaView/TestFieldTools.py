@@ -123,6 +123,12 @@ def test_round_trip():
         back = ReadDirectionField(Input=mesh(), FileName=path)
         data = servermanager.Fetch(back)
         assert numbers(data, "IndexSum") == (8.0,)
+        # File, Open takes the mesh beside it, too.
+        opened = OpenDataFile(path)
+        assert opened.GetXMLName() == "DirectionFieldFile", opened
+        figures = [servermanager.Fetch(proxy).GetFieldData().GetAbstractArray("Summary").GetValue(0)
+                   for proxy in (back, opened)]
+        assert figures[0] == figures[1] and " singularities (" in figures[0], figures
         assert numbers(data, "EulerCharacteristic") == (2.0,)
         assert data.GetPointData().GetVectors().GetName() == "Direction0"
         assert data.GetPointData().GetArray("Direction3") is not None

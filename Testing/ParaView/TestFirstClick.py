@@ -144,6 +144,8 @@ KINDS = {
     "line field": ("DirectionField", lambda: field(2)),
     "edited field": ("EditSingularities", lambda: EditSingularities(Input=field())),
     "read field": ("ReadDirectionField", read),
+    "opened field": ("DirectionFieldFile",
+                     lambda: simple.OpenDataFile(files("ffield", updated(field())))),
     "field of a file": ("XMLPolyDataReader",
                         lambda: with_field(os.path.join(FOLDER, "field.vtp"))),
     "glyphs": ("DirectionField", lambda: DirectionFieldGlyphs(Input=field())),
