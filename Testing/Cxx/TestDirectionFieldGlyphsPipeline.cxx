@@ -6,7 +6,12 @@
 #include "Checks.h"
 #include "Fields.h"
 
+#include "vtkCompareDirectionFields.h"
 #include "vtkDirectionFieldGlyphs.h"
+#include "vtkDirectionFieldSingularities.h"
+#include "vtkDirectionFieldStreamlines.h"
+#include "vtkFieldAlignedRemesh.h"
+#include "vtkStripePattern.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataSetAttributes.h"
@@ -15,6 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 using namespace Checks;
@@ -149,39 +155,50 @@ void TestEmpty()
   }
 }
 
-/// Points and directions that are not finite have no glyphs and do not spoil the others.
-void TestNotFinite()
+/// Points and directions that are not finite are refused by each filter, with their place.
+template <typename Filter>
+void CheckNotFinite(int degree)
 {
-  vtkNew<vtkPolyData> field;
-  field->DeepCopy(Field(PolyMeshes::Pebble(3), 4));
-  field->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
+  const double bad = std::nan("");
   for (int k = 0; k < 4; ++k)
   {
-    Direction(field, k)->SetComponent(50, 1, std::nan(""));
-  }
-  field->GetPointData()->GetArray("RepresentationMagnitude")->SetComponent(90, 0, std::nan(""));
-  for (const int mode : { 0, 1 })
-  {
-    vtkNew<vtkDirectionFieldGlyphs> filter;
-    filter->SetInputData(field);
-    filter->SetGlyphMode(mode);
+    vtkNew<vtkPolyData> field;
+    field->DeepCopy(Field(PolyMeshes::Pebble(3), degree));
+    if (k == 0)
+    {
+      field->GetPoints()->SetPoint(5, bad, 0.0, 0.0);
+    }
+    else if (k == 1)
+    {
+      field->GetPointData()->GetArray("RepresentationMagnitude")->SetComponent(5, 0, bad);
+    }
+    else
+    {
+      Direction(field, k - 2)->SetComponent(
+        5, 1, k == 2 ? bad : std::numeric_limits<double>::infinity());
+    }
+    vtkNew<Filter> filter;
+    vtkNew<Messages> messages;
+    messages->Observe(filter);
+    filter->SetInputData(0, field);
+    if (filter->GetNumberOfInputPorts() > 1)
+    {
+      filter->SetInputData(1, field);
+    }
     filter->Update();
-    vtkPolyData* glyphs = filter->GetOutput();
-    CHECK(FieldValue(glyphs, "NumberOfGlyphs") > 600);
-    bool finite = true;
-    for (vtkIdType i = 0; i < glyphs->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      glyphs->GetPoint(i, p);
-      finite = finite && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-    }
-    CHECK(finite);
-    for (vtkIdType i = 0; mode == 1 && i < glyphs->GetNumberOfCells(); ++i)
-    {
-      const double point = CellValue(glyphs, "PointId", i);
-      CHECK(point != 5 && point != 50 && point != 90);
-    }
+    CHECK(messages->IsOneError({ "point 5", "NaN" }));
+    CHECK(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints() == 0);
   }
+}
+
+void TestNotFinite()
+{
+  CheckNotFinite<vtkDirectionFieldGlyphs>(4);
+  CheckNotFinite<vtkDirectionFieldStreamlines>(4);
+  CheckNotFinite<vtkStripePattern>(2);
+  CheckNotFinite<vtkFieldAlignedRemesh>(4);
+  CheckNotFinite<vtkDirectionFieldSingularities>(4);
+  CheckNotFinite<vtkCompareDirectionFields>(4);
 }
 
 /// Ghost cells and points have no glyphs.

@@ -9,6 +9,11 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +35,40 @@ vtkDataArray* FindArray(vtkPolyData* polyData, const std::string& name, int comp
   return array;
 }
 
+/// Throws std::invalid_argument where a point array has a value that is not finite.
+void RequireFinite(vtkDataArray* array)
+{
+  const auto isFinite = [array](vtkIdType i)
+  {
+    std::array<double, 3> tuple{};
+    array->GetTuple(i, tuple.data());
+    return std::isfinite(tuple[0] + tuple[1] + tuple[2]);
+  };
+  const vtkIdType tuples = array->GetNumberOfTuples();
+  std::atomic<bool> areFinite{ true };
+  ForEachPieceOfTuples(static_cast<std::size_t>(tuples),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (!isFinite(static_cast<vtkIdType>(i)))
+        {
+          areFinite.store(false, std::memory_order_relaxed);
+        }
+      }
+    });
+  vtkIdType first = 0;
+  while (!areFinite && isFinite(first))
+  {
+    ++first;
+  }
+  if (!areFinite)
+  {
+    throw std::invalid_argument("The point array \"" + std::string(array->GetName()) +
+      "\" is NaN or infinite at point " + std::to_string(first) +
+      ". Apply Direction Field anew, or correct the array.");
+  }
+}
 }
 
 PointDirections FindDirections(vtkPolyData* polyData)
@@ -41,6 +80,7 @@ PointDirections FindDirections(vtkPolyData* polyData)
   {
     arrays.push_back(array);
   }
+  std::for_each(arrays.begin(), arrays.end(), RequireFinite);
   field.Degree = static_cast<int>(arrays.size());
   field.Direction = [arrays](Index point, int k)
   {
@@ -49,6 +89,10 @@ PointDirections FindDirections(vtkPolyData* polyData)
     return direction;
   };
   vtkDataArray* magnitude = FindArray(polyData, ArrayNames::RepresentationMagnitude, 1);
+  if (magnitude)
+  {
+    RequireFinite(magnitude);
+  }
   field.Magnitude = [magnitude](Index point)
   { return magnitude ? magnitude->GetComponent(point, 0) : 1.0; };
   return field;

@@ -14,7 +14,7 @@ namespace DirectionFields
 /// Direction Field or of a reader. Degree is the number of the consecutive arrays Direction0,
 /// Direction1, ...; 0 if there is none. Magnitude is 1 where there is no array
 /// RepresentationMagnitude. Throws std::invalid_argument where a direction has not 3 components or
-/// the magnitude not 1.
+/// the magnitude not 1, and with the point where one is not finite.
 ///
 /// GivenField makes a field of it and of the surface of PolyDataToSurface.
 /// @param polyData has passed CheckPolyData

@@ -4,9 +4,11 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 
 #include "Conversion/Input/DuplicatePolygons.h"
+#include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/Triangulator.h"
 
+#include <DirectionFields/MeshError.h>
 #include <DirectionFields/Support/Threads.h>
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -21,11 +23,13 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace DirectionFields
 {
@@ -313,6 +317,55 @@ bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
       SameTriangles<vtkTypeInt32>(polys, triangles));
 }
 
+namespace
+{
+/// Throws MeshError where a triangle has a corner with coordinates that are not finite.
+void RequireFinite(const Surface& surface)
+{
+  std::atomic<bool> isFinite{ true };
+  ForEachPieceOfTuples(surface.Points.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      bool areFinite = true;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        areFinite = areFinite && surface.Points[i].allFinite();
+      }
+      if (!areFinite)
+      {
+        isFinite.store(false, std::memory_order_relaxed);
+      }
+    });
+  if (isFinite)
+  {
+    return;
+  }
+  // Points of no triangle may have any coordinates.
+  std::vector<char> isBad(surface.Points.size(), 0);
+  for (const Triangle& triangle : surface.Triangles)
+  {
+    for (const Index point : triangle)
+    {
+      // Ids of no point are refused with the mesh.
+      if (point >= 0 && point < static_cast<Index>(isBad.size()))
+      {
+        isBad[point] = surface.Points[point].allFinite() ? 0 : 1;
+      }
+    }
+  }
+  const auto count = std::count(isBad.begin(), isBad.end(), 1);
+  if (count > 0)
+  {
+    const auto first = static_cast<Index>(std::find(isBad.begin(), isBad.end(), 1) - isBad.begin());
+    throw MeshError(MeshError::Kind::NonFinitePoint, first,
+      std::to_string(count) +
+        (count == 1 ? " point of the surface has" : " points of the surface have") +
+        " NaN or infinite coordinates, the first is point " + std::to_string(first) +
+        ". Remove the cells at these points or correct their coordinates.");
+  }
+}
+}
+
 TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& progress)
 {
   TriangulatedPolyData result;
@@ -326,6 +379,7 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& pr
     CopyAnyPoints(polyData->GetPoints(), result.Mesh.Points);
     if (CopyAllTriangles(polyData, result))
     {
+      RequireFinite(result.Mesh);
       return result;
     }
   }
@@ -342,6 +396,7 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& pr
   const GhostMarks ghosts(polyData->GetCellData());
   CutCells(polyData, ghosts, result, progress);
   MarkGhosts(ghosts, result);
+  RequireFinite(result.Mesh);
   return result;
 }
 
