@@ -182,6 +182,63 @@ void TestPipeline()
   auto other = BiasedField(mesh, 4, 0.9);
   PipelineChecks::CheckProgressAndAbort([&] { return Make(one, other); });
 }
+
+/// The order of the inputs does not matter where points across seams are one for one field only.
+void TestSeams()
+{
+  auto mesh = PolyMeshes::Pebble(2);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    vtkNew<vtkIdList> corners;
+    mesh->GetCellPoints(i, corners);
+    cells->InsertNextCell(3);
+    for (vtkIdType c = 0; c < 3; ++c)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(mesh->GetPoint(corners->GetId(c))));
+    }
+  }
+  vtkNew<vtkPolyData> soup;
+  soup->SetPoints(points);
+  soup->SetPolys(cells);
+  std::vector<vtkSmartPointer<vtkPolyData>> fields;
+  // Facets that stay apart are a warning, which this does not test.
+  vtkObject::GlobalWarningDisplayOff();
+  for (const int merges :
+    { vtkDirectionField::MERGE_POINTS_OFF, vtkDirectionField::MERGE_POINTS_AUTOMATIC })
+  {
+    vtkNew<vtkDirectionField> filter;
+    filter->SetInputData(soup);
+    filter->SetDegree(4);
+    filter->SetMergePoints(merges);
+    filter->Update();
+    fields.push_back(filter->GetOutput());
+  }
+  vtkObject::GlobalWarningDisplayOn();
+  std::vector<vtkSmartPointer<vtkPolyData>> outputs;
+  for (const std::size_t first : { 0, 1 })
+  {
+    vtkNew<vtkCompareDirectionFields> compare;
+    compare->SetInputData(fields[first]);
+    compare->SetOtherData(fields[1 - first]);
+    compare->Update();
+    outputs.push_back(compare->GetOutput());
+  }
+  double worst = 0.0;
+  double largest = 0.0;
+  vtkDataArray* one = outputs[0]->GetPointData()->GetArray("AngleDifference");
+  vtkDataArray* other = outputs[1]->GetPointData()->GetArray("AngleDifference");
+  REQUIRE(one && other);
+  for (vtkIdType i = 0; i < soup->GetNumberOfPoints(); ++i)
+  {
+    worst = std::max(worst, std::abs(one->GetComponent(i, 0) - other->GetComponent(i, 0)));
+    largest = std::max(largest, one->GetComponent(i, 0));
+  }
+  std::cout << "seams: angles differ by " << worst << " of " << largest << std::endl;
+  CHECK(largest > 1.0);
+  CHECK(worst < 1e-4);
+}
 }
 
 int TestDirectionFieldComparison(int, char*[])
@@ -192,5 +249,6 @@ int TestDirectionFieldComparison(int, char*[])
   TestErrors();
   TestComposite();
   TestPipeline();
+  TestSeams();
   return Result();
 }

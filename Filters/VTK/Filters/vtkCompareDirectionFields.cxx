@@ -22,9 +22,11 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCompareDirectionFields);
@@ -133,26 +135,30 @@ void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other,
   RequireSame(surface.Mesh,
     DirectionFields::PolyDataToSurface(other, progress.Part(0.5 * ProgressRead, ProgressRead))
       .Mesh);
-  const DirectionFields::GivenField field(surface.Mesh, first);
+  std::optional<DirectionFields::GivenField> one(std::in_place, surface.Mesh, first);
+  std::optional<DirectionFields::GivenField> two(std::in_place, surface.Mesh, second);
+  if (one->GetMesh().GetNumberOfVertices() != two->GetMesh().GetNumberOfVertices())
+  {
+    // Points across seams are one for the one field only: they are compared apart, so that the
+    // order of the inputs does not matter.
+    const auto apart = std::make_shared<const DirectionFields::FieldSurface>(surface.Mesh, false);
+    one.emplace(surface.Mesh, apart, first);
+    two.emplace(surface.Mesh, apart, second);
+  }
+  const DirectionFields::GivenField& field = *one;
   const DirectionFields::FieldDifference difference = DirectionFields::Compare(field, second);
   DirectionFields::AddDifference(difference, output);
   progress.Report(ProgressCompared);
-  std::optional<DirectionFields::GivenField> otherField;
-  if (this->DivergenceAndCurl || this->MatchSingularities)
-  {
-    otherField.emplace(surface.Mesh, second);
-  }
   if (this->DivergenceAndCurl)
   {
     DirectionFields::AddDerivatives(surface, DirectionFields::FieldDerivatives(field), 0, output);
-    DirectionFields::AddDerivatives(
-      surface, DirectionFields::FieldDerivatives(*otherField), 1, output);
+    DirectionFields::AddDerivatives(surface, DirectionFields::FieldDerivatives(*two), 1, output);
   }
   std::vector<DirectionFields::ComparedSingularity> singularities;
   if (this->MatchSingularities)
   {
     singularities =
-      DirectionFields::MatchSingularities(field, *otherField, progress.Part(ProgressCompared, 1.0));
+      DirectionFields::MatchSingularities(field, *two, progress.Part(ProgressCompared, 1.0));
     DirectionFields::AddMatches(surface, singularities, output, matches);
   }
   const std::string summary =
