@@ -157,6 +157,12 @@ void TestGuidance()
   const double less = 100.0 * (1.0 - energy->GetComponent(0, 1) / energy->GetComponent(0, 0));
   CHECK(unit.find(", 32 points constrained, unit length with " + std::to_string(std::lround(less)) +
           " % less energy") != std::string::npos);
+
+  // On a plane the smoothest field has unit length already.
+  vtkNew<vtkDirectionField> plane;
+  plane->SetInputData(PolyMeshes::Square(4));
+  plane->UnitLengthOn();
+  CHECK(Summary(plane) == "no singularities, index sum 0, unit length");
 }
 
 void TestNothing()

@@ -164,7 +164,7 @@ void TestErrorsAndWarnings()
     CHECK(!isError || filter->GetOutput(1)->GetNumberOfPoints() == 0);
   };
   filter->SetInputData(Field(PolyMeshes::Pebble(3), 4));
-  message(false, { "degree 4", "Set Degree of Direction Field to 2" });
+  message(false, { "degree 4", "Set Directions Per Point (Degree) of Direction Field to 2" });
   CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
   filter->SetInputData(PolyMeshes::Pebble(2));
   message(true, { "Direction0", "Apply Direction Field first" });

@@ -78,7 +78,8 @@ WantedPhases::WantedPhases(const GivenField& field, StripeDirection direction,
       "Stripes run along vector fields and line fields, of degree 1 and 2; this "
       "field has degree " +
       std::to_string(field.GetDegree()) +
-      ". Set Degree of Direction Field to 2; for a grid of lines along both directions of a cross field use "
+      ". Set Directions Per Point (Degree) of Direction Field to 2; for a grid of lines along "
+      "both directions of a cross field use "
       "Field Aligned Remesh.");
   }
   this->SetAngles(direction);

@@ -134,7 +134,8 @@ void vtkFieldAlignedRemesh::Execute(
   {
     warnings.push_back("The direction field of the input has degree " +
       std::to_string(field.Degree) + ", but the mesh follows one of degree " +
-      std::to_string(degree) + ", which was computed. Set Degree of Direction Field to " +
+      std::to_string(degree) +
+      ", which was computed. Set Directions Per Point (Degree) of Direction " + "Field to " +
       std::to_string(degree) + " for the mesh to follow that.");
   }
   const DirectionFields::ProgressFunction report =

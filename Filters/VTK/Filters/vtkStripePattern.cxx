@@ -79,7 +79,8 @@ void vtkStripePattern::Execute(
     // The field that Direction Field gives as it comes is such a one.
     const std::string number = std::to_string(directions.Degree);
     this->Warn({ "Stripes follow a field of one or two directions per point, and this one is of "
-                 "degree " + number + ". Set Degree of Direction Field to 2." });
+                 "degree " +
+      number + ". Set Directions Per Point (Degree) of Direction Field to 2." });
     Summarize("no stripes, for the field has " + number + " directions per point", outputs);
     return;
   }

@@ -113,8 +113,12 @@ std::string DescribeUnitLength(
   // Fewer singularities may have been worth some bending.
   const double percent = before > 0.0 ? 100.0 * (before - after) / before : 0.0;
   std::ostringstream text;
-  text << ", unit length with " << std::lround(std::abs(percent)) << " % "
-       << (percent < 0.0 ? "more" : "less") << " energy";
+  text << ", unit length";
+  // On a plane the smoothest field has unit length as it is.
+  if (const long change = std::lround(percent))
+  {
+    text << " with " << std::abs(change) << " % " << (change > 0 ? "less" : "more") << " energy";
+  }
   return text.str();
 }
 }
