@@ -30,9 +30,10 @@ def camera_of(view):
     return np.array([camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp()])
 
 
-def is_untouched(view):
+def is_untouched(view, field):
     """Whether a view shows nothing yet, or its camera stands where ParaView or place_camera() has
-    put it, and not where a user has turned it to."""
+    put it, and not where a user has moved it to; or, not turned by a user, it misses the field, as
+    one does that ParaView has placed for other data."""
     if not any(shown.Visibility for shown in view.Representations):
         return True
     now = camera_of(view)
@@ -44,13 +45,24 @@ def is_untouched(view):
     if not (np.allclose(along, [0.0, 0.0, -distance], atol=1e-6 * distance) and
             np.allclose(now[2], [0.0, 1.0, 0.0], atol=1e-6)):
         return False
+    is_flat = view.InteractionMode == "2D" or view.CameraParallelProjection
+    slope = math.tan(math.radians(0.5 * view.CameraViewAngle))
+    half = view.CameraParallelScale if is_flat else slope * distance
+    bounds = np.array(field.GetDataInformation(field.Port).GetBounds()).reshape(3, 2)
+    radius = 0.5 * np.linalg.norm(bounds[:, 1] - bounds[:, 0])
+    if radius > 2.0 * half or np.any(np.abs(bounds.mean(axis=1) - now[1])[:2] > half):
+        return True
     names = ("CameraPosition", "CameraFocalPoint", "CameraViewUp")
     scale, center = view.CameraParallelScale, list(view.CenterOfRotation)
     view.ResetCamera()
-    reset = camera_of(view)
+    reset, reset_scale = camera_of(view), view.CameraParallelScale
     for name, value in zip(names, now):
         setattr(view, name, list(value))
     view.CameraParallelScale, view.CenterOfRotation = scale, center
+    if is_flat:
+        # ParaView shows flat data from very far away.
+        return bool(np.linalg.norm(reset[1] - now[1]) < 0.05 * reset_scale and
+                    abs(reset_scale - scale) < 0.05 * reset_scale)
     return bool(np.all(np.linalg.norm(reset - now, axis=1)[:2] < 0.05 * distance))
 
 
@@ -81,5 +93,6 @@ def place_camera(view, field):
     view.CameraFocalPoint = list(middle @ axes)
     view.CameraPosition = list((middle + [0.0, 0.0, distance]) @ axes)
     view.CameraViewUp = list(axes[1])
+    view.CameraParallelScale = distance * slope
     view.CenterOfRotation = list(0.5 * (low + high))
     _placed[view.SMProxy.GetGlobalID()] = camera_of(view)

@@ -69,7 +69,7 @@ def draw(field, view, glyphs, legend):
             view = white_view()
     if not is_render_view(view):
         raise TypeError("show() draws in a render view.")
-    is_free = is_untouched(view)
+    is_free = is_untouched(view, field)
     # The first render would reset the camera.
     simple._DisableFirstRenderCameraReset()
 
@@ -121,6 +121,10 @@ def hide_others(field, parts, view):
             if (belongs and (proxy_of(source), port) not in kept and
                     view.FindRepresentation(source.SMProxy, port)):
                 simple.Hide(simple.OutputPort(source, port), view)
+        # The captions of all pictures are at the same place.
+        if (source.GetXMLName() == "PythonAnnotation" and not belongs and
+                source.Expression == CAPTION and view.FindRepresentation(source.SMProxy, 0)):
+            simple.Hide(source, view)
     simple.HideUnusedScalarBars(view)
 
 

@@ -172,6 +172,34 @@ def test_active():
     simple.ResetSession()
 
 
+def test_camera():
+    """The camera is placed where ParaView has put it, also for flat data and for other ones than
+    those it was put for, and stays where a user has moved it; a view has one caption."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [800, 600]
+    plane = simple.Plane()
+    simple.Show(plane, view)
+    view.InteractionMode = "2D"
+    view.ResetCamera()
+    before = view.CameraParallelScale
+    directionfields.show(plane, view=view)
+    assert view.CameraParallelScale < 0.9 * before, (view.CameraParallelScale, before)
+    view.InteractionMode = "3D"
+    simple.ResetCamera(view)
+    large = simple.Sphere(Radius=50.0)
+    directionfields.show(large, view=view)
+    assert 100.0 < view.CameraPosition[2] < 300.0, view.CameraPosition
+    view.GetActiveCamera().Azimuth(30.0)
+    moved = view.GetActiveCamera().GetPosition()
+    third = directionfields.show(simple.Cone(), view=view)
+    assert view.GetActiveCamera().GetPosition() == moved
+    captions = [display.Input.GetXMLName() for display in view.Representations
+                if display.Visibility and display.GetProperty("Input") is not None]
+    assert captions.count("PythonAnnotation") == 1, captions
+    assert simple.GetRepresentation(third.caption, view).Visibility == 1
+    simple.ResetSession()
+
+
 def test_state():
     """A saved state brings the whole picture back."""
     shown = directionfields.show(mesh)
@@ -194,5 +222,6 @@ test_errors()
 test_file()
 test_options()
 test_active()
+test_camera()
 test_state()
 print("passed")
