@@ -14,6 +14,8 @@
 #include "Preparation/WantedSizes.h"
 #include "Support/Threads.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -54,6 +56,17 @@ double StrengthOf(const RemeshOptions& options)
   const bool isDrawn =
     options.Alignment == FieldAlignment::Shape && options.Element == Element::Quads;
   return isDrawn ? options.AlignmentStrength : 0.0;
+}
+
+/// The diagonal of the box around a surface.
+double Extent(const Surface& surface)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : surface.Points)
+  {
+    box.extend(point);
+  }
+  return box.isEmpty() ? 0.0 : (box.max() - box.min()).stableNorm();
 }
 
 /// The length of edges that is asked for, or that gives the wanted number of faces.
@@ -364,12 +377,17 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   const int degree = DegreeOf(options.Element);
   const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
   const double strength = StrengthOf(options);
-  const std::vector<double> longest = LongestEdges(sizes.AtPoints, area, sizes.MapLength);
-  if (!this->Cache || !this->Cache->IsFor(degree, features, longest, directions, strength))
+  WorkingLengths lengths = LengthsFor(sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input));
+  if (!directions.empty() || !options.Sizing.empty())
+  {
+    // Fields and sizes that are given have their values at the points that there are.
+    lengths.Split.clear();
+  }
+  if (!this->Cache || !this->Cache->IsFor(degree, features, lengths, directions, strength))
   {
     this->Cache.reset();
     this->Cache = std::make_unique<PreparedField>(
-      *this->Input, degree, features, longest, directions, strength, progress);
+      *this->Input, degree, features, lengths, directions, strength, progress);
   }
   const SurfaceGeometry& geometry = this->Cache->GetGeometry();
   const std::vector<double> continued = this->Cache->GetSurface().Continued(sizes.AtPoints);

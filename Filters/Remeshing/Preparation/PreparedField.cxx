@@ -10,13 +10,13 @@
 namespace DirectionFields::Internal
 {
 PreparedField::PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
-  std::vector<double> longest, const std::vector<Vector3>& given, double strength,
+  WorkingLengths lengths, const std::vector<Vector3>& given, double strength,
   const Progress& progress)
   : Degree(degree)
-  , Longest(std::move(longest))
+  , Lengths(std::move(lengths))
   , Given(given)
   , Strength(strength)
-  , Prepared(input, degree, settings, this->Longest, progress.Part(0.0, PreparingShare))
+  , Prepared(input, degree, settings, this->Lengths, progress.Part(0.0, PreparingShare))
   , InputTriangles(this->Prepared.GetTriangles())
   , IsFeature(this->Prepared.FindFeatures(settings))
   , IsFrameless(FramelessVertices(this->GetGeometry(), degree, this->IsFeature))
@@ -32,9 +32,9 @@ PreparedField::PreparedField(const Surface& input, int degree, const FeatureSett
 }
 
 bool PreparedField::IsFor(int degree, const FeatureSettings& settings,
-  const std::vector<double>& longest, const std::vector<Vector3>& given, double strength) const
+  const WorkingLengths& lengths, const std::vector<Vector3>& given, double strength) const
 {
-  return this->Degree == degree && this->Given == given && this->Longest == longest &&
+  return this->Degree == degree && this->Given == given && this->Lengths == lengths &&
     (!given.empty() || this->Strength == strength) &&
     this->IsFeature == this->Prepared.FindFeatures(settings);
 }

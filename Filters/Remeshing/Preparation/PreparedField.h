@@ -27,16 +27,15 @@ public:
 
   /// Throws MeshError and Stopped.
   /// @param degree   4 or 6
-  /// @param longest  longest edges of the prepared surface, as for PreparedSurface
   /// @param given    any of the directions of a field at each point of the input; empty for an
   ///                 OwnField
   /// @param strength how strongly that is drawn to the principal curvatures, 0 to 1
   PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
-    std::vector<double> longest, const std::vector<Vector3>& given, double strength,
+    WorkingLengths lengths, const std::vector<Vector3>& given, double strength,
     const Progress& progress);
 
   /// Whether the same field would be prepared from these.
-  bool IsFor(int degree, const FeatureSettings& settings, const std::vector<double>& longest,
+  bool IsFor(int degree, const FeatureSettings& settings, const WorkingLengths& lengths,
     const std::vector<Vector3>& given, double strength) const;
 
   const PreparedSurface& GetSurface() const { return this->Prepared; }
@@ -56,7 +55,7 @@ private:
   std::vector<Complex> GivenField() const;
 
   int Degree;
-  std::vector<double> Longest;
+  WorkingLengths Lengths;
   std::vector<Vector3> Given;
   double Strength;
   PreparedSurface Prepared;

@@ -6,7 +6,10 @@
 #include "Charts/FeatureLines.h"
 #include "Mesh/MergePoints.h"
 #include "MeshError.h"
+#include "Refinement/FlatFlips.h"
+#include "Refinement/LongEdges.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <string>
@@ -83,8 +86,8 @@ void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
 }
 
 PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
-  const std::vector<double>& edgeLength, const Progress& progress)
-  : IsDecimated(!edgeLength.empty())
+  const WorkingLengths& lengths, const Progress& progress)
+  : IsDecimated(!lengths.Decimated.empty())
 {
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
@@ -103,16 +106,47 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
     {
       merged = MergedMesh{ {}, TriangleMesh(*surface) };
     }
-    surface->Triangles = this->Decimated(
-      *surface, std::move(merged), settings, this->Continued(edgeLength), progress.Part(0.2, 0.9));
+    surface->Triangles = this->Decimated(*surface, std::move(merged), settings,
+      this->Continued(lengths.Decimated), progress.Part(0.2, 0.9));
   }
+  this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+  this->Refine(*surface, settings, lengths);
   constexpr int mostRounds = 4;
   bool isSplit = true;
-  for (int k = 0; k <= mostRounds && isSplit; ++k)
+  for (int k = 0; k < mostRounds && isSplit; ++k)
   {
-    this->Geometry.reset();
-    this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
-    isSplit = k < mostRounds && this->SplitBetweenFrameless(*surface, degree, settings);
+    isSplit = this->SplitBetweenFrameless(*surface, degree, settings);
+  }
+}
+
+void PreparedSurface::Refine(
+  Surface& surface, const FeatureSettings& settings, const WorkingLengths& lengths)
+{
+  // Each halves the longest edges.
+  constexpr int mostRounds = 20;
+  if (lengths.Split.empty())
+  {
+    return;
+  }
+  Index room = lengths.MostMiddles;
+  for (int k = 0; k < mostRounds && room > 0; ++k)
+  {
+    const std::vector<double> longest = this->Continued(lengths.Split);
+    const auto findLong = [&] { return FindLongEdges(*this->Geometry, longest, room); };
+    const auto none = [](const std::vector<char>& flags)
+    { return std::none_of(flags.begin(), flags.end(), [](char flag) { return flag != 0; }); };
+    if (none(findLong()))
+    {
+      return;
+    }
+    surface.Triangles = FlipFlat(*this->Geometry, this->FindFeatures(settings), longest);
+    this->Geometry = std::make_unique<const SurfaceGeometry>(surface);
+    const auto before = static_cast<Index>(surface.Points.size());
+    if (!this->Split(surface, findLong()))
+    {
+      return;
+    }
+    room -= static_cast<Index>(surface.Points.size()) - before;
   }
 }
 
@@ -227,12 +261,17 @@ std::vector<Index> PreparedSurface::GetOriginals() const
   std::vector<Index> original(this->Prepared->Points.size());
   std::iota(original.begin(), original.end(), 0);
   const std::size_t first = original.size() - this->Middles.size();
+  // The two sides of a line that was cut open have middles of their own.
+  MiddlePoints firstOf;
   for (std::size_t k = 0; k < this->Middles.size(); ++k)
   {
-    if (this->Middles[k][0] == this->Middles[k][1])
-    {
-      original[first + k] = this->Middles[k][0];
-    }
+    const Index a = original[this->Middles[k][0]];
+    const Index b = original[this->Middles[k][1]];
+    const auto point = static_cast<Index>(first + k);
+    original[point] = a == b
+      ? a
+      : firstOf.emplace(std::array<Index, 2>{ std::min(a, b), std::max(a, b) }, point)
+          .first->second;
   }
   return original;
 }
@@ -341,14 +380,14 @@ struct SplitTriangle
 }
 
 PreparedSurface::MiddlePoints PreparedSurface::AddMiddles(
-  Surface& surface, const std::vector<char>& isFrameless)
+  Surface& surface, const std::vector<char>& isSplit)
 {
   const TriangleMesh& mesh = this->Geometry->Mesh;
   MiddlePoints middles;
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
     const Index h = mesh.HalfEdge(e);
-    if (isFrameless[mesh.Tail(h)] == 0 || isFrameless[mesh.Head(h)] == 0)
+    if (isSplit[e] == 0)
     {
       continue;
     }
@@ -369,8 +408,21 @@ bool PreparedSurface::SplitBetweenFrameless(
   Surface& surface, int degree, const FeatureSettings& settings)
 {
   const TriangleMesh& mesh = this->Geometry->Mesh;
-  const MiddlePoints middles = this->AddMiddles(
-    surface, FramelessVertices(*this->Geometry, degree, this->FindFeatures(settings)));
+  const std::vector<char> isFrameless =
+    FramelessVertices(*this->Geometry, degree, this->FindFeatures(settings));
+  std::vector<char> isSplit(mesh.GetNumberOfEdges(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    isSplit[e] = isFrameless[mesh.Tail(h)] != 0 && isFrameless[mesh.Head(h)] != 0 ? 1 : 0;
+  }
+  return this->Split(surface, isSplit);
+}
+
+bool PreparedSurface::Split(Surface& surface, const std::vector<char>& isSplit)
+{
+  const TriangleMesh& mesh = this->Geometry->Mesh;
+  const MiddlePoints middles = this->AddMiddles(surface, isSplit);
   if (middles.empty())
   {
     return false;
@@ -390,6 +442,7 @@ bool PreparedSurface::SplitBetweenFrameless(
     splits.push_back({ ends, point });
   }
   this->Paths.Halve(splits);
+  this->Geometry = std::make_unique<const SurfaceGeometry>(surface);
   return true;
 }
 }

@@ -15,21 +15,39 @@
 
 #include <map>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
+/// How long the edges of a prepared surface are, in the unit of the input. Wanted lengths within a
+/// factor of two share them.
+struct WorkingLengths
+{
+  /// Longest edge that decimation makes at each point of the input; empty for no decimation.
+  std::vector<double> Decimated;
+  /// Longest edge at each point of the input that is not split; empty for no splitting.
+  std::vector<double> Split;
+  /// How many points splitting may add.
+  Index MostMiddles = 0;
+
+  bool operator==(const WorkingLengths& other) const
+  {
+    return this->Decimated == other.Decimated && this->Split == other.Split &&
+      this->MostMiddles == other.MostMiddles;
+  }
+};
+
 /// A surface that can be mapped: connected across seams, one-sided components cut open, wound
 /// consistently, with a point in the middle of each edge whose two ends have no frame
-/// (FramelessVertices), and with fewer triangles where they are much smaller than the wanted faces.
+/// (FramelessVertices), with fewer triangles where they are much smaller than the wanted faces, and
+/// with more where they are longer.
 class PreparedSurface
 {
 public:
   /// Throws MeshError and Stopped.
-  /// @param edgeLength longest allowed edge at each point of the input, in its unit; empty to keep
-  ///                   all
   PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
-    const std::vector<double>& edgeLength = {}, const Progress& progress = {});
+    const WorkingLengths& lengths = {}, const Progress& progress = {});
 
   /// Its points are the input's, then copies of points where a one-sided component was cut open,
   /// then the middles of edges.
@@ -54,7 +72,14 @@ public:
   {
     for (const std::array<Index, 2>& ends : this->Middles)
     {
-      values.push_back(values[ends[0]]);
+      if constexpr (std::is_same_v<T, double>)
+      {
+        values.push_back(0.5 * (values[ends[0]] + values[ends[1]]));
+      }
+      else
+      {
+        values.push_back(values[ends[0]]);
+      }
     }
     return values;
   }
@@ -93,8 +118,12 @@ private:
   std::vector<Triangle> Decimated(const Surface& input, MergedMesh&& merged,
     const FeatureSettings& settings, const std::vector<double>& edgeLength,
     const Progress& progress);
-  /// Adds the middles of all edges between vertices without a frame.
-  MiddlePoints AddMiddles(Surface& surface, const std::vector<char>& isFrameless);
+  /// Adds the middles of edges.
+  MiddlePoints AddMiddles(Surface& surface, const std::vector<char>& isSplit);
+  /// Puts points in the middles of edges. Returns whether there were any.
+  bool Split(Surface& surface, const std::vector<char>& isSplit);
+  /// Splits edges that are too long, and turns others to Delaunay.
+  void Refine(Surface& surface, const FeatureSettings& settings, const WorkingLengths& lengths);
   /// Returns whether any edge was split.
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 

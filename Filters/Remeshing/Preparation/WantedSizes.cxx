@@ -70,11 +70,17 @@ double RelativeArea(const Surface& surface, const std::vector<double>& sizes)
   return area;
 }
 
-std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, double edgeLength)
+WorkingLengths LengthsFor(
+  const std::vector<double>& sizes, double area, double edgeLength, double extent)
 {
   constexpr double usualFaces = 5000.0;
   constexpr double mostPerFace = 6.0;
   constexpr double longest = 0.9;
+  constexpr double split = 1.4;
+  constexpr double mostMiddlesPerFace = 4.0;
+  constexpr double fewestAcross = 4.0;
+  // There is no map of more cells than this.
+  constexpr double mostCells = 1e8;
   const double squares = area / (edgeLength * edgeLength);
   if (!std::isfinite(squares) || !(squares > 0.0))
   {
@@ -82,14 +88,24 @@ std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, 
   }
   const double usual =
     usualFaces * std::pow(4.0, std::round(0.5 * std::log2(squares / usualFaces)));
-  if (!(static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces)))
+  const auto times = [&](double factor)
   {
-    return {};
+    std::vector<double> lengths(sizes.size());
+    for (std::size_t p = 0; p < lengths.size(); ++p)
+    {
+      lengths[p] = factor * std::sqrt(area / usual) * sizes[p];
+    }
+    return lengths;
+  };
+  WorkingLengths lengths;
+  if (static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces))
+  {
+    lengths.Decimated = times(longest);
   }
-  std::vector<double> lengths(sizes.size());
-  for (std::size_t p = 0; p < lengths.size(); ++p)
+  if (squares < mostCells && area > fewestAcross * edgeLength * extent)
   {
-    lengths[p] = longest * std::sqrt(area / usual) * sizes[p];
+    lengths.Split = times(split);
+    lengths.MostMiddles = static_cast<Index>(1000.0 + mostMiddlesPerFace * usual);
   }
   return lengths;
 }

@@ -5,6 +5,7 @@
 #define DirectionFields_WantedSizes_h
 
 #include "Geometry/SurfaceGeometry.h"
+#include "Preparation/PreparedSurface.h"
 #include "Surface.h"
 
 #include <vector>
@@ -43,11 +44,14 @@ std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t 
 /// @param sizes one at each point, above 0
 double RelativeArea(const Surface& surface, const std::vector<double>& sizes);
 
-/// Longest allowed edge, at each point, of the decimated surface on which field and map are
-/// computed; empty where the triangles are few already. Wanted lengths within a factor of two share
-/// such a surface and everything computed on it.
-/// @param area as RelativeArea
-std::vector<double> LongestEdges(const std::vector<double>& sizes, double area, double edgeLength);
+/// How long the edges of the surface are on which field and map are computed. It is not decimated
+/// where the triangles are few already, and edges between one and two wanted lengths are split:
+/// wanted lengths within a factor of two share such a surface and everything computed on it.
+/// Nothing is split where the surface as a whole is thinner than four faces, as needles and strips.
+/// @param area   as RelativeArea
+/// @param extent largest distance of two points, about
+WorkingLengths LengthsFor(
+  const std::vector<double>& sizes, double area, double edgeLength, double extent);
 
 /// Shortest edge length that yields about `faces` faces on surfaces narrower than a face, whose
 /// faces all touch the boundary: its length counts there, not the area.

@@ -109,7 +109,8 @@ TEST(PreparedSurface, PathsAlongFeaturesAreThoseOfTheInput)
 {
   // The edges of a cube, decimated to few triangles, still run through all points along them.
   const Surface cube = Meshes::FlatlySubdivided(Meshes::Cube(), 4);
-  const PreparedSurface prepared(cube, 4, Sharp, std::vector<double>(cube.Points.size(), 10.0));
+  const PreparedSurface prepared(
+    cube, 4, Sharp, { std::vector<double>(cube.Points.size(), 10.0), {} });
   ASSERT_LT(prepared.GetSurface()->Triangles.size(), cube.Triangles.size() / 4);
   const std::vector<char> isFeature = prepared.FindFeatures(Sharp);
   const TriangleMesh& mesh = prepared.GetGeometry().Mesh;
@@ -147,7 +148,8 @@ TEST(PreparedField, IsOnlyForTheInputItWasPreparedFor)
   EXPECT_TRUE(field.IsFor(4, Sharp, {}, {}, 0.25));
   EXPECT_FALSE(field.IsFor(6, Sharp, {}, {}, 0.25));
   EXPECT_FALSE(field.IsFor(4, { true, 100.0, 0.5, 0.0 }, {}, {}, 0.25));
-  EXPECT_FALSE(field.IsFor(4, Sharp, std::vector<double>(cube.Points.size(), 1.0), {}, 0.25));
+  EXPECT_FALSE(
+    field.IsFor(4, Sharp, { std::vector<double>(cube.Points.size(), 1.0), {} }, {}, 0.25));
   EXPECT_FALSE(field.IsFor(4, Sharp, {}, cube.Points, 0.25));
   EXPECT_FALSE(field.IsFor(4, Sharp, {}, {}, 0.5));
   // The field follows the features: one of its directions is along each of their edges, up to the

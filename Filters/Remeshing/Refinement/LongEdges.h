@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_LongEdges_h
+#define DirectionFields_LongEdges_h
+
+#include "Geometry/SurfaceGeometry.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Not 0 for each edge that is longer than it may be; of more than there is room for, the longest.
+/// @param longest     longest edge at each point of the surface; an edge may be as long as at the
+///                    end where less is allowed
+/// @param mostMiddles how many edges may be chosen
+std::vector<char> FindLongEdges(
+  const SurfaceGeometry& geometry, const std::vector<double>& longest, Index mostMiddles);
+}
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaceMesh/Faces.h"
+#include "Meshes/Remeshed.h"
+#include "Meshes/Surfaces.h"
+#include "Preparation/WantedSizes.h"
+#include "Refinement/FlatFlips.h"
+#include "Refinement/LongEdges.h"
+#include "Remesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace DirectionFields;
+using namespace DirectionFields::Internal;
+
+namespace
+{
+/// A prism over a regular polygon as CAD programs write it: two triangles a side, and fans without
+/// a point inside at the two ends.
+Surface Prism(int sides, double height)
+{
+  Surface prism;
+  for (int k = 0; k < sides; ++k)
+  {
+    const double a = 2.0 * Pi * k / sides;
+    prism.Points.emplace_back(std::cos(a), std::sin(a), 0.0);
+    prism.Points.emplace_back(std::cos(a), std::sin(a), height);
+  }
+  for (int k = 0; k < sides; ++k)
+  {
+    const Index a = 2 * k;
+    const Index b = 2 * ((k + 1) % sides);
+    prism.Triangles.push_back({ a, b, b + 1 });
+    prism.Triangles.push_back({ a, b + 1, a + 1 });
+    if (k > 0 && k + 1 < sides)
+    {
+      prism.Triangles.push_back({ 0, b, a });
+      prism.Triangles.push_back({ 1, a + 1, b + 1 });
+    }
+  }
+  return prism;
+}
+
+double LeastQuality(const RemeshResult& mesh)
+{
+  double least = 1.0;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    least = std::min(least, ScaledJacobian(mesh.Points, face));
+  }
+  return least;
+}
+}
+
+TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
+{
+  struct Case
+  {
+    int Sides;
+    double Height;
+  };
+  // The last is a disk: most of its triangles are as long as it is wide.
+  for (const Case& one : { Case{ 6, 3.0 }, { 32, 3.0 }, { 200, 3.0 }, { 100, 0.05 } })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = 2000;
+    const RemeshResult mesh =
+      Remesh(std::make_shared<Surface>(Prism(one.Sides, one.Height))).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.Triangles, 0) << one.Sides;
+    EXPECT_EQ(mesh.KeptVertices, 0) << one.Sides;
+    EXPECT_EQ(mesh.IrregularVertices, 8) << one.Sides;
+    EXPECT_GT(LeastQuality(mesh), 0.5) << one.Sides;
+    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 2000.0, 200.0) << one.Sides;
+  }
+}
+
+TEST(LongTriangles, NoEdgeOfAPreparedSurfaceIsLongerThanItMayBe)
+{
+  const Surface prism = Prism(50, 4.0);
+  const double area = RelativeArea(prism, std::vector<double>(prism.Points.size(), 1.0));
+  const double wanted = std::sqrt(area / 2000.0);
+  WorkingLengths lengths =
+    LengthsFor(std::vector<double>(prism.Points.size(), 1.0), area, wanted, 4.5);
+  EXPECT_GT(lengths.MostMiddles, 2000);
+  EXPECT_LT(lengths.MostMiddles, 10000);
+  lengths.MostMiddles = 100000;
+  const PreparedSurface prepared(prism, 4, { true, 40.0, 0.5, 0.0 }, lengths);
+  const SurfaceGeometry& geometry = prepared.GetGeometry();
+  for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = geometry.Mesh.HalfEdge(e);
+    EXPECT_LT(
+      (geometry.Positions[geometry.Mesh.Head(h)] - geometry.Positions[geometry.Mesh.Tail(h)])
+        .norm(),
+      2.0 * wanted);
+  }
+  // Edges of the ends are features still.
+  const std::vector<char> isFeature = prepared.FindFeatures({ true, 40.0, 0.5, 0.0 });
+  EXPECT_GE(std::count(isFeature.begin(), isFeature.end(), 1), 2 * 50);
+}
+
+TEST(LongTriangles, ThereAreNoMoreOfThemThanThereIsRoomFor)
+{
+  const Surface prism = Prism(50, 4.0);
+  const SurfaceGeometry geometry(prism);
+  const std::vector<double> longest(prism.Points.size(), 0.5);
+  const auto count = [&](Index room)
+  {
+    const std::vector<char> isLong = FindLongEdges(geometry, longest, room);
+    return std::count(isLong.begin(), isLong.end(), 1);
+  };
+  EXPECT_GT(count(1000), 100);
+  EXPECT_LE(count(20), 20);
+  EXPECT_EQ(count(0), 0);
+}
+
+TEST(LongTriangles, FlipsMakePlanesDelaunayAndLeaveFoldsAlone)
+{
+  // Two long triangles, flat or folded along their common edge.
+  for (const double height : { 0.0, 0.5 })
+  {
+    Surface kite;
+    kite.Points = { { -4.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 1.0, height },
+      { 0.0, -1.0, height } };
+    kite.Triangles = { { 0, 1, 2 }, { 1, 0, 3 } };
+    const SurfaceGeometry geometry(kite);
+    const std::vector<char> isFixed(geometry.Mesh.GetNumberOfEdges(), 0);
+    const std::vector<double> longest(4, 1.0);
+    bool isTurned = true;
+    for (const Triangle& t : FlipFlat(geometry, isFixed, longest))
+    {
+      isTurned = isTurned && std::count(t.begin(), t.end(), 2) == 1 &&
+        std::count(t.begin(), t.end(), 3) == 1;
+    }
+    EXPECT_EQ(isTurned, height == 0.0);
+    // An edge that is fixed stays.
+    const std::vector<char> all(geometry.Mesh.GetNumberOfEdges(), 1);
+    EXPECT_EQ(FlipFlat(geometry, all, longest), kite.Triangles);
+  }
+}
