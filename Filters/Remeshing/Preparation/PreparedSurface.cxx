@@ -124,7 +124,7 @@ void PreparedSurface::Refine(
 {
   // Each halves the longest edges.
   constexpr int mostRounds = 20;
-  if (lengths.Split.empty())
+  if (lengths.Split.empty() || !IsMostlyFlat(*this->Geometry))
   {
     return;
   }

@@ -3,11 +3,35 @@
 
 #include "Refinement/LongEdges.h"
 
+#include "Geometry/DihedralAngles.h"
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace DirectionFields::Internal
 {
+bool IsMostlyFlat(const SurfaceGeometry& geometry)
+{
+  constexpr double flat = 1.0 * Pi / 180.0;
+  const TriangleMesh& mesh = geometry.Mesh;
+  const std::vector<double> dihedral = DihedralAngles(geometry);
+  double all = 0.0;
+  double inPlane = 0.0;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    bool hasNeighbour = false;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      hasNeighbour =
+        hasNeighbour || (mesh.Twin(h) != None && std::abs(dihedral[mesh.Edge(h)]) < flat);
+    }
+    all += geometry.Lengths.Area[t];
+    inPlane += hasNeighbour ? geometry.Lengths.Area[t] : 0.0;
+  }
+  return inPlane > 0.5 * all;
+}
+
 std::vector<char> FindLongEdges(
   const SurfaceGeometry& geometry, const std::vector<double>& longest, Index mostMiddles)
 {

@@ -10,6 +10,10 @@
 
 namespace DirectionFields::Internal
 {
+/// Whether most of the area is of triangles that have a neighbour in their plane, as CAD programs
+/// write them. The triangles of others are their shape: parts of them have no curvature.
+bool IsMostlyFlat(const SurfaceGeometry& geometry);
+
 /// Not 0 for each edge that is longer than it may be; of more than there is room for, the longest.
 /// @param longest     longest edge at each point of the surface; an edge may be as long as at the
 ///                    end where less is allowed

@@ -119,6 +119,12 @@ TEST(LongTriangles, ThereAreNoMoreOfThemThanThereIsRoomFor)
   EXPECT_EQ(count(0), 0);
 }
 
+TEST(LongTriangles, TrianglesOfBentSurfacesAreNotSplit)
+{
+  EXPECT_FALSE(IsMostlyFlat(SurfaceGeometry(Meshes::Potato(2))));
+  EXPECT_TRUE(IsMostlyFlat(SurfaceGeometry(Prism(50, 4.0))));
+}
+
 TEST(LongTriangles, FlipsMakePlanesDelaunayAndLeaveFoldsAlone)
 {
   // Two long triangles, flat or folded along their common edge.
