@@ -11,6 +11,7 @@ import math
 import check_prescribed
 import check_remeshing
 import check_streamlines
+import check_tensors
 from meshes import bumpy, icosphere, tetrahedron
 from method import (
     PI,
@@ -166,6 +167,7 @@ def main():
     check_prescribed.check()
     check_remeshing.check()
     check_streamlines.check()
+    check_tensors.check()
     print("The formulas hold.")
 
 

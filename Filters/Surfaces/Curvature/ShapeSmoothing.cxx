@@ -35,6 +35,10 @@ constexpr double MostNoise = 1.5;
 constexpr int CorrectionSteps = 2;
 /// Steps by which squared changes are averaged before they are compared.
 constexpr int ChangeSteps = 4;
+/// The mean squared difference of white noise from its mean of one step, and the variance of its
+/// mean of k steps times k, in parts of the noise's variance: those of regular triangulations.
+constexpr double ScatterOfNoise = 0.656;
+constexpr double VarianceOfMeans = 0.184;
 
 /// A shape times the weight that its fit deserves, and the weight.
 struct Weighted
@@ -338,6 +342,39 @@ public:
     this->ForOpen([&](Index v) { this->Current[v] = kept[v]; });
   }
 
+  /// The squared differences of q from the mean of one step, averaged over their surroundings;
+  /// before any step is taken.
+  std::vector<float> Scatter()
+  {
+    std::vector<float> scatter(this->Current.size());
+    std::vector<float> averaged(scatter.size());
+    this->ForOpen(
+      [&](Index v)
+      {
+        const Complex mean = this->Mean.Of(v, this->Current).GetHopf();
+        scatter[v] = static_cast<float>(std::norm(this->Current[v].GetHopf() - mean));
+      });
+    for (int k = 0; k < ChangeSteps; ++k)
+    {
+      this->ForOpen([&](Index v) { averaged[v] = this->Mean.Of(v, scatter, this->IsOpen); });
+      scatter.swap(averaged);
+    }
+    return scatter;
+  }
+
+  /// The means, and the variances that noise of this scatter leaves in them.
+  void Write(const std::vector<float>& scatter, std::vector<Shape>& shapes) const
+  {
+    for (std::size_t v = 0; v < shapes.size(); ++v)
+    {
+      const double left =
+        this->Steps[v] == 0 ? 1.0 : std::min(1.0, VarianceOfMeans / this->Steps[v]);
+      shapes[v].Hopf = this->Current[v].GetHopf();
+      shapes[v].Mean = this->Current[v].GetMean();
+      shapes[v].Variance = left * scatter[v] / ScatterOfNoise;
+    }
+  }
+
   void Write(std::vector<Shape>& shapes) const
   {
     ParallelFor(static_cast<Index>(shapes.size()), LightPiece,
@@ -421,5 +458,24 @@ void SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edg
     smoothing.FindScales();
   }
   smoothing.Write(shapes);
+}
+
+void SmoothTensors(const SurfaceGeometry& geometry, double edges, std::vector<Shape>& tensors)
+{
+  for (Shape& tensor : tensors)
+  {
+    tensor.Variance = 1.0;
+  }
+  Smoothing smoothing(geometry, tensors);
+  const std::vector<float> scatter = smoothing.Scatter();
+  if (edges > 0.0)
+  {
+    smoothing.TakeSteps(static_cast<int>(std::lround(edges * edges / (2.0 * Share))));
+  }
+  else
+  {
+    smoothing.FindScales();
+  }
+  smoothing.Write(scatter, tensors);
 }
 }

@@ -27,6 +27,13 @@ namespace DirectionFields::Internal
 /// @param rings the radius of the surroundings in edges; 0 to find it
 void SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges, double rings,
   std::vector<Shape>& shapes);
+
+/// Averages the tangential parts of symmetric tensors, given as shapes are: q and H of each vertex,
+/// of any unit. All count the same and none is corrected; scales are found as those of shapes.
+/// @param edges   the radius of the surroundings in edges; 0 to find it
+/// @param tensors the variance of each is, afterwards, that of the noise left in q: estimated from
+///                the differences between neighbours
+void SmoothTensors(const SurfaceGeometry& geometry, double edges, std::vector<Shape>& tensors);
 }
 
 #endif
