@@ -70,6 +70,10 @@ benchmark_packages=(libbenchmark-dev)
 # shellcheck disable=SC2034
 distributed_packages=(libpetsc-complex-dev)
 
+# For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY).
+# shellcheck disable=SC2034
+numpy_packages=(pybind11-dev)
+
 # For the checks of the sources' style; clang-format 14 has come with Debian 12 only.
 # shellcheck disable=SC2034
 style_packages=(shellcheck)

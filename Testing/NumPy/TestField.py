@@ -1,0 +1,236 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests of direction_fields.field: mathematics, options, memory, errors, and stopping."""
+
+import doctest
+import os
+import signal
+import subprocess
+import sys
+import threading
+import unittest
+import warnings
+
+import numpy as np
+
+import direction_fields as df
+
+
+def torus(rows=24, columns=48):
+    """Triangles of a torus of radii 1 and 0.4, wound counter-clockwise from outside."""
+    u, v = np.meshgrid(
+        2 * np.pi * np.arange(columns) / columns, 2 * np.pi * np.arange(rows) / rows, indexing="ij")
+    radius = 1 + 0.4 * np.cos(v)
+    points = np.stack([radius * np.cos(u), radius * np.sin(u), 0.4 * np.sin(v)], -1).reshape(-1, 3)
+    i, j = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+    a, b = i * rows + j, (i + 1) % columns * rows + j
+    c, d = (i + 1) % columns * rows + (j + 1) % rows, i * rows + (j + 1) % rows
+    return points, np.concatenate(
+        [np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
+
+
+OCTAHEDRON = (
+    np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float),
+    np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
+              [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]),
+)
+
+
+class Mathematics(unittest.TestCase):
+    def test_indices_sum_to_the_euler_characteristic(self):
+        for degree in (1, 2, 4, 6):
+            self.assertEqual(df.field(*OCTAHEDRON, degree=degree).indices.sum(), 2 * degree)
+            self.assertEqual(df.field(*torus(), degree=degree).indices.sum(), 0)
+
+    def test_directions_are_tangent_units_evenly_apart(self):
+        field = df.field(*torus(), degree=4)
+        directions = field.directions
+        self.assertTrue(np.allclose(np.linalg.norm(directions, axis=-1), 1))
+        self.assertLess(np.abs(np.einsum("pkc,pc->pk", directions, field.normals)).max(), 1e-12)
+        turned = np.cross(field.normals[:, None], directions)
+        self.assertTrue(np.allclose(turned, np.roll(directions, -1, axis=1)))
+
+    def test_curvature_alignment_follows_the_circles_of_a_torus(self):
+        points, triangles = torus()
+        field = df.field(points, triangles, alignment="curvature", alignment_strength=1)
+        around = np.cross([0, 0, 1], points)
+        around /= np.linalg.norm(around, axis=1)[:, None]
+        cosine = np.abs(np.einsum("pkc,pc->pk", field.directions, around)).max(axis=1)
+        self.assertGreater(cosine.min(), np.cos(np.radians(3)))
+        # cos v / (0.4 (1 + 0.4 cos v))
+        cosine = (np.hypot(points[:, 0], points[:, 1]) - 1) / 0.4
+        self.assertLess(
+            np.abs(field.gaussian_curvature - cosine / (0.4 + 0.16 * cosine)).max(), 0.3)
+        self.assertFalse(hasattr(df.field(points, triangles), "mean_curvature"))
+
+    def test_unit_length_makes_all_representations_units(self):
+        points, triangles = torus()
+        first = np.abs(df.field(points, triangles, degree=1).representation)
+        unit = np.abs(df.field(points, triangles, degree=1, unit_length=True).representation)
+        self.assertGreater(np.ptp(first), 0.01)
+        self.assertTrue(np.allclose(unit, 1))
+
+    def test_guidance_itself_comes_back(self):
+        points, triangles = torus()
+        given = np.cross([0, 0, 1], points)
+        field = df.field(
+            points, triangles, degree=1, alignment="vectors", alignment_strength=1, vectors=given)
+        given /= np.linalg.norm(given, axis=1)[:, None]
+        self.assertGreater(np.einsum("pc,pc->p", field.directions[:, 0], given).min(), 0.999)
+
+
+class Arrays(unittest.TestCase):
+    def test_layout_and_type_change_no_byte(self):
+        points, triangles = torus()
+        points = points.astype(np.float32)
+        expected = df.field(points.astype(float), triangles).directions.tobytes()
+        strided = np.zeros((len(points), 6), np.float32)[:, ::2]
+        strided[:] = points
+        readonly = points.copy()
+        readonly.flags.writeable = False
+        for same in (points, strided, readonly, np.asfortranarray(points), points.tolist()):
+            self.assertEqual(df.field(same, triangles).directions.tobytes(), expected)
+        for kind in (np.int32, np.uint64, np.uint16):
+            field = df.field(points, triangles.astype(kind))
+            self.assertEqual(field.directions.tobytes(), expected)
+
+    def test_results_outlive_the_field_and_can_be_written(self):
+        directions = df.field(*OCTAHEDRON).directions
+        again = df.field(*OCTAHEDRON).directions
+        directions[0] = 7
+        self.assertNotEqual(again[0, 0, 0], 7)
+
+    def test_a_thousand_calls_do_not_grow(self):
+        def resident():
+            with open("/proc/self/statm", encoding="ascii") as numbers:
+                return int(numbers.read().split()[1]) * os.sysconf("SC_PAGESIZE")
+
+        if not os.path.exists("/proc/self/statm"):
+            self.skipTest("This system does not tell the memory of a process.")
+        points, triangles = torus(8, 16)
+        for _ in range(100):
+            df.field(points, triangles)
+        before = resident()
+        for _ in range(1000):
+            df.field(points, triangles)
+        # The arrays of one call are about 40 kB: those of a thousand would be 40 MB.
+        self.assertLess(resident() - before, 8e6)
+
+    def test_threads_at_once_get_the_same(self):
+        points, triangles = torus()
+        expected = df.field(points, triangles).directions.tobytes()
+        results = []
+        threads = [
+            threading.Thread(
+                target=lambda: results.append(df.field(points, triangles).directions.tobytes()))
+            for _ in range(4)
+        ]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(results, [expected] * 4)
+
+
+class Errors(unittest.TestCase):
+    def refused(self, error, text, *arrays, **options):
+        points, triangles = arrays or OCTAHEDRON
+        with self.assertRaisesRegex(error, text):
+            df.field(points, triangles, **options)
+
+    def test_arrays(self):
+        points, triangles = OCTAHEDRON
+        broken = points.copy()
+        broken[3, 1] = np.nan
+        self.refused(df.MeshError, "3", broken, triangles)
+        self.refused(ValueError, r"\(n, 3\)", points[:, :2], triangles)
+        self.refused(ValueError, r"\(n, 3\)", points, triangles[:, :2])
+        self.refused(ValueError, "empty", points, triangles[:0])
+        self.refused(ValueError, "0 to 5; they are -1 to 4", points, triangles - 1)
+        self.refused(ValueError, "0 to 5", points, triangles + 2**32)
+        self.refused(TypeError, "integers", points, triangles.astype(float))
+        self.refused(TypeError, "complex128", points.astype(complex), triangles)
+
+    def test_options(self):
+        self.refused(ValueError, "1 to 16", degree=0)
+        self.refused(TypeError, "'degre'", degre=4)
+        self.refused(TypeError, "whole number", degree=2.5)
+        self.refused(TypeError, "True or False", unit_length=1)
+        self.refused(TypeError, "not a bool", degree=True)
+        self.refused(ValueError, "'none', 'curvature', 'vectors'", alignment="shape")
+        self.refused(ValueError, "2 or 4", alignment="curvature", degree=3)
+        self.refused(ValueError, "Guidance", alignment="vectors")
+        self.refused(TypeError, "progress", progress=3)
+
+    def test_every_option_takes_its_default_and_refuses_beyond_its_range(self):
+        described = df.options()
+        defaults = {keyword: entry[0] for keyword, entry in described.items()}
+        self.assertEqual(
+            df.field(*OCTAHEDRON, **defaults).directions.tobytes(),
+            df.field(*OCTAHEDRON).directions.tobytes())
+        for keyword, entry in described.items():
+            if len(entry) == 4:
+                self.refused(ValueError, "must be", **{keyword: type(entry[0])(entry[1] - 1)})
+
+    def test_notes_are_warnings(self):
+        with self.assertWarns(df.DirectionFieldWarning) as caught:
+            field = df.field(*OCTAHEDRON, constrain_boundary=True)
+        self.assertEqual(str(caught.warning), field.warnings[0])
+        self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            df.field(*torus())
+
+
+class Stopping(unittest.TestCase):
+    def test_progress_grows_and_its_exception_comes_back(self):
+        told = []
+        df.field(*torus(), progress=told.append)
+        self.assertEqual(told, sorted(told))
+        self.assertGreater(told[-1], 0.5)
+
+        def stop(fraction):
+            raise RuntimeError(f"enough at {fraction}")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            df.field(*torus(), progress=stop)
+
+    def test_interrupt_stops(self):
+        with self.assertRaises(KeyboardInterrupt):
+            df.field(*torus(), progress=lambda done: os.kill(os.getpid(), signal.SIGINT))
+
+    def test_other_threads_go_on(self):
+        turns = []
+        done = threading.Event()
+
+        def count():
+            while not done.is_set():
+                turns.append(None)
+                done.wait(0.001)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = len(turns)
+        df.field(*torus(200, 400))
+        after = len(turns)
+        done.set()
+        thread.join()
+        self.assertGreater(after - before, 10)
+
+    def test_import_brings_neither_vtk_nor_pyvista(self):
+        subprocess.run(
+            [sys.executable, "-c", "import direction_fields, sys\n"
+             "assert not [name for name in sys.modules if name.startswith(('vtk', 'pyvista'))]"],
+            check=True)
+
+
+class Documentation(unittest.TestCase):
+    def test_examples(self):
+        page = os.environ["DIRECTIONFIELDS_NUMPY_PAGE"]
+        for results in (doctest.testmod(df), doctest.testfile(page, module_relative=False)):
+            self.assertGreater(results.attempted, 5)
+            self.assertEqual(results.failed, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
