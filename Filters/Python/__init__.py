@@ -14,7 +14,17 @@ from .vtkDirectionFieldsFilters import (
     vtkGuidanceCurves,
     vtkStripePattern,
 )
-from .vtkDirectionFieldsFiltersParallel import vtkPDirectionField, vtkPDirectionFieldGlyphs
+from .vtkDirectionFieldsFiltersParallel import (
+    vtkPCompareDirectionFields,
+    vtkPDirectionField,
+    vtkPDirectionFieldGlyphs,
+    vtkPDirectionFieldReader,
+    vtkPDirectionFieldSingularities,
+    vtkPDirectionFieldStreamlines,
+    vtkPFieldAlignedRemesh,
+    vtkPGuidanceCurves,
+    vtkPStripePattern,
+)
 
 __all__ = [
     "vtkCompareDirectionFields",
@@ -26,7 +36,14 @@ __all__ = [
     "vtkDirectionFieldWriter",
     "vtkFieldAlignedRemesh",
     "vtkGuidanceCurves",
+    "vtkPCompareDirectionFields",
     "vtkPDirectionField",
     "vtkPDirectionFieldGlyphs",
+    "vtkPDirectionFieldReader",
+    "vtkPDirectionFieldSingularities",
+    "vtkPDirectionFieldStreamlines",
+    "vtkPFieldAlignedRemesh",
+    "vtkPGuidanceCurves",
+    "vtkPStripePattern",
     "vtkStripePattern",
 ]

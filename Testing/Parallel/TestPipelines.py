@@ -102,6 +102,10 @@ def main():
     glyphs = simple.DirectionFieldGlyphs(Input=field, Diagnostics=1)
     glyphs.UpdatePipeline()
     assert glyphs.GetFieldDataInformation().GetArray("NumberOfGlyphs").GetRange(0)[0] > 100
+    mesh = simple.FieldAlignedRemesh(Input=field, NumberOfFaces=400)
+    seams = simple.FeatureEdges(Input=mesh, FeatureEdges=0, NonManifoldEdges=0)
+    seams.UpdatePipeline()
+    assert seams.GetDataInformation().GetNumberOfCells() == 0, "the mesh has seams"
 
 
 main()

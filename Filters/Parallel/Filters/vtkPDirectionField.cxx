@@ -5,8 +5,9 @@
 
 #include "Distributable.h"
 #include "DistributedField.h"
-#include "Filters/Blocks.h"
-#include "Filters/ProgressWatch.h"
+#include "Running/Blocks.h"
+#include "Running/GatheringWarnings.h"
+#include "Running/ProgressWatch.h"
 #include "Gathering/GatheredSurface.h"
 #include "Gathering/PartsOfSurface.h"
 #include "Gathering/Scattering.h"
@@ -28,41 +29,16 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <exception>
 #include <numeric>
 #include <utility>
 
+using DirectionFields::Parallel::AddWarning;
+using DirectionFields::Parallel::DescribeLostCopies;
 using DirectionFields::Parallel::GatheredSurface;
 using DirectionFields::Parallel::Processes;
-
-namespace
-{
-/// Adds a warning to the field data.
-void AddWarning(const std::string& warning, vtkPolyData* output)
-{
-  vtkSmartPointer<vtkStringArray> warnings =
-    vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("Warnings"));
-  if (!warnings)
-  {
-    warnings = vtkSmartPointer<vtkStringArray>::New();
-    warnings->SetName("Warnings");
-    output->GetFieldData()->AddArray(warnings);
-  }
-  warnings->InsertNextValue(warning);
-}
-
-/// The warning about polygons that are copies of nothing.
-std::string DescribeLostCopies(vtkIdType count)
-{
-  return "Make ghost cells anew after the filters that take cells away: " + std::to_string(count) +
-    (count == 1 ? " ghost cell is a copy of a polygon that no process has, and shows"
-                : " ghost cells are copies of polygons that no process has, and show") +
-    " no field.";
-}
-}
 
 vtkStandardNewMacro(vtkPDirectionField);
 
@@ -226,11 +202,8 @@ void vtkPDirectionField::ComputePiece(
   }
   if (isLarge)
   {
-    warning += (warning.empty() ? "The" : " The") + std::string(" surface has ") +
-      std::to_string(all) +
-      " polygons, more than Gather Limit. All of them are on one process now, which takes about " +
-      std::to_string(std::max<vtkIdType>(1, all * 67 / 100000000)) +
-      " GB there. Decimate the surface where that is too much.";
+    warning +=
+      (warning.empty() ? "" : " ") + DirectionFields::Parallel::DescribeLargeSurface(all);
   }
   this->ComputeGathered(processes, input, warning, output, singularities);
 }

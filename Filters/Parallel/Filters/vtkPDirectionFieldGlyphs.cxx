@@ -3,8 +3,8 @@
 
 #include "vtkPDirectionFieldGlyphs.h"
 
-#include "Filters/Blocks.h"
-#include "Filters/ProgressWatch.h"
+#include "Running/Blocks.h"
+#include "Running/ProgressWatch.h"
 #include "Gathering/GatheredSurface.h"
 #include "Gathering/PartsOfSurface.h"
 #include "Gathering/Scattering.h"

@@ -190,11 +190,12 @@ public:
     }
   }
 
-  void Gather(Processes& processes, GatheredSurface& gathered)
+  void Gather(Processes& processes, int wanted, GatheredSurface& gathered)
   {
     this->Announced.Exchange(processes);
     const std::vector<vtkIdType> sizes = this->Announced.Of(this->Size);
-    const int to = static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    const auto largest = std::max_element(sizes.begin(), sizes.end());
+    const int to = wanted >= 0 ? wanted : static_cast<int>(largest - sizes.begin());
     gathered.Process = to;
     gathered.Pieces = static_cast<int>(this->Announced.Sum(this->HasPoints));
     gathered.Cells = this->Announced.Sum(this->Cells);
@@ -349,8 +350,8 @@ private:
 };
 }
 
-GatheredSurface GatherSurface(
-  Processes& processes, vtkPolyData* polyData, const std::vector<std::string>& arrays)
+GatheredSurface GatherSurface(Processes& processes, vtkPolyData* polyData,
+  const std::vector<std::string>& arrays, int to)
 {
   GatheredSurface gathered;
   std::unique_ptr<Travel> travel;
@@ -360,7 +361,7 @@ GatheredSurface GatherSurface(
       gathered.Piece = ReadPiece(polyData);
       travel = std::make_unique<Travel>(polyData, gathered.Piece, arrays);
     });
-  travel->Gather(processes, gathered);
+  travel->Gather(processes, to, gathered);
   processes.Together(
     [&]
     {

@@ -20,7 +20,8 @@ namespace DirectionFields::Parallel
 /// The pieces of all processes as one surface on one of them, and the way back.
 struct GatheredSurface
 {
-  /// The process that has the surface: the one with the largest piece, the first of equal ones.
+  /// The process that has the surface: the one with the largest piece, the first of equal ones,
+  /// unless another one was asked for.
   int Process = 0;
   /// Points, polygons and strips of all pieces, without the copies that other pieces have of them,
   /// and the arrays that were asked for; null on the other processes.
@@ -55,8 +56,9 @@ struct GatheredSurface
 /// @param polyData the piece, which ReadPiece takes
 /// @param arrays   names of point arrays of numbers that the surface is to have; one that a piece
 ///                 with points lacks, or has with another number of components, is left out
-GatheredSurface GatherSurface(
-  Processes& processes, vtkPolyData* polyData, const std::vector<std::string>& arrays);
+/// @param to       the process that gets the surface; -1 for that with the largest piece
+GatheredSurface GatherSurface(Processes& processes, vtkPolyData* polyData,
+  const std::vector<std::string>& arrays, int to = -1);
 }
 
 #endif

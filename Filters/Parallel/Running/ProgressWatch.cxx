@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Filters/ProgressWatch.h"
+#include "Running/ProgressWatch.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"

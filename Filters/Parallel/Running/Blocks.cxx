@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Filters/Blocks.h"
+#include "Running/Blocks.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
