@@ -30,6 +30,31 @@ vtkSMProxy* InputOf(vtkSMProxy* proxy)
     ? vtkSMPropertyHelper(proxy, "Input").GetAsProxy()
     : nullptr;
 }
+
+bool HasPoints(vtkSMProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input", /*quiet=*/true);
+  auto* producer =
+    vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  return producer && producer->GetDataInformation(input.GetOutputPort())->GetNumberOfPoints() > 0;
+}
+
+/// Whether a view shows points with the colors of a map.
+bool ShowsColorsOf(vtkSMProxy* map, vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper shown(view, "Representations", /*quiet=*/true);
+  for (unsigned int i = 0; i < shown.GetNumberOfElements(); ++i)
+  {
+    auto* const display = vtkSMPVRepresentationProxy::SafeDownCast(shown.GetAsProxy(i));
+    if (display && vtkSMPropertyHelper(display, "Visibility", /*quiet=*/true).GetAsInt() != 0 &&
+      display->GetUsingScalarColoring() && HasPoints(display) &&
+      vtkSMPropertyHelper(display, "LookupTable", /*quiet=*/true).GetAsProxy() == map)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -115,6 +140,33 @@ void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
   if (!this->AwaitedArray.empty())
   {
     this->ColorAwaited(view);
+  }
+  this->HideEmptyLegend(view);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::HideEmptyLegend(vtkSMProxy* view)
+{
+  bool hasLegend = false;
+  display_hints::ForDisplay(this,
+    [&](vtkPVXMLElement* element)
+    { hasLegend = hasLegend || element->FindNestedElementByName("Legend"); });
+  vtkSMProxy* const map =
+    hasLegend ? vtkSMPropertyHelper(this, "LookupTable", /*quiet=*/true).GetAsProxy() : nullptr;
+  vtkSMProxy* const legend =
+    map ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(map, view) : nullptr;
+  if (!legend)
+  {
+    return;
+  }
+  const bool isVisible = vtkSMPropertyHelper(legend, "Visibility").GetAsInt() != 0;
+  const bool isNeeded = ShowsColorsOf(map, view);
+  // One that the user hides stays hidden.
+  if (isVisible != isNeeded && (isVisible ? !HasPoints(this) : this->HasHiddenLegend))
+  {
+    this->HasHiddenLegend = isVisible;
+    vtkSMPropertyHelper(legend, "Visibility").Set(isNeeded ? 1 : 0);
+    legend->UpdateVTKObjects();
   }
 }
 

@@ -45,7 +45,9 @@ public:
   void HideDirections() { this->HidesDirections = true; }
 
   /**
-   * Called by a view after its data are up to date, before it draws.
+   * Called by a view after its data are up to date, before it draws. A legend of the filter's hints
+   * is hidden where nothing is left that has its colors, as where a field has become one without
+   * singularities, and comes back when they do.
    */
   void ViewUpdated(vtkSMProxy* view) override;
 
@@ -70,11 +72,13 @@ private:
   bool HasArray(int association, const std::string& name);
   void HideDirectionsIn(vtkSMProxy* view);
   void ColorAwaited(vtkSMProxy* view);
+  void HideEmptyLegend(vtkSMProxy* view);
 
   /// The array to color by once there is one of that name; empty: none.
   std::string AwaitedArray;
   int AwaitedAssociation = 0;
   bool HidesDirections = false;
+  bool HasHiddenLegend = false;
 
   vtkSMDirectionFieldRepresentationProxy(const vtkSMDirectionFieldRepresentationProxy&) = delete;
   void operator=(const vtkSMDirectionFieldRepresentationProxy&) = delete;

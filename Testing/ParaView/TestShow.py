@@ -200,6 +200,34 @@ def test_camera():
     simple.ResetSession()
 
 
+def test_legend():
+    """A field that comes to have no singularities takes the legend with it, if no other picture has
+    balls; it comes back with them, unless the user has hidden it."""
+    view = simple.CreateView("RenderView")
+    sphere, plane = simple.Sphere(), simple.Plane()
+    shown = directionfields.show(sphere, view=view)
+    other = directionfields.show(simple.Cone(), view=view)
+    assert shown.legend.Visibility == 1
+    shown.field.Input = plane
+    simple.Render(view)
+    assert shown.legend.Visibility == 1
+    simple.Hide(simple.OutputPort(other.field, 1), view)
+    simple.Render(view)
+    shown.field.Degree = 2
+    simple.Render(view)
+    assert shown.legend.Visibility == 0
+    assert directionfields.show(shown.field, view=view).legend is None
+    assert shown.legend.Visibility == 0
+    for visibility in (1, 0):
+        shown.field.Input = sphere
+        simple.Render(view)
+        assert shown.legend.Visibility == visibility
+        shown.legend.Visibility = 0
+        shown.field.Input = plane
+        simple.Render(view)
+    simple.ResetSession()
+
+
 def test_state():
     """A saved state brings the whole picture back."""
     shown = directionfields.show(mesh)
@@ -223,5 +251,6 @@ test_file()
 test_options()
 test_active()
 test_camera()
+test_legend()
 test_state()
 print("passed")
