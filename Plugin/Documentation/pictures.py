@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of the help pages: pvbatch pictures.py PLUGIN MESH
+"""Draws the pictures of the help pages: pvbatch pictures.py PLUGIN MESH [NAME.png ...]
 
 remesh.png alone is not among them: it is three parts of the gallery's figure Remeshed."""
 import os
@@ -19,11 +19,11 @@ simple.LoadPlugin(sys.argv[1], remote=False)
 import directionfields
 
 
-def tile(append, mesh, folder, after=None, **options):
+def tile(append, mesh, folder, after=None, glyphs=None, **options):
     view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
                              UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
-    shown = directionfields.show(mesh, view=view, legend=False,
-                                 glyphs={"MaximumNumberOfGlyphs": 500}, **options)
+    glyphs = {"MaximumNumberOfGlyphs": 500, **(glyphs or {})}
+    shown = directionfields.show(mesh, view=view, legend=False, glyphs=glyphs, **options)
     if after:
         after(shown)
     add(append, view, folder)
@@ -46,6 +46,8 @@ def add(append, view, folder):
 
 
 def draw(name, mesh, choices, tile=tile):
+    if sys.argv[3:] and name not in sys.argv[3:]:
+        return
     with tempfile.TemporaryDirectory() as folder:
         append = vtkImageAppend()
         for options in choices:
@@ -124,3 +126,31 @@ draw("lines.png", mesh, [{"degree": 2}, {"degree": 4},
      lines_tile)
 draw("stripes.png", mesh, [{"degree": 1}, {"degree": 2, "Spacing": 0.25},
                            {"degree": 2, "isWeave": True}], stripes_tile)
+
+
+def edges_tile(append, mesh, folder):
+    """A tile with the triangles of a mesh."""
+    view = simple.CreateView("RenderView", ViewSize=SIZE, OrientationAxesVisibility=0,
+                             UseColorPaletteForBackground=0, Background=[1.0, 1.0, 1.0])
+    display = simple.Show(mesh, view, "GeometryRepresentation")
+    display.SetRepresentationType("Surface With Edges")
+    simple.ResetCamera(view)
+    add(append, view, folder)
+
+
+draw("glyphs.png", mesh, [{"degree": 4, "glyphs": {"GlyphType": kind}}
+                          for kind in ("Lines", "Ribbons", "Tubes")])
+
+# The singularities of one field given to another.
+free = simple.DirectionField(Input=mesh)
+fewer = simple.DirectionField(Input=mesh, UnitLength=1, SingularityCost=1.0)
+edited = simple.EditSingularities(Input=free, Singularities=simple.OutputPort(fewer, 1))
+draw("editing.png", mesh, [{"mesh": free}, {"mesh": edited}])
+
+# A file of one direction for each triangle, and what is made of it.
+with tempfile.TemporaryDirectory() as folder:
+    simple.SaveData(os.path.join(folder, "mesh.rosy"), proxy=free)
+    plain = directionfields.read(os.path.join(folder, "mesh.obj"))
+    given = simple.ReadDirectionField(Input=plain, FileName=os.path.join(folder, "mesh.rosy"))
+    draw("files.png", plain, [{"draw": edges_tile, "mesh": plain}, {"mesh": given}],
+         lambda append, mesh, folder, draw=tile, **options: draw(append, mesh, folder, **options))

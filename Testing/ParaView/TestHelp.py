@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The help that the plugin brings: TestHelp.py PLUGIN QCH
+"""The help that the plugin brings: TestHelp.py PLUGIN QCH MENU
 
 A Qt help file is an SQLite database of compressed files."""
 import html
 import re
 import sqlite3
 import sys
+import xml.etree.ElementTree
 import zlib
 
 from paraview.simple import *
@@ -24,7 +25,21 @@ def page(name):
 
 
 # The guide is what the title of the plugin's help leads to, and all that it refers to is there.
-assert "index.html".encode("utf-16-be") in contents
+titles = re.findall(r"(?:index|[a-z]*(?:filters|sources|writers)\.\w+)\.html",
+                    contents.decode("utf-16-be", errors="replace"))
+menu = [f"filters.{proxy.get('name')}.html"
+        for proxy in xml.etree.ElementTree.parse(sys.argv[3]).iter("Proxy")]
+assert len(menu) == 9
+# Below it they are the guide, the filters in the menu's order, and the files.
+assert titles == ["index.html", "index.html", *menu, "sources.DirectionFieldFile.html",
+                  "writers.DirectionFieldWriter.html"], titles
+pages = {name for name in files if name.endswith(".html")}
+assert pages == set(titles), pages ^ set(titles)
+# A page begins with a picture and the way to the guide.
+for name in pages - {"index.html"}:
+    start = re.search(r'</h2>\s*<p><img src="(\w+\.png)"[^>]*/></p>\s*<p><a href="index.html">',
+                      page(name))
+    assert start and start[1] in files, name
 guide = page("index.html")
 targets = re.findall(r'(?:href|src)="([^"]*)"', guide)
 assert len(targets) >= 5, targets
