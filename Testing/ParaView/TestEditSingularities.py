@@ -42,8 +42,6 @@ def test_properties():
     edit = EditSingularities(Input=field(), Singularities=Sphere())
     check_properties(edit, expected, ENUMERATIONS, ["KeepStages"], others=("Input", "Singularities"))
     assert edit.SMProxy.GetXMLLabel() == "Edit Singularities"
-    assert edit.SMProxy.GetHints().FindNestedElementByName("ShowInMenu").GetAttribute(
-        "category") == "Direction Fields"
 
 
 def test_cube():

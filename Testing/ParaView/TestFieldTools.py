@@ -62,9 +62,6 @@ def test_properties():
             continue
         check_properties(proxy, figures, enumerations, ADVANCED[name],
                          others=("Input", "Curves", "Other", "FileName"))
-        hints = proxy.SMProxy.GetHints()
-        assert hints.FindNestedElementByName("ShowInMenu").GetAttribute(
-            "category") == "Direction Fields"
 
 
 def test_labels():

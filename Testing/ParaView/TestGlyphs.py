@@ -65,8 +65,6 @@ def test_menu():
     _, glyphs = make()
     assert glyphs.SMProxy.GetXMLLabel() == "Direction Field Glyphs"
     hints = glyphs.SMProxy.GetHints()
-    assert hints.FindNestedElementByName("ShowInMenu").GetAttribute(
-        "category") == "Direction Fields"
     # The surface stays to be seen.
     assert hints.FindNestedElementByName("Visibility").GetAttribute("replace_input") == "0"
     assert glyphs.SMProxy.GetNumberOfOutputPorts() == 1

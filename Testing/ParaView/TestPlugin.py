@@ -183,8 +183,6 @@ def test_menu_and_ports():
     field = DirectionField(Input=Sphere())
     assert field.SMProxy.GetXMLLabel() == "Direction Field"
     assert field.SMProxy.GetXMLGroup() == "filters"
-    menu = field.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
-    assert menu.GetAttribute("category") == "Direction Fields"
     assert field.SMProxy.GetNumberOfOutputPorts() == 2
     assert field.SMProxy.GetOutputPortName(0) == "Direction Field"
     assert field.SMProxy.GetOutputPortName(1) == "Singularities"

@@ -48,8 +48,6 @@ def test_menu():
     _, lines = make()
     assert lines.SMProxy.GetXMLLabel() == "Direction Field Streamlines"
     hints = lines.SMProxy.GetHints()
-    assert hints.FindNestedElementByName("ShowInMenu").GetAttribute(
-        "category") == "Direction Fields"
     # The surface stays to be seen, and no dialog asks for seeds.
     assert hints.FindNestedElementByName("Visibility").GetAttribute("replace_input") == "0"
     seeds = lines.SMProxy.GetProperty("SeedSource")
