@@ -46,7 +46,7 @@ enum class ConstraintSolver
 };
 
 /// Most vertices of a connected component that least squares solve for: at 165 000 they take up to
-/// 17 s and 1 GB, and both grow faster than the component; by energy it takes half a second.
+/// 5 s and 750 MB, and both grow faster than the component; by energy it takes half a second.
 constexpr Index MostLeastSquaresVertices = 250000;
 
 /// Which points of exactly the same coordinates are one for the computation.
