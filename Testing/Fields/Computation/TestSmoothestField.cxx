@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 using namespace DirectionFields;
@@ -79,4 +82,29 @@ TEST(Multigrid, SmallComponentsAreSolvedDirectlyByAutomatic)
   EXPECT_EQ(result.Components[1].SolverUsed, Solver::Multigrid);
   options.Solver = Solver::Direct;
   EXPECT_EQ(DirectionField(Potato(5)).Compute(options).Components[0].SolverUsed, Solver::Direct);
+}
+
+TEST(SmoothestField, SaysWhereItHasFaded)
+{
+  Options options;
+  EXPECT_TRUE(DirectionField(Potato(4)).Compute(options).Notes.empty());
+  const Surface rough = Roughened(Icosphere(4), 1.0, 1);
+  const Result faded = DirectionField(rough).Compute(options);
+  double longest = 0.0;
+  for (const Complex& u : faded.Representation)
+  {
+    longest = std::max(longest, std::abs(u));
+  }
+  const auto count = std::count_if(faded.Representation.begin(), faded.Representation.end(),
+    [&](const Complex& u) { return std::abs(u) < 1e-5 * longest; });
+  const double percent = 100.0 * static_cast<double>(count) / faded.Representation.size();
+  ASSERT_GT(percent, 50.5);
+  ASSERT_EQ(faded.Notes.size(), 1u);
+  EXPECT_EQ(
+    faded.Notes[0].rfind(
+      "The field has faded at " + std::to_string(std::lround(percent)) + " % of the points", 0),
+    0u);
+  EXPECT_NE(faded.Notes[0].find("Unit Length"), std::string::npos);
+  options.UnitLength = true;
+  EXPECT_TRUE(DirectionField(rough).Compute(options).Notes.empty());
 }
