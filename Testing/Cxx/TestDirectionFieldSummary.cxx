@@ -90,8 +90,11 @@ void TestSmoothest()
   CHECK(Summary(filter) == "8 singularities (8 +, 0 -), index sum 8");
   filter->SetInputData(PolyMeshes::Square(5));
   CHECK(Summary(filter) == "no singularities, index sum 0");
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
   filter->SetInputData(RoughSphere(4));
   const std::string rough = Summary(filter);
+  CHECK(messages->IsOneWarning({ "faded", "Unit Length" }));
   CHECK(rough == Singularities(filter) + ", index sum 8");
   CHECK(rough.find(", 0 -") == std::string::npos);
   // The summary of a filter before is replaced.
