@@ -6,7 +6,10 @@
 #include "Support/Threads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 namespace DirectionFields::Internal
 {
@@ -19,6 +22,11 @@ constexpr double MostAlongEdge = 4096.0;
 /// Seeds at vertices are moved by this part of the distance to the middle of a triangle, where
 /// directions are defined.
 constexpr double OffVertex = 1e-3;
+/// Triangles whose height is less than this part of the distance of places are narrow.
+constexpr double NarrowPart = 0.25;
+/// Places along a narrow triangle are moved by this part of the distance to its middle, over the
+/// number of places.
+constexpr double Inwards = 0.1;
 /// How much the area around a vertex weighs against |u|.
 constexpr double AreaPart = 1e-4;
 
@@ -51,37 +59,114 @@ struct Star
   }
 };
 
-/// Adds places that divide a triangle into parts of the given size, in the unit of the component.
-void AddInner(const GivenField& field, Index triangle, double size, std::vector<SeedPlace>& places)
+/// Whether a place has its turn before another one in triangles.
+bool IsEarlier(const SeedPlace& a, const SeedPlace& b)
 {
-  const SurfaceGeometry& geometry = field.GetGeometry();
-  double longest = 0.0;
-  for (int c = 0; c < 3; ++c)
+  return a.Rank != b.Rank ? a.Rank > b.Rank : a.Triangle < b.Triangle;
+}
+
+/// The earliest place in each cell of a grid in space, apart for surfaces that face different sides
+/// there: of many triangles much narrower than a cell, as around the tip of a cone, few have one.
+/// Which places these are does not depend on the order in which they come.
+class ThinnedPlaces
+{
+public:
+  void Add(const GivenField& field, double size, const SeedPlace& place)
   {
-    longest =
-      std::max(longest, geometry.Lengths.SquaredLength[geometry.Mesh.Edge(3 * triangle + c)]);
-  }
-  if (longest <= size * size)
-  {
-    return;
-  }
-  const FieldInterpolant power(geometry, field.GetDegree(), field.GetSection().data(), triangle);
-  const FlatTriangle& flat = power.Flat();
-  longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
-  const int edge = longest == flat.Length(0) ? 0 : longest == flat.Length(1) ? 1 : 2;
-  const Complex& along = flat.Along(edge);
-  const auto parts = static_cast<int>(std::min(std::ceil(longest / size), MostAlongEdge));
-  for (int i = 0; parts > 1 && i < parts; ++i)
-  {
-    for (int j = 0; i + j < parts; ++j)
+    const TriangleInSpace space = field.InSpace(place.Triangle);
+    const Vector3 position = space.Position(
+      FlatTriangle(field.GetGeometry(), place.Triangle).Weights(place.Place));
+    std::array<std::int64_t, 4> cell;
+    int widest = 0;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const double a = (i + 1.0 / 3.0) / parts;
-      const double b = (j + 1.0 / 3.0) / parts;
-      const Complex place = flat.Place({ a, b, 1.0 - a - b });
-      places.push_back({ triangle, None, place, along, std::abs(power.At(place)) });
+      cell[axis] =
+        static_cast<std::int64_t>(std::clamp(std::floor(position[axis] / size), -1e18, 1e18));
+      widest = std::abs(space.Normal[axis]) > std::abs(space.Normal[widest]) ? axis : widest;
+    }
+    cell[3] = 2 * widest + (space.Normal[widest] < 0.0 ? 1 : 0);
+    this->Add(cell, place);
+  }
+  void Add(const ThinnedPlaces& others)
+  {
+    for (const auto& [cell, place] : others.PlaceOf)
+    {
+      this->Add(cell, place);
     }
   }
-}
+  void AppendTo(std::vector<SeedPlace>& places) const
+  {
+    for (const auto& [cell, place] : this->PlaceOf)
+    {
+      places.push_back(place);
+    }
+  }
+
+private:
+  void Add(const std::array<std::int64_t, 4>& cell, const SeedPlace& place)
+  {
+    const auto [at, isNew] = this->PlaceOf.emplace(cell, place);
+    if (!isNew && IsEarlier(place, at->second))
+    {
+      at->second = place;
+    }
+  }
+
+  std::map<std::array<std::int64_t, 4>, SeedPlace> PlaceOf;
+};
+
+/// Places in triangles that are larger than a size: all of those that divide triangles as wide as
+/// that, and some of those along the narrow ones.
+struct InnerPlaces
+{
+  std::vector<SeedPlace> All;
+  ThinnedPlaces Narrow;
+
+  /// Adds the places that divide a triangle into parts of a size, in the unit of the component.
+  /// @param unit of the component
+  void Add(const GivenField& field, Index triangle, double size, double unit)
+  {
+    const SurfaceGeometry& geometry = field.GetGeometry();
+    double longest = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      longest =
+        std::max(longest, geometry.Lengths.SquaredLength[geometry.Mesh.Edge(3 * triangle + c)]);
+    }
+    if (longest <= size * size)
+    {
+      return;
+    }
+    const FieldInterpolant power(geometry, field.GetDegree(), field.GetSection().data(), triangle);
+    const FlatTriangle& flat = power.Flat();
+    longest = std::max({ flat.Length(0), flat.Length(1), flat.Length(2) });
+    const int edge = longest == flat.Length(0) ? 0 : longest == flat.Length(1) ? 1 : 2;
+    const Complex& along = flat.Along(edge);
+    const auto parts = static_cast<int>(std::min(std::ceil(longest / size), MostAlongEdge));
+    const bool isNarrow = 2.0 * flat.Area() < NarrowPart * size * longest;
+    for (int i = 0; parts > 1 && i < parts; ++i)
+    {
+      for (int j = 0; !isNarrow && i + j < parts; ++j)
+      {
+        const double a = (i + 1.0 / 3.0) / parts;
+        const double b = (j + 1.0 / 3.0) / parts;
+        const Complex place = flat.Place({ a, b, 1.0 - a - b });
+        this->All.push_back({ triangle, None, place, along, std::abs(power.At(place)) });
+      }
+      if (isNarrow)
+      {
+        // From the middle of a part of the longest edge a little way into the triangle.
+        const double inwards = Inwards / parts;
+        std::array<double, 3> weights = { inwards / 3.0, inwards / 3.0, inwards / 3.0 };
+        weights[edge] += (1.0 - inwards) * (1.0 - (i + 0.5) / parts);
+        weights[(edge + 1) % 3] += (1.0 - inwards) * (i + 0.5) / parts;
+        const Complex place = flat.Place(weights);
+        this->Narrow.Add(
+          field, 0.5 * size * unit, { triangle, None, place, along, std::abs(power.At(place)) });
+      }
+    }
+  }
+};
 
 /// The place beside a vertex; its triangle is None where none may be.
 /// @param mean area of the triangles around a vertex
@@ -130,7 +215,7 @@ std::vector<SeedPlace> SeedPlaces(
                  [](const SeedPlace& place) { return place.Triangle == None; }),
     places.end());
   const Index pieces = NumberOfPieces(range.Triangles(), LightPiece);
-  std::vector<std::vector<SeedPlace>> inner(pieces);
+  std::vector<InnerPlaces> inner(pieces);
   ParallelFor(range.Triangles(), LightPiece,
     [&](Index begin, Index end)
     {
@@ -138,14 +223,18 @@ std::vector<SeedPlace> SeedPlaces(
       {
         if (IsSeeded(field, t, excluded))
         {
-          AddInner(field, t, 2.0 * size, inner[begin / LightPiece]);
+          inner[begin / LightPiece].Add(
+            field, t, 2.0 * size, geometry.Lengths.Unit[component]);
         }
       }
     });
-  for (const std::vector<SeedPlace>& more : inner)
+  ThinnedPlaces narrow;
+  for (const InnerPlaces& more : inner)
   {
-    places.insert(places.end(), more.begin(), more.end());
+    places.insert(places.end(), more.All.begin(), more.All.end());
+    narrow.Add(more.Narrow);
   }
+  narrow.AppendTo(places);
   return places;
 }
 

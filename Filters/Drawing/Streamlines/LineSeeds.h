@@ -26,7 +26,9 @@ struct SeedPlace
 /// Places on a component of the surface, no point of which is farther than a fraction of the
 /// spacing from one: the vertices, and more in triangles that are large. Their ranks are |u|, and
 /// where that is the same everywhere the area around them: that does not depend on how the surface
-/// lies or is numbered. Takes time linear in triangles and places, on the threads of the scope.
+/// lies or is numbered; only of the places along triangles much narrower than the spacing, a grid
+/// in space leaves one in each cell. Takes time linear in triangles and places, on the threads of
+/// the scope, and memory linear in triangles and area.
 /// @param excluded not 0 for triangles of the mesh without places; empty for none
 std::vector<SeedPlace> SeedPlaces(
   const GivenField& field, Index component, double spacing, const std::vector<char>& excluded);

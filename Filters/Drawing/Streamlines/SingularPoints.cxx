@@ -129,6 +129,34 @@ std::vector<double> RayAngles(
   return angles;
 }
 
+/// The half-edge that leaves the same vertex next; None at a boundary.
+Index NextSpoke(const TriangleMesh& mesh, Index spoke, bool counterClockwise)
+{
+  const Index twin = mesh.Twin(counterClockwise ? TriangleMesh::Previous(spoke) : spoke);
+  return counterClockwise || twin == None ? twin : TriangleMesh::Next(twin);
+}
+
+/// The turn by the angle of a triangle where a half-edge of it starts.
+Complex CornerTurn(const SurfaceGeometry& geometry, Index spoke)
+{
+  const FlatTriangle flat(geometry, spoke / 3);
+  const int c = spoke % 3;
+  return -flat.Along((c + 2) % 3) * std::conj(flat.Along(c));
+}
+
+/// A place in a triangle from where a half-edge starts, against its direction.
+Complex OffsetAtSpoke(const SurfaceGeometry& geometry, Index spoke, const Complex& place)
+{
+  const FlatTriangle flat(geometry, spoke / 3);
+  return (place - flat.Corner(spoke % 3)) * std::conj(flat.Along(spoke % 3));
+}
+
+/// The place with such an offset.
+Complex SeenAtSpoke(const SurfaceGeometry& geometry, Index spoke, const Complex& offset)
+{
+  const FlatTriangle flat(geometry, spoke / 3);
+  return flat.Corner(spoke % 3) + flat.Along(spoke % 3) * offset;
+}
 }
 
 SingularPoints::SingularPoints(const GivenField& field)
@@ -196,29 +224,94 @@ void SingularPoints::FindBeside(Index zero, Index zeroTriangle)
     const Index spoke = 3 * zeroTriangle + c;
     if (std::abs(place - flat.Corner(c)) < reach)
     {
-      const Index first = mesh.Outgoing(mesh.Tail(spoke));
-      Index h = first;
-      do
-      {
-        this->AddBeside(h, zero, zeroTriangle);
-        h = mesh.NextOutgoing(h);
-      } while (h != None && h != first);
+      this->AddAround(c, zero, zeroTriangle);
     }
     const Complex offset = (place - flat.Corner(c)) * std::conj(flat.Along(c));
     const Index twin = mesh.Twin(spoke);
     if (std::abs(offset.imag()) < reach && twin != None)
     {
-      this->AddBeside(twin, zero, zeroTriangle);
+      this->AddAcross(twin, zero, zeroTriangle);
     }
   }
 }
 
-void SingularPoints::AddBeside(Index spoke, Index zero, Index zeroTriangle)
+void SingularPoints::AddAround(int corner, Index zero, Index zeroTriangle)
 {
-  if (this->ZeroOfTriangle[spoke / 3] == None)
+  const SurfaceGeometry& geometry = this->Field.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Index own = 3 * zeroTriangle + corner;
+  const Complex offset = OffsetAtSpoke(geometry, own, this->PlaceIn(zeroTriangle));
+  struct Spoke
   {
-    this->AllBeside.push_back({ spoke / 3, zeroTriangle, zero, spoke });
+    Index HalfEdge;
+    std::array<Complex, 2> Seen;
+  };
+  std::vector<Spoke> spokes;
+  Complex turn = 1.0;
+  Index h = own;
+  for (Index next = NextSpoke(mesh, h, true); next != None && next != own;
+       next = NextSpoke(mesh, h, true))
+  {
+    turn *= std::conj(CornerTurn(geometry, h));
+    h = next;
+    spokes.push_back({ h, { Far, SeenAtSpoke(geometry, h, turn * offset) } });
   }
+  const bool isClosed = NextSpoke(mesh, h, true) == own;
+  turn = 1.0;
+  std::size_t at = spokes.size();
+  for (h = NextSpoke(mesh, own, false); h != None && h != own; h = NextSpoke(mesh, h, false))
+  {
+    turn *= CornerTurn(geometry, h);
+    const Complex seen = SeenAtSpoke(geometry, h, turn * offset);
+    if (isClosed)
+    {
+      // The same ones from the other end.
+      spokes[--at].Seen[0] = seen;
+    }
+    else
+    {
+      spokes.push_back({ h, { seen, Far } });
+    }
+  }
+  for (const Spoke& spoke : spokes)
+  {
+    if (this->ZeroOfTriangle[spoke.HalfEdge / 3] == None)
+    {
+      this->AllBeside.push_back({ spoke.HalfEdge / 3, zeroTriangle, zero, spoke.Seen });
+    }
+  }
+}
+
+void SingularPoints::AddAcross(Index twin, Index zero, Index zeroTriangle)
+{
+  if (this->ZeroOfTriangle[twin / 3] != None)
+  {
+    return;
+  }
+  const SurfaceGeometry& geometry = this->Field.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  ZeroBeside beside{ twin / 3, zeroTriangle, zero, { Far, Far } };
+  for (const bool counterClockwise : { true, false })
+  {
+    Complex turn = 1.0;
+    Index spoke = twin;
+    while (spoke != None && spoke / 3 != zeroTriangle)
+    {
+      const Index next = NextSpoke(mesh, spoke, counterClockwise);
+      if (next != None)
+      {
+        turn *= counterClockwise ? CornerTurn(geometry, spoke)
+                                 : std::conj(CornerTurn(geometry, next));
+      }
+      spoke = next == twin ? None : next;
+    }
+    if (spoke != None)
+    {
+      const Complex offset = OffsetAtSpoke(geometry, spoke, this->PlaceIn(zeroTriangle));
+      beside.Seen[counterClockwise ? 0 : 1] = SeenAtSpoke(geometry, twin, turn * offset);
+    }
+  }
+  this->AllBeside.push_back(beside);
 }
 
 void SingularPoints::SortBeside()
@@ -246,49 +339,6 @@ std::pair<const ZeroBeside*, const ZeroBeside*> SingularPoints::Beside(Index mes
     ++end;
   }
   return { begin, end };
-}
-
-Complex SingularPoints::PlaceBeside(const ZeroBeside& beside, const Complex& from) const
-{
-  const SurfaceGeometry& geometry = this->Field.GetGeometry();
-  const TriangleMesh& mesh = geometry.Mesh;
-  const Complex place = this->PlaceIn(beside.ZeroTriangle);
-  Complex nearest = Far;
-  for (const bool counterClockwise : { true, false })
-  {
-    const FlatTriangle flat(geometry, beside.Triangle);
-    const Complex center = flat.Corner(beside.Spoke % 3);
-    // The spoke's direction in the plane, from triangle to triangle.
-    Complex along = flat.Along(beside.Spoke % 3);
-    Index spoke = beside.Spoke;
-    while (spoke != None && spoke / 3 != beside.ZeroTriangle)
-    {
-      const Index next =
-        counterClockwise ? mesh.Twin(TriangleMesh::Previous(spoke)) : mesh.Twin(spoke);
-      const Index at = counterClockwise || next == None ? next : TriangleMesh::Next(next);
-      if (at == None || at == beside.Spoke)
-      {
-        spoke = None;
-        break;
-      }
-      // The angle of the triangle that is passed.
-      const Index passed = counterClockwise ? spoke : at;
-      const FlatTriangle triangle(geometry, passed / 3);
-      const int c = passed % 3;
-      const Complex turn = -triangle.Along((c + 2) % 3) * std::conj(triangle.Along(c));
-      along *= counterClockwise ? turn : std::conj(turn);
-      spoke = at;
-    }
-    if (spoke != None)
-    {
-      const FlatTriangle triangle(geometry, spoke / 3);
-      const int c = spoke % 3;
-      const Complex seen =
-        center + along * std::conj(triangle.Along(c)) * (place - triangle.Corner(c));
-      nearest = std::norm(seen - from) < std::norm(nearest - from) ? seen : nearest;
-    }
-  }
-  return nearest;
 }
 
 std::vector<ZeroRay> SingularPoints::Rays(Index zero) const

@@ -8,6 +8,7 @@
 #include "Interpolation/InterpolantZero.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -46,8 +47,15 @@ struct ZeroBeside
   Index ZeroTriangle = None;
   /// Number of the singularity.
   Index Zero = None;
-  /// The half-edge of the triangle at the vertex that it shares with that of the singularity.
-  Index Spoke = None;
+  /// Its place in the triangle's plane, with the triangles between laid flat around the common
+  /// vertex, counter-clockwise and clockwise: infinitely far where none are.
+  std::array<Complex, 2> Seen;
+
+  /// The place that is nearer to another one.
+  const Complex& Near(const Complex& from) const
+  {
+    return this->Seen[std::norm(this->Seen[1] - from) < std::norm(this->Seen[0] - from) ? 1 : 0];
+  }
 };
 
 /// All singularities of a field on the front, in the order of their triangles. On surfaces that
@@ -70,10 +78,6 @@ public:
   /// The singularities that lie beside a triangle of the mesh without one: two iterators. On
   /// symmetric surfaces they lie on vertices, and lines run into them from all triangles there.
   std::pair<const ZeroBeside*, const ZeroBeside*> Beside(Index meshTriangle) const;
-  /// The place of such a singularity in the triangle's plane, with the triangles between laid flat
-  /// around the common vertex, clockwise or counter-clockwise: the one nearer to a place.
-  /// Infinitely far where the triangles are not connected around the vertex.
-  Complex PlaceBeside(const ZeroBeside& beside, const Complex& from) const;
 
   /// The rays of a singularity of index k/n, counter-clockwise: |n - k| of them, and 2 |n - k| for
   /// odd n, on which the field points outwards, or along every second one inwards. None for k = n:
@@ -87,7 +91,10 @@ public:
 
 private:
   void FindBeside(Index zero, Index zeroTriangle);
-  void AddBeside(Index spoke, Index zero, Index zeroTriangle);
+  /// Adds it to the triangles around a corner of its own, in time linear in their number.
+  void AddAround(int corner, Index zero, Index zeroTriangle);
+  /// Adds it to the triangle on the other side of an edge of its own.
+  void AddAcross(Index twin, Index zero, Index zeroTriangle);
   void SortBeside();
 
   const GivenField& Field;

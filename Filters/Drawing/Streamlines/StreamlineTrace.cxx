@@ -171,7 +171,7 @@ double StreamlineTrace::StepLength() const
   }
   for (const ZeroBeside* beside = this->Beside.first; beside != this->Beside.second; ++beside)
   {
-    const double distance = std::abs(this->At - this->Traced.Zeros.PlaceBeside(*beside, this->At));
+    const double distance = std::abs(this->At - beside->Near(this->At));
     length = std::min(length, ZeroPart * std::max(distance, 0.05 * this->Size));
   }
   return length;
@@ -186,7 +186,7 @@ bool StreamlineTrace::RunsIntoBeside()
   const SurfaceGeometry& geometry = this->Traced.Field.GetGeometry();
   for (const ZeroBeside* beside = this->Beside.first; beside != this->Beside.second; ++beside)
   {
-    const Complex offset = this->Traced.Zeros.PlaceBeside(*beside, this->At) - this->At;
+    const Complex offset = beside->Near(this->At) - this->At;
     const double size = std::sqrt(2.0 * geometry.Lengths.Area[beside->ZeroTriangle]);
     const double distance = std::abs(offset);
     if (!(distance <= this->Traced.Capture * size) || distance == 0.0)
