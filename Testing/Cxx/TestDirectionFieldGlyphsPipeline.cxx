@@ -27,12 +27,6 @@ using namespace Checks;
 
 namespace
 {
-double CellValue(vtkPolyData* data, const char* name, vtkIdType cell)
-{
-  vtkDataArray* array = data->GetCellData()->GetArray(name);
-  return array ? array->GetComponent(cell, 0) : std::nan("");
-}
-
 void TestParameters()
 {
   vtkNew<vtkDirectionFieldGlyphs> filter;
