@@ -24,8 +24,10 @@ int main()
   {
     // The tension along the meridians is 20 at the equator, and falls to none at the poles.
     const Vector3 north = Vector3::UnitZ() - p.z() * p;
-    const Eigen::Matrix3d t = 50.0 * (Eigen::Matrix3d::Identity() - p * p.transpose()) + 20.0 * north * north.transpose();
-    stress.Values.insert(stress.Values.end(), { t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2) });
+    const Eigen::Matrix3d t =
+      50.0 * (Eigen::Matrix3d::Identity() - p * p.transpose()) + 20.0 * north * north.transpose();
+    stress.Values.insert(
+      stress.Values.end(), { t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2) });
   }
   const TensorGuidance guidance = GuideByTensors(sphere, stress);
   Options options;
@@ -47,6 +49,7 @@ int main()
     sum += index;
   }
   const double most = *std::max_element(guidance.MajorValue.begin(), guidance.MajorValue.end());
-  std::printf("stress up to %.1f, lines at most %.2f degrees off, sum of indices %d\n", most, off, sum);
+  std::printf(
+    "stress up to %.1f, lines at most %.2f degrees off, sum of indices %d\n", most, off, sum);
   return off < 1.0 && sum == 4 && std::abs(most - 70.0) < 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -168,8 +168,8 @@ void CheckNotFinite(int degree)
     }
     else
     {
-      Direction(field, k - 2)->SetComponent(
-        5, 1, k == 2 ? bad : std::numeric_limits<double>::infinity());
+      Direction(field, k - 2)
+        ->SetComponent(5, 1, k == 2 ? bad : std::numeric_limits<double>::infinity());
     }
     vtkNew<Filter> filter;
     vtkNew<Messages> messages;

@@ -74,8 +74,8 @@ public:
   void Add(const GivenField& field, double size, const SeedPlace& place)
   {
     const TriangleInSpace space = field.InSpace(place.Triangle);
-    const Vector3 position = space.Position(
-      FlatTriangle(field.GetGeometry(), place.Triangle).Weights(place.Place));
+    const Vector3 position =
+      space.Position(FlatTriangle(field.GetGeometry(), place.Triangle).Weights(place.Place));
     std::array<std::int64_t, 4> cell;
     int widest = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -223,8 +223,7 @@ std::vector<SeedPlace> SeedPlaces(
       {
         if (IsSeeded(field, t, excluded))
         {
-          inner[begin / LightPiece].Add(
-            field, t, 2.0 * size, geometry.Lengths.Unit[component]);
+          inner[begin / LightPiece].Add(field, t, 2.0 * size, geometry.Lengths.Unit[component]);
         }
       }
     });

@@ -300,8 +300,8 @@ void SingularPoints::AddAcross(Index twin, Index zero, Index zeroTriangle)
       const Index next = NextSpoke(mesh, spoke, counterClockwise);
       if (next != None)
       {
-        turn *= counterClockwise ? CornerTurn(geometry, spoke)
-                                 : std::conj(CornerTurn(geometry, next));
+        turn *=
+          counterClockwise ? CornerTurn(geometry, spoke) : std::conj(CornerTurn(geometry, next));
       }
       spoke = next == twin ? None : next;
     }

@@ -5,13 +5,13 @@
 
 #include "Distributable.h"
 #include "DistributedField.h"
-#include "Running/Blocks.h"
-#include "Running/GatheringWarnings.h"
-#include "Running/ProgressWatch.h"
 #include "Gathering/GatheredSurface.h"
 #include "Gathering/PartsOfSurface.h"
 #include "Gathering/Scattering.h"
 #include "Processes.h"
+#include "Running/Blocks.h"
+#include "Running/GatheringWarnings.h"
+#include "Running/ProgressWatch.h"
 #include "SurfacePiece.h"
 
 #include <DirectionFields/Progress.h>
@@ -202,8 +202,7 @@ void vtkPDirectionField::ComputePiece(
   }
   if (isLarge)
   {
-    warning +=
-      (warning.empty() ? "" : " ") + DirectionFields::Parallel::DescribeLargeSurface(all);
+    warning += (warning.empty() ? "" : " ") + DirectionFields::Parallel::DescribeLargeSurface(all);
   }
   this->ComputeGathered(processes, input, warning, output, singularities);
 }

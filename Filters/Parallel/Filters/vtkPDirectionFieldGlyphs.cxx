@@ -3,12 +3,12 @@
 
 #include "vtkPDirectionFieldGlyphs.h"
 
-#include "Running/Blocks.h"
-#include "Running/ProgressWatch.h"
 #include "Gathering/GatheredSurface.h"
 #include "Gathering/PartsOfSurface.h"
 #include "Gathering/Scattering.h"
 #include "Processes.h"
+#include "Running/Blocks.h"
+#include "Running/ProgressWatch.h"
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"

@@ -13,8 +13,8 @@
 #ifndef vtkPFieldAlignedRemesh_h
 #define vtkPFieldAlignedRemesh_h
 
-#include "vtkFieldAlignedRemesh.h"
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
+#include "vtkFieldAlignedRemesh.h"
 #include "vtkPDirectionFieldFilter.h"
 
 class vtkMultiProcessController;
@@ -23,8 +23,7 @@ class vtkMultiProcessController;
 #ifndef __VTK_WRAP__
 #define vtkFieldAlignedRemesh vtkPDirectionFieldFilter<vtkFieldAlignedRemesh>
 #endif
-class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPFieldAlignedRemesh
-  : public vtkFieldAlignedRemesh
+class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPFieldAlignedRemesh : public vtkFieldAlignedRemesh
 #ifndef __VTK_WRAP__
 #undef vtkFieldAlignedRemesh
 #endif

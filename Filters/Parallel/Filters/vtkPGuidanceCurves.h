@@ -14,8 +14,8 @@
 #ifndef vtkPGuidanceCurves_h
 #define vtkPGuidanceCurves_h
 
-#include "vtkGuidanceCurves.h"
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
+#include "vtkGuidanceCurves.h"
 #include "vtkPDirectionFieldFilter.h"
 
 class vtkMultiProcessController;
@@ -24,8 +24,7 @@ class vtkMultiProcessController;
 #ifndef __VTK_WRAP__
 #define vtkGuidanceCurves vtkPDirectionFieldFilter<vtkGuidanceCurves>
 #endif
-class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPGuidanceCurves
-  : public vtkGuidanceCurves
+class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPGuidanceCurves : public vtkGuidanceCurves
 #ifndef __VTK_WRAP__
 #undef vtkGuidanceCurves
 #endif

@@ -12,7 +12,7 @@ vtkStandardNewMacro(vtkPStripePattern);
 
 //------------------------------------------------------------------------------
 vtkPStripePattern::vtkPStripePattern()
-  : vtkPDirectionFieldFilter({ OtherInput::None,
-      { OutputKind::OfItself, OutputKind::OfItself, OutputKind::OfItself } })
+  : vtkPDirectionFieldFilter(
+      { OtherInput::None, { OutputKind::OfItself, OutputKind::OfItself, OutputKind::OfItself } })
 {
 }

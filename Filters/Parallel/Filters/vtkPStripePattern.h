@@ -13,9 +13,9 @@
 #ifndef vtkPStripePattern_h
 #define vtkPStripePattern_h
 
-#include "vtkStripePattern.h"
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
 #include "vtkPDirectionFieldFilter.h"
+#include "vtkStripePattern.h"
 
 class vtkMultiProcessController;
 
@@ -23,8 +23,7 @@ class vtkMultiProcessController;
 #ifndef __VTK_WRAP__
 #define vtkStripePattern vtkPDirectionFieldFilter<vtkStripePattern>
 #endif
-class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPStripePattern
-  : public vtkStripePattern
+class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPStripePattern : public vtkStripePattern
 #ifndef __VTK_WRAP__
 #undef vtkStripePattern
 #endif

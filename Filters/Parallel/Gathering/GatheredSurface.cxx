@@ -350,8 +350,8 @@ private:
 };
 }
 
-GatheredSurface GatherSurface(Processes& processes, vtkPolyData* polyData,
-  const std::vector<std::string>& arrays, int to)
+GatheredSurface GatherSurface(
+  Processes& processes, vtkPolyData* polyData, const std::vector<std::string>& arrays, int to)
 {
   GatheredSurface gathered;
   std::unique_ptr<Travel> travel;

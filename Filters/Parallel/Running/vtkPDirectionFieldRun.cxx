@@ -3,14 +3,14 @@
 
 #include "vtkPDirectionFieldRun.h"
 
-#include "Running/Blocks.h"
-#include "Running/GatheringWarnings.h"
-#include "Running/ProgressWatch.h"
 #include "Gathering/GatheredData.h"
 #include "Gathering/PartsOfSurface.h"
 #include "Gathering/Scattering.h"
 #include "Gathering/SplitPiece.h"
 #include "Processes.h"
+#include "Running/Blocks.h"
+#include "Running/GatheringWarnings.h"
+#include "Running/ProgressWatch.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -204,8 +204,8 @@ void GatheringRun::Deliver(Processes& processes, const WholeSurface& whole, vtkP
     }
     else if (hasCells)
     {
-      ScatterParts(processes, gathered, PartsBelongTo::Cells, isThere ? wholes[k] : nullptr,
-        outputs[k]);
+      ScatterParts(
+        processes, gathered, PartsBelongTo::Cells, isThere ? wholes[k] : nullptr, outputs[k]);
     }
     else
     {

@@ -38,8 +38,8 @@ Surface Cone(int valence, double height)
 
 Vector3 Middle(const Surface& surface, const Triangle& triangle)
 {
-  return (surface.Points[triangle[0]] + surface.Points[triangle[1]] +
-           surface.Points[triangle[2]]) / 3.0;
+  return (surface.Points[triangle[0]] + surface.Points[triangle[1]] + surface.Points[triangle[2]]) /
+    3.0;
 }
 }
 
@@ -102,8 +102,9 @@ TEST(HighValence, SeedsAreAsManyAsPointsAndArea)
     std::vector<Vector3> positions;
     for (const SeedPlace& place : places)
     {
-      positions.push_back(field.InSpace(place.Triangle).Position(
-        FlatTriangle(field.GetGeometry(), place.Triangle).Weights(place.Place)));
+      positions.push_back(
+        field.InSpace(place.Triangle)
+          .Position(FlatTriangle(field.GetGeometry(), place.Triangle).Weights(place.Place)));
     }
     for (int i = 0; i < 200; ++i)
     {
