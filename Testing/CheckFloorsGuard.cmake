@@ -42,10 +42,10 @@ require_refusal("includes \"MergePoints.h\", which no folder"
   "#include \"MergePoints.h\"" Surfaces/Mesh/TriangleMesh.cxx)
 require_refusal("its folder is not in Surfaces/Floors.txt" "" Surfaces/Attic/Old.cxx)
 require_refusal("which no folder of Pieces has" "#include \"Options.h\"" Pieces/SurfacePiece.h)
-require_refusal("which no folder of VTK has" "#include \"Support/MortonCurve.h\"" VTK/Support/Summary.cxx)
+require_refusal("which no folder of VTK has" "#include \"Support/MortonCurve.h\"" VTK/Support/DefaultThreads.cxx)
 require_refusal("which no folder of Parallel, "
   "#include \"Options.h\"" Parallel/Gathering/Scattering.cxx)
-require_refusal("Support may include" "#include \"vtkDirectionField.h\"" VTK/Support/Summary.cxx)
+require_refusal("Support may include" "#include \"vtkDirectionField.h\"" VTK/Support/DefaultThreads.cxx)
 require_refusal("Mesh may include" "#include \"Solver/PetscObjects.h\"" Cluster/Mesh/SharedPoints.h)
 require_refusal("Gathering may include"
   "#include \"vtkPDirectionField.h\"" Parallel/Gathering/Scattering.cxx)

@@ -8,9 +8,9 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/ComparisonToPolyData.h"
 #include "Conversion/Output/FieldToPolyData.h"
-#include "Support/OutputSummaries.h"
 
 #include <DirectionFields/Progress.h>
+#include <DirectionFields/Reports/FieldSummary.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

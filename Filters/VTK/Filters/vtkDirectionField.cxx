@@ -11,10 +11,10 @@
 #include "Conversion/Output/SingularityPoints.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/DirectionFieldCache.h"
-#include "Support/Summary.h"
-#include "Support/Warnings.h"
 
 #include <DirectionFields/OptionTable.h>
+#include <DirectionFields/Reports/FieldSummary.h>
+#include <DirectionFields/Reports/FieldWarnings.h>
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"

@@ -9,7 +9,8 @@
 #include "Conversion/Output/GlyphsToPolyData.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/GlyphSurfaceCache.h"
-#include "Support/OutputSummaries.h"
+
+#include <DirectionFields/Reports/DrawingReports.h>
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"

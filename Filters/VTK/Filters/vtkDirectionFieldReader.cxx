@@ -8,9 +8,9 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
-#include "Support/OutputSummaries.h"
 
 #include <DirectionFields/Exchange/FieldImport.h>
+#include <DirectionFields/Reports/FieldSummary.h>
 
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"

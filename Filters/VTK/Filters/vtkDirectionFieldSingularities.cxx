@@ -8,10 +8,10 @@
 #include "Conversion/Output/EditedPolyData.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RefinedPolyData.h"
-#include "Support/OutputSummaries.h"
 #include "Support/SingularityEditorCache.h"
 
 #include <DirectionFields/PrescribedSingularities/EditedResult.h>
+#include <DirectionFields/Reports/FieldSummary.h>
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

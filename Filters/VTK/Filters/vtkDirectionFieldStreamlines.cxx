@@ -8,7 +8,8 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StreamlinesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/OutputSummaries.h"
+
+#include <DirectionFields/Reports/DrawingReports.h>
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -118,23 +119,18 @@ void vtkDirectionFieldStreamlines::Execute(
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, 0.5 * ProgressRead));
   const DirectionFields::GivenField field(surface.Mesh, directions);
   progress.Report(ProgressRead);
+  const DirectionFields::StreamlineOptions options = this->MakeOptions();
   const DirectionFields::Streamlines traced = DirectionFields::TraceStreamlines(field, directions,
     this->SeedType == POINTS ? DirectionFields::NearestPlaces(surface.Mesh, seeds)
                              : std::vector<DirectionFields::StreamlineSeed>(),
-    this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressTraced));
+    options, DirectionFields::ReportTo(this, ProgressRead, ProgressTraced));
   this->ThrowIfStopped(traced.Aborted);
-  if (traced.IsLimited)
-  {
-    vtkWarningMacro(<< "There are " << this->MaximumNumberOfLines
-                    << " lines, and there would be more. Raise Maximum Number Of Lines, or"
-                       " Spacing for fewer lines.");
-  }
+  this->Warn(DirectionFields::Warnings(traced, options));
   const int type = input->GetPoints()->GetDataType();
   DirectionFields::AddLines(traced, type, this->Diagnostics, vtkPolyData::SafeDownCast(outputs[0]));
   DirectionFields::AddNodes(
     traced, field.GetDegree(), surface, type, vtkPolyData::SafeDownCast(outputs[1]));
-  const std::string summary =
-    DirectionFields::Summary(traced, static_cast<DirectionFields::SeedType>(this->SeedType));
+  const std::string summary = DirectionFields::Summary(traced, options.Seeds);
   Summarize(summary, outputs);
 }
 

@@ -10,7 +10,8 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/OutputSummaries.h"
+
+#include <DirectionFields/Reports/RemeshReports.h>
 
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"

@@ -7,9 +7,9 @@
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
-#include "Support/OutputSummaries.h"
 
 #include <DirectionFields/Guidance/CurveGuidance.h>
+#include <DirectionFields/Reports/FieldSummary.h>
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -9,7 +9,8 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/StripesToPolyData.h"
 #include "Support/AlgorithmProgress.h"
-#include "Support/OutputSummaries.h"
+
+#include <DirectionFields/Reports/DrawingReports.h>
 
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
@@ -26,8 +27,6 @@ namespace
 // Where the phases of the progress end: reading the input, making the pattern.
 constexpr double ProgressRead = 0.1;
 constexpr double ProgressMade = 0.9;
-/// More of the branch points than this sharing a triangle with another one is worth a warning.
-constexpr double MostCrowded = 0.05;
 }
 
 //------------------------------------------------------------------------------
@@ -103,19 +102,7 @@ void vtkStripePattern::Execute(
   const DirectionFields::StripePattern pattern = DirectionFields::MakeStripes(
     field, options, spacing, DirectionFields::ReportTo(this, ProgressRead, ProgressMade));
   this->ThrowIfStopped(pattern.Aborted);
-  if (pattern.LineOffset != this->LineOffset)
-  {
-    vtkWarningMacro(
-      << "Stripes of a line field (degree 2) have no left and right side: Line Offset "
-      << pattern.LineOffset << " is taken. Choose a multiple of 0.5.");
-  }
-  if (pattern.CrowdedBranchPoints > MostCrowded * pattern.BranchPoints)
-  {
-    vtkWarningMacro(<< "The mesh is too coarse for stripes this narrow: of " << pattern.BranchPoints
-                    << " triangles where stripes branch, " << pattern.CrowdedBranchPoints
-                    << " have more than one line ending in them. Subdivide the surface before"
-                       " Direction Field, or raise Spacing.");
-  }
+  this->Warn(DirectionFields::Warnings(pattern, options));
   const int type = input->GetPoints()->GetDataType();
   DirectionFields::AddStripeLines(pattern, type, vtkPolyData::SafeDownCast(outputs[0]));
   DirectionFields::AddStripeBands(input, surface, pattern, vtkPolyData::SafeDownCast(outputs[1]));

@@ -7,6 +7,8 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/InterpolatedData.h"
 
+#include <DirectionFields/Reports/RemeshReports.h>
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -20,11 +22,8 @@
 #include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -39,72 +38,6 @@ constexpr double SizeOfBall = 1.2;
 int SizeOf(const std::array<Index, 4>& face)
 {
   return face[3] == None ? 3 : 4;
-}
-
-/// The number of edges at each point, and whether it is on the boundary.
-struct Valences
-{
-  explicit Valences(const RemeshResult& mesh)
-    : Edges(mesh.Points.size(), 0)
-    , IsBoundary(mesh.Points.size(), 0)
-  {
-    // An edge of one face only has its ends on the boundary.
-    std::vector<std::array<Index, 2>> edges;
-    for (const std::array<Index, 4>& face : mesh.Faces)
-    {
-      for (int c = 0; c < SizeOf(face); ++c)
-      {
-        const Index a = face[c];
-        const Index b = face[(c + 1) % SizeOf(face)];
-        edges.push_back({ std::min(a, b), std::max(a, b) });
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i < edges.size();)
-    {
-      std::size_t end = i;
-      while (end < edges.size() && edges[end] == edges[i])
-      {
-        ++end;
-      }
-      for (const Index v : edges[i])
-      {
-        ++this->Edges[v];
-        this->IsBoundary[v] = this->IsBoundary[v] != 0 || end - i == 1 ? 1 : 0;
-      }
-      i = end;
-    }
-  }
-
-  std::vector<int> Edges;
-  std::vector<char> IsBoundary;
-};
-
-/// The least sine of an angle of a face, with the sign of its side: 1 for a square, and, as by
-/// Verdict, for an even triangle, too.
-double ScaledJacobian(const RemeshResult& mesh, const std::array<Index, 4>& face)
-{
-  const int size = SizeOf(face);
-  const double even = size == 4 ? 1.0 : 2.0 / std::sqrt(3.0);
-  std::array<Vector3, 4> normals;
-  std::array<double, 4> lengths;
-  Vector3 sum = Vector3::Zero();
-  for (int c = 0; c < size; ++c)
-  {
-    const Vector3& at = mesh.Points[face[c]];
-    const Vector3 next = mesh.Points[face[(c + 1) % size]] - at;
-    const Vector3 last = mesh.Points[face[(c + size - 1) % size]] - at;
-    normals[c] = next.cross(last);
-    lengths[c] = next.norm() * last.norm();
-    sum += normals[c];
-  }
-  const Vector3 normal = sum.stableNormalized();
-  double least = 1.0;
-  for (int c = 0; c < size; ++c)
-  {
-    least = std::min(least, lengths[c] > 0.0 ? even * normals[c].dot(normal) / lengths[c] : 0.0);
-  }
-  return least;
 }
 
 template <typename ArrayT>
@@ -142,12 +75,7 @@ double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Re
   output->GetPointData()->AddArray(MakeScalars<vtkSignedCharArray>("VertexKind", kind));
   output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", mesh.FieldIndex));
   output->GetCellData()->AddArray(MakeScalars<vtkSignedCharArray>("Regular", mesh.Regular));
-  std::vector<double> quality;
-  quality.reserve(mesh.Faces.size());
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    quality.push_back(ScaledJacobian(mesh, face));
-  }
+  const std::vector<double> quality = ScaledJacobians(mesh);
   output->GetCellData()->AddArray(MakeScalars<vtkFloatArray>("ScaledJacobian", quality));
 
   vtkFieldData* data = output->GetFieldData();
@@ -171,22 +99,18 @@ double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Re
 void AddIrregularVertices(
   const RemeshResult& mesh, int degree, int pointDataType, vtkPolyData* output)
 {
-  const Valences valences(mesh);
   std::vector<Vector3> places;
   std::vector<int> valence;
   std::vector<int> index;
   std::vector<int> missing;
   std::vector<double> size;
-  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  for (const IrregularVertex& vertex : IrregularVertices(mesh, degree))
   {
-    if (valences.IsBoundary[v] == 0 && valences.Edges[v] != degree)
-    {
-      places.push_back(mesh.Points[v]);
-      valence.push_back(valences.Edges[v]);
-      index.push_back(mesh.FieldIndex[v]);
-      missing.push_back(degree - valences.Edges[v]);
-      size.push_back(SizeOfBall * mesh.EdgeLength * std::abs(missing.back()));
-    }
+    places.push_back(mesh.Points[vertex.Point]);
+    valence.push_back(vertex.Edges);
+    index.push_back(mesh.FieldIndex[vertex.Point]);
+    missing.push_back(degree - vertex.Edges);
+    size.push_back(SizeOfBall * mesh.EdgeLength * std::abs(missing.back()));
   }
   SetVertices(places, pointDataType, output);
   output->GetPointData()->SetScalars(MakeScalars<vtkIntArray>("Valence", valence));

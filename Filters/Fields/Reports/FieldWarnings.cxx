@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Support/Warnings.h"
+#include "Reports/FieldWarnings.h"
 
 #include <algorithm>
 #include <sstream>
@@ -116,14 +116,16 @@ std::string DescribeUnsolvedEigenvalues(const Result& field, const Options& opti
 }
 }
 
+std::string DescribeRepairs(const Repairs& repaired)
+{
+  const std::string repairs = Describe(repaired);
+  return repairs.empty() ? repairs
+                         : "Check the mesh if this is unexpected, it was mended: " + repairs + ".";
+}
+
 std::vector<std::string> Warnings(const Result& field, const Options& options)
 {
-  std::string repairs = Describe(field.Repaired);
-  if (!repairs.empty())
-  {
-    repairs = "Check the mesh if this is unexpected, it was mended: " + repairs + ".";
-  }
-  std::vector<std::string> warnings = { repairs };
+  std::vector<std::string> warnings = { DescribeRepairs(field.Repaired) };
   warnings.insert(warnings.end(), field.Notes.begin(), field.Notes.end());
   warnings.push_back(DescribeUnsolvedSystems(field, options));
   warnings.push_back(DescribeUnsolvedEigenvalues(field, options));

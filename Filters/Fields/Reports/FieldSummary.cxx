@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Support/Summary.h"
+#include "Reports/FieldSummary.h"
+
+#include "Support/Sentences.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <sstream>
 #include <vector>
 
@@ -14,12 +17,6 @@ namespace DirectionFields
 {
 namespace
 {
-/// A number with its noun.
-std::string Count(Index number, const char* noun)
-{
-  return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
-}
-
 std::string DescribeSingularities(const SurfaceFigures& figures)
 {
   const Index positive = figures.Positive;
@@ -90,7 +87,7 @@ std::string DescribeGuidance(const std::vector<ComponentReport>& components, con
   }
   if (constraints > 0)
   {
-    text += ", " + Count(constraints, "point") + " constrained";
+    text += ", " + Count(static_cast<std::size_t>(constraints), "point") + " constrained";
   }
   return text;
 }
@@ -121,6 +118,20 @@ std::string DescribeUnitLength(
   }
   return text.str();
 }
+
+std::string DescribeIndices(const std::vector<int>& indices)
+{
+  const auto positive = std::count_if(indices.begin(), indices.end(), [](int k) { return k > 0; });
+  const auto negative = std::count_if(indices.begin(), indices.end(), [](int k) { return k < 0; });
+  const std::string sum =
+    ", index sum " + std::to_string(std::accumulate(indices.begin(), indices.end(), 0));
+  if (positive + negative == 0)
+  {
+    return "no singularities" + sum;
+  }
+  return Count(static_cast<std::size_t>(positive + negative), "singularity", "singularities") +
+    " (" + std::to_string(positive) + " +, " + std::to_string(negative) + " -)" + sum;
+}
 }
 
 std::string Summary(const SurfaceFigures& figures, const Result& field, const Options& options)
@@ -138,9 +149,64 @@ std::string Summary(const SurfaceFigures& figures, const Result& field, const Op
   std::string text = DescribeSingularities(figures) + ", index sum " + std::to_string(indexSum);
   if (components.size() > 1)
   {
-    text += " over " + Count(static_cast<Index>(components.size()), "component");
+    text += " over " + Count(components.size(), "component");
   }
   return text + DescribeConvergence(components, options) + DescribeGuidance(components, options) +
     DescribeUnitLength(components, options);
+}
+
+std::string Summary(const CurveGuidance& guidance, std::size_t curves)
+{
+  const auto guided = std::count_if(
+    guidance.Weights.begin(), guidance.Weights.end(), [](double weight) { return weight > 0.0; });
+  return Count(static_cast<std::size_t>(guided), "point") + " of " +
+    std::to_string(guidance.Weights.size()) + " guided by " + Count(curves, "curve");
+}
+
+std::string Summary(
+  const FieldDifference& difference, const std::vector<ComparedSingularity>* singularities)
+{
+  // Less is rounding.
+  constexpr double leastAngle = 1e-6;
+  const auto angle = [](double degrees) { return Figure(degrees < leastAngle ? 0.0 : degrees); };
+  std::string text = "angles between the fields " + angle(difference.Mean) +
+    " degrees on average, " + angle(difference.Maximum) + " at most";
+  if (singularities)
+  {
+    const auto count = [&](int field, bool isMatched)
+    {
+      return std::to_string(std::count_if(singularities->begin(), singularities->end(),
+        [&](const ComparedSingularity& at)
+        { return at.Field == field && (at.Match != None) == isMatched; }));
+    };
+    text += "; " + count(0, true) + " singularities match, " + count(0, false) +
+      " are in the first only, " + count(1, false) + " in the second only";
+  }
+  return text;
+}
+
+std::string SummaryOfFile(const Result& field, const std::string& name)
+{
+  return DescribeIndices(field.SingularityIndex) + ", read from " +
+    name.substr(name.find_last_of("/\\") + 1);
+}
+
+std::string SummaryOfEdit(
+  const Result& field, const EditedField& edited, RotationObjective objective)
+{
+  const bool isChanged = std::any_of(edited.Components.begin(), edited.Components.end(),
+    [](const EditedComponent& component) { return component.IsChanged; });
+  std::string text = DescribeIndices(field.SingularityIndex);
+  if (!isChanged)
+  {
+    return text + ", as given";
+  }
+  text += objective == RotationObjective::Smoothest ? ", edited to the smoothest field"
+                                                    : ", edited with least change";
+  if (!edited.WrongTriangles.empty())
+  {
+    text += ", " + Count(edited.WrongTriangles.size(), "triangle") + " with wrong indices";
+  }
+  return text;
 }
 }

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Support/Sentences.h"
+
+#include <numeric>
+#include <sstream>
+
+namespace DirectionFields::Internal
+{
+std::string Count(std::size_t number, const std::string& noun, const std::string& several)
+{
+  return std::to_string(number) + ' ' +
+    (number == 1 ? noun : (several.empty() ? noun + 's' : several));
+}
+
+std::string Figure(double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+double Sum(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+}
