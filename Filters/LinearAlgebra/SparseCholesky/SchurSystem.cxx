@@ -9,14 +9,12 @@
 
 namespace DirectionFields::Internal
 {
-SchurSystem::SchurSystem(std::vector<Entry>& entries, Index size, Index reals)
-  : Size(size)
+SchurSystem::SchurSystem(Matrix lower, Index reals)
+  : Size(static_cast<Index>(lower.cols()))
   , Reals(reals)
+  , Lower(std::move(lower))
 {
-  this->Lower.resize(size, size);
-  this->Lower.setFromTriplets(entries.begin(), entries.end());
-  std::vector<Entry>().swap(entries);
-  this->Definite = size == 0 || this->Factor.Compute(this->Lower, size - reals);
+  this->Definite = this->Size == 0 || this->Factor.Compute(this->Lower, this->Size - this->Reals);
   if (this->Definite)
   {
     this->Trailing = this->Factor.TrailingFactor();
@@ -66,7 +64,7 @@ Eigen::VectorXd SchurSystem::SolveWith(
 }
 
 Eigen::VectorXd SolveInRounds(
-  const std::vector<SchurSystem::Entry>& entries, const Eigen::VectorXd& rightHandSide, Index reals)
+  const SchurSystem::Matrix& lower, const Eigen::VectorXd& rightHandSide, Index reals)
 {
   constexpr int rounds = 4;
   const auto size = static_cast<Index>(rightHandSide.size());
@@ -88,25 +86,30 @@ Eigen::VectorXd SolveInRounds(
         side[place[i]] = rightHandSide[i];
       }
     }
-    std::vector<SchurSystem::Entry> left;
-    for (const SchurSystem::Entry& entry : entries)
+    std::vector<Eigen::Triplet<double, std::int32_t>> left;
+    for (Index j = 0; j < size; ++j)
     {
-      const Index i = entry.row();
-      const Index j = entry.col();
-      if (isFixed[i] == 0 && isFixed[j] == 0)
+      for (SchurSystem::Matrix::InnerIterator entry(lower, j); entry; ++entry)
       {
-        left.emplace_back(place[i], place[j], entry.value());
-      }
-      else if (isFixed[i] == 0)
-      {
-        side[place[i]] -= entry.value() * x[j];
-      }
-      else if (isFixed[j] == 0)
-      {
-        side[place[j]] -= entry.value() * x[i];
+        const Index i = entry.row();
+        if (isFixed[i] == 0 && isFixed[j] == 0)
+        {
+          left.emplace_back(place[i], place[j], entry.value());
+        }
+        else if (isFixed[i] == 0)
+        {
+          side[place[i]] -= entry.value() * x[j];
+        }
+        else if (isFixed[j] == 0)
+        {
+          side[place[j]] -= entry.value() * x[i];
+        }
       }
     }
-    const SchurSystem system(left, count, count);
+    SchurSystem::Matrix rest(count, count);
+    rest.setFromTriplets(left.begin(), left.end());
+    std::vector<Eigen::Triplet<double, std::int32_t>>().swap(left);
+    const SchurSystem system(std::move(rest), count);
     if (!system.IsDefinite())
     {
       return {};

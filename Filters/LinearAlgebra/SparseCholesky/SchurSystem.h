@@ -17,13 +17,11 @@ namespace DirectionFields::Internal
 class SchurSystem
 {
 public:
-  using Entry = Eigen::Triplet<double, std::int32_t>;
   using Matrix = SupernodalCholesky<double>::Matrix;
 
-  /// @param entries of the lower triangle, which add up; are taken
-  /// @param size    rows
-  /// @param reals   rows before those of the integers
-  SchurSystem(std::vector<Entry>& entries, Index size, Index reals);
+  /// @param lower the lower triangle of the matrix
+  /// @param reals rows before those of the integers
+  SchurSystem(Matrix lower, Index reals);
 
   /// False where the matrix is not positive definite up to rounding.
   bool IsDefinite() const { return this->Definite; }
@@ -53,9 +51,9 @@ private:
 /// regard to each other: first all are real, then, in a few rounds, those that are nearest to an
 /// integer get it and the rest is solved for again. Returns an empty vector where the matrix is not
 /// positive definite up to rounding.
-/// @param entries, reals as for SchurSystem
-Eigen::VectorXd SolveInRounds(const std::vector<SchurSystem::Entry>& entries,
-  const Eigen::VectorXd& rightHandSide, Index reals);
+/// @param lower, reals as for SchurSystem
+Eigen::VectorXd SolveInRounds(
+  const SchurSystem::Matrix& lower, const Eigen::VectorXd& rightHandSide, Index reals);
 }
 
 #endif

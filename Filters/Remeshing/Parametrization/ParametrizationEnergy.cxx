@@ -35,13 +35,9 @@ ParametrizationEnergy::ParametrizationEnergy(
     }
     this->Reals = areIntegers ? this->Reals : this->Count;
   }
-  // Most edges lead from one vertex to another, in each coordinate.
   const std::size_t edges = 3 * mesh.Triangles.size() / 2;
   this->Edges.reserve(edges);
-  this->Ends.reserve(2 * edges);
-  this->Terms.reserve(4 * edges);
-  this->Factors.reserve(4 * edges);
-  this->Entries.reserve((mesh.Degree == 4 ? 6 : 10) * edges);
+  this->Sums.Reserve(edges);
   for (Index t = 0; t < static_cast<Index>(mesh.Triangles.size()); ++t)
   {
     for (int c = 0; c < 3; ++c)
@@ -53,68 +49,51 @@ ParametrizationEnergy::ParametrizationEnergy(
         continue;
       }
       const double beyond = twin != None ? mesh.Triangles[twin / 3].Weight[twin % 3] : 0.0;
-      this->Edges.push_back({ 3 * t + c, std::max(LeastWeight, triangle.Weight[c] + beyond) });
-      this->AddEdge(this->Edges.back());
+      this->AddEdge(3 * t + c, std::max(LeastWeight, triangle.Weight[c] + beyond));
     }
   }
   this->Edges.shrink_to_fit();
-  this->Ends.shrink_to_fit();
-  this->Terms.shrink_to_fit();
-  this->Factors.shrink_to_fit();
+  this->Sums.ShrinkToFit();
 }
 
-void ParametrizationEnergy::AddEdge(const Edge& edge)
+void ParametrizationEnergy::AddEdge(Index halfEdge, double weight)
 {
-  const Index t = edge.HalfEdge / 3;
-  const int c = edge.HalfEdge % 3;
+  const Index t = halfEdge / 3;
+  const int c = halfEdge % 3;
   SymbolicGridPoint difference = this->Variables.Corner(t, (c + 1) % 3);
   difference.Add(this->Variables.Corner(t, c), -1);
   const std::array<IntegerSum, 2> sums = { this->Variables.Solved.Resolve(difference.A),
     this->Variables.Solved.Resolve(difference.B) };
-  // |a + b zeta|^2 = a^2 + b^2 + 2 Re(zeta) a b
-  const double mixed = this->Mixed();
+  std::array<std::vector<EdgeSums::Term>, 2> coordinates;
   for (int i = 0; i < 2; ++i)
   {
     for (const auto& [v, p] : sums[i])
     {
-      const Index row = this->Slot[v];
-      this->Terms.push_back(row);
-      this->Factors.push_back(static_cast<double>(p));
-      for (int j = 0; j < 2; ++j)
-      {
-        const double factor = edge.Weight * static_cast<double>(p) * (i == j ? 1.0 : mixed);
-        for (const auto& [w, q] : sums[j])
-        {
-          const Index column = this->Slot[w];
-          if (factor != 0.0 && column <= row)
-          {
-            this->Entries.emplace_back(row, column, factor * static_cast<double>(q));
-          }
-        }
-      }
+      coordinates[i].push_back({ this->Slot[v], static_cast<double>(p) });
     }
-    this->Ends.push_back(this->Terms.size());
+    std::sort(coordinates[i].begin(), coordinates[i].end(),
+      [](const EdgeSums::Term& a, const EdgeSums::Term& b) { return a.Variable < b.Variable; });
   }
+  this->Edges.push_back(halfEdge);
+  this->Sums.Append(weight, coordinates);
 }
 
 Eigen::VectorXd ParametrizationEnergy::RightHandSide(const std::vector<double>& perLength) const
 {
   Eigen::VectorXd side = Eigen::VectorXd::Zero(this->Count);
-  std::size_t k = 0;
   for (std::size_t e = 0; e < this->Edges.size(); ++e)
   {
-    const CutMesh::MapTriangle& triangle = this->GetMesh().Triangles[this->Edges[e].HalfEdge / 3];
-    const int c = this->Edges[e].HalfEdge % 3;
+    const CutMesh::MapTriangle& triangle = this->GetMesh().Triangles[this->Edges[e] / 3];
+    const int c = this->Edges[e] % 3;
     const double size =
       0.5 * (perLength[triangle.Vertex[c]] + perLength[triangle.Vertex[(c + 1) % 3]]);
     const std::array<double, 2> target = this->Plane.Coordinates(size * triangle.Target[c]);
     for (int i = 0; i < 2; ++i)
     {
-      const double value = this->Edges[e].Weight * (target[i] + this->Mixed() * target[1 - i]);
-      for (; k < this->Ends[2 * e + i]; ++k)
-      {
-        side[this->Terms[k]] += this->Factors[k] * value;
-      }
+      // |a + b zeta|^2 = a^2 + b^2 + 2 Re(zeta) a b
+      const double value = this->Sums.GetWeight(e) * (target[i] + this->Mixed() * target[1 - i]);
+      this->Sums.ForTerms(
+        e, i, [&](Index variable, double factor) { side[variable] += factor * value; });
     }
   }
   return side;
@@ -187,7 +166,7 @@ const SchurSystem& ParametrizationEnergy::GetSystem()
 {
   if (!this->System)
   {
-    this->System.emplace(this->Entries, this->Count, this->Reals);
+    this->System.emplace(this->Sums.Squares(this->Count, this->Mixed()), this->Reals);
   }
   this->System->Restore();
   return *this->System;
@@ -203,6 +182,7 @@ void ParametrizationEnergy::Shrink(std::size_t mostValues)
 
 Eigen::VectorXd ParametrizationEnergy::SolveInRounds(const Eigen::VectorXd& rightHandSide) const
 {
-  return Internal::SolveInRounds(this->Entries, rightHandSide, this->Reals);
+  return Internal::SolveInRounds(
+    this->Sums.Squares(this->Count, this->Mixed()), rightHandSide, this->Reals);
 }
 }

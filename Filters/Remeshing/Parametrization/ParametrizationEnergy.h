@@ -4,6 +4,7 @@
 #ifndef DirectionFields_ParametrizationEnergy_h
 #define DirectionFields_ParametrizationEnergy_h
 
+#include "Parametrization/EdgeSums.h"
 #include "Parametrization/ParametrizationVariables.h"
 #include "SparseCholesky/SchurSystem.h"
 
@@ -51,13 +52,7 @@ public:
   Eigen::VectorXd SolveInRounds(const Eigen::VectorXd& rightHandSide) const;
 
 private:
-  /// An edge by the half-edge that its target is in the chart of.
-  struct Edge
-  {
-    Index HalfEdge;
-    double Weight;
-  };
-  void AddEdge(const Edge& edge);
+  void AddEdge(Index halfEdge, double weight);
   double Mixed() const { return this->Plane.GetDegree() == 4 ? 0.0 : 0.5; }
 
   IntegerGrid Plane;
@@ -67,15 +62,10 @@ private:
   std::vector<Index> Slot;
   Index Count = 0;
   Index Reals = 0;
-  /// Of the matrix, until it is factored.
-  std::vector<SchurSystem::Entry> Entries;
   std::optional<SchurSystem> System;
-  std::vector<Edge> Edges;
-  /// The variables in the sums that are the two coordinates of each edge, their factors, and the
-  /// end of each coordinate's sum.
-  std::vector<Index> Terms;
-  std::vector<double> Factors;
-  std::vector<std::size_t> Ends;
+  /// The half-edge of each edge, in whose triangle's chart its target is.
+  std::vector<Index> Edges;
+  EdgeSums Sums;
 };
 }
 

@@ -127,10 +127,10 @@ TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
 TEST(SchurSystem, SolvesAmongIntegers)
 {
   // Springs in a row between 0 and 10, of which the third of four joints is an integer.
-  std::vector<SchurSystem::Entry> entries = { { 0, 0, 2.0 }, { 1, 1, 2.0 }, { 2, 2, 2.0 },
-    { 3, 3, 2.0 }, { 1, 0, -1.0 }, { 3, 1, -1.0 }, { 3, 2, -1.0 } };
-  const std::vector<SchurSystem::Entry> kept = entries;
-  SchurSystem system(entries, 4, 3);
+  Eigen::Matrix4d springs;
+  springs << 2.0, 0.0, 0.0, 0.0, -1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, -1.0, -1.0, 2.0;
+  const SchurSystem::Matrix lower = springs.sparseView();
+  SchurSystem system(lower, 3);
   ASSERT_TRUE(system.IsDefinite());
   Eigen::VectorXd side(4);
   side << 0.0, 0.0, 10.0, 0.0;
@@ -149,7 +149,7 @@ TEST(SchurSystem, SolvesAmongIntegers)
     EXPECT_EQ(system.Solve(side), relaxed);
   }
   side *= 0.9;
-  const Eigen::VectorXd rounded = SolveInRounds(kept, side, 3);
+  const Eigen::VectorXd rounded = SolveInRounds(lower, side, 3);
   EXPECT_EQ(rounded[3], 5.0);
   EXPECT_NEAR(rounded[1], 10.0 / 3.0, 1e-12);
 }
