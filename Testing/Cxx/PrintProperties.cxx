@@ -5,16 +5,16 @@
 // ParaView, for comparison with the server manager's. Switches and names of arrays have no range, names that
 // are not set are null.
 
-#include "vtkCompareDirectionFields.h"
-#include "vtkDirectionFieldGlyphs.h"
-#include "vtkDirectionFieldReader.h"
-#include "vtkDirectionFieldSingularities.h"
-#include "vtkDirectionFieldStreamlines.h"
-#include "vtkDirectionFieldWriter.h"
-#include "vtkFieldAlignedRemesh.h"
-#include "vtkGuidanceCurves.h"
+#include "vtkPCompareDirectionFields.h"
 #include "vtkPDirectionField.h"
-#include "vtkStripePattern.h"
+#include "vtkPDirectionFieldGlyphs.h"
+#include "vtkPDirectionFieldReader.h"
+#include "vtkPDirectionFieldSingularities.h"
+#include "vtkPDirectionFieldStreamlines.h"
+#include "vtkPDirectionFieldWriter.h"
+#include "vtkPFieldAlignedRemesh.h"
+#include "vtkPGuidanceCurves.h"
+#include "vtkPStripePattern.h"
 
 #include "vtkNew.h"
 
@@ -104,7 +104,8 @@ void PrintDirectionField()
 void PrintGlyphs()
 {
   Properties properties("DirectionFieldGlyphs");
-  vtkNew<vtkDirectionFieldGlyphs> filter;
+  vtkNew<vtkPDirectionFieldGlyphs> filter;
+  RANGE(GatherLimit);
   RANGE(GlyphType);
   RANGE(GlyphMode);
   RANGE(Side);
@@ -118,7 +119,8 @@ void PrintGlyphs()
 void PrintStreamlines()
 {
   Properties properties("DirectionFieldStreamlines");
-  vtkNew<vtkDirectionFieldStreamlines> filter;
+  vtkNew<vtkPDirectionFieldStreamlines> filter;
+  RANGE(GatherLimit);
   RANGE(SeedType);
   RANGE(SeparatingDistance);
   RANGE(SeparatingDistanceRatio);
@@ -133,7 +135,8 @@ void PrintStreamlines()
 void PrintRemesh()
 {
   Properties properties("FieldAlignedRemesh");
-  vtkNew<vtkFieldAlignedRemesh> filter;
+  vtkNew<vtkPFieldAlignedRemesh> filter;
+  RANGE(GatherLimit);
   RANGE(Element);
   VALUE(PureQuads);
   RANGE(SizeMode);
@@ -152,7 +155,8 @@ void PrintRemesh()
 void PrintStripes()
 {
   Properties properties("StripePattern");
-  vtkNew<vtkStripePattern> filter;
+  vtkNew<vtkPStripePattern> filter;
+  RANGE(GatherLimit);
   RANGE(StripeDirection);
   RANGE(Spacing);
   RANGE(LineOffset);
@@ -164,7 +168,8 @@ void PrintStripes()
 void PrintEdit()
 {
   Properties properties("EditSingularities");
-  vtkNew<vtkDirectionFieldSingularities> filter;
+  vtkNew<vtkPDirectionFieldSingularities> filter;
+  RANGE(GatherLimit);
   RANGE(SingularityMode);
   RANGE(Objective);
   VALUE(BalanceAutomatically);
@@ -180,14 +185,16 @@ void PrintEdit()
 void PrintReader()
 {
   Properties properties("ReadDirectionField");
-  vtkNew<vtkDirectionFieldReader> filter;
+  vtkNew<vtkPDirectionFieldReader> filter;
+  RANGE(GatherLimit);
   RANGE(FieldOn);
 }
 
 void PrintWriter()
 {
   Properties properties("DirectionFieldWriter");
-  vtkNew<vtkDirectionFieldWriter> filter;
+  vtkNew<vtkPDirectionFieldWriter> filter;
+  RANGE(GatherLimit);
   RANGE(FieldOn);
   RANGE(FeatureAngle);
   RANGE(MinimumFeatureLength);
@@ -196,7 +203,8 @@ void PrintWriter()
 void PrintCurves()
 {
   Properties properties("GuidanceFromCurves");
-  vtkNew<vtkGuidanceCurves> filter;
+  vtkNew<vtkPGuidanceCurves> filter;
+  RANGE(GatherLimit);
   RANGE(Degree);
   RANGE(Radius);
   RANGE(Falloff);
@@ -206,7 +214,8 @@ void PrintCurves()
 void PrintComparison()
 {
   Properties properties("CompareDirectionFields");
-  vtkNew<vtkCompareDirectionFields> filter;
+  vtkNew<vtkPCompareDirectionFields> filter;
+  RANGE(GatherLimit);
   VALUE(MatchSingularities);
   VALUE(DivergenceAndCurl);
 }

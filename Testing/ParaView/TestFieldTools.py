@@ -19,8 +19,9 @@ FOLDER = os.path.join(sys.argv[3], "FieldTools")
 os.makedirs(FOLDER, exist_ok=True)
 ENUMERATIONS = {"ReadDirectionField": ["Automatic", "Cells", "Points"],
                 "DirectionFieldWriter": ["Cells", "Points"]}
-ADVANCED = {"ReadDirectionField": ["FieldOn"], "DirectionFieldWriter": [],
-            "GuidanceFromCurves": ["Falloff", "MaximumDistance"], "CompareDirectionFields": []}
+ADVANCED = {"ReadDirectionField": ["FieldOn", "GatherLimit"], "DirectionFieldWriter": [],
+            "GuidanceFromCurves": ["Falloff", "GatherLimit", "MaximumDistance"],
+            "CompareDirectionFields": ["GatherLimit"]}
 
 
 def mesh():

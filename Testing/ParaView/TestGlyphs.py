@@ -20,7 +20,7 @@ ENUMERATIONS = {
     "GlyphMode": ["Spread Evenly", "All Points"],
     "Side": ["Automatic", "Front", "Back", "Both"],
 }
-ADVANCED = ("Side", "Offset", "FollowSurface")
+ADVANCED = ("GatherLimit", "Side", "Offset", "FollowSurface")
 
 
 def make(degree=4, **properties):

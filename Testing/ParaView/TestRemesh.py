@@ -19,7 +19,7 @@ ENUMERATIONS = {
     "SizeMode": ["Number Of Faces", "Edge Length"],
     "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("SizingArray", "AlignmentStrength", "SmoothingIterations", "KeepStages", "NumberOfThreads")
+ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SmoothingIterations", "KeepStages", "NumberOfThreads")
 
 
 def number(data, name):

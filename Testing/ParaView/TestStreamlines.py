@@ -19,7 +19,7 @@ ENUMERATIONS = {
     "SeedType": ["Evenly Spaced", "Singularities", "Points"],
     "IntegrationDirection": ["Both", "Forward", "Backward"],
 }
-ADVANCED = ("SeedSource", "SeparatingDistanceRatio", "MinimumStreamlineLength",
+ADVANCED = ("GatherLimit", "SeedSource", "SeparatingDistanceRatio", "MinimumStreamlineLength",
             "MaximumNumberOfLines", "Offset")
 # Which properties are shown for which seed type only.
 SHOWN_FOR = {"SeparatingDistance": "0", "SeparatingDistanceRatio": "0", "StopAtCrossings": "1",

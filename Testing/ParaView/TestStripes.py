@@ -16,7 +16,7 @@ LoadPlugin(sys.argv[1], remote=False, ns=globals())
 AllFigures.switch_on()
 
 ENUMERATIONS = {"StripeDirection": ["Along Field", "Across Field"]}
-ADVANCED = ("SpacingArray", "LineOffset", "Bands", "TextureCoordinates")
+ADVANCED = ("GatherLimit", "SpacingArray", "LineOffset", "Bands", "TextureCoordinates")
 
 
 def number(data, name):

@@ -172,16 +172,28 @@ def compare_comparisons(whole, pieces, name):
     compare_datasets(one, other, name, (1,))
 
 
+def write(kind, directory, data):
+    """The lines of the files that a writer leaves in a directory of this process."""
+    os.mkdir(directory)
+    writer = getattr(directionfields_vtk, kind)()
+    writer.SetFileName(os.path.join(directory, "field.rosy"))
+    writer.SetFieldOn(writer.POINTS)
+    writer.SetInputData(data)
+    writer.Write()
+    check(writer.GetErrorCode() == 0, kind, writer.GetErrorCode())
+    return {name: open(os.path.join(directory, name)).read().splitlines() for name in sorted(os.listdir(directory))}
+
+
 def compare_files(whole, pieces, name):
-    # Each process has the file of its own, which only the one that gathers reads.
+    # Each process has the file of its own, which only the one that gathers reads and writes.
     with tempfile.TemporaryDirectory() as directory:
-        path = os.path.join(directory, "field.rosy")
-        writer = directionfields_vtk.vtkDirectionFieldWriter()
-        writer.SetFileName(path)
-        writer.SetFieldOn(directionfields_vtk.vtkDirectionFieldWriter.POINTS)
-        writer.SetInputData(whole)
-        writer.Write()
-        options = {"FileName": path, "FieldOn": directionfields_vtk.vtkDirectionFieldReader.POINTS}
+        wanted = write("vtkDirectionFieldWriter", os.path.join(directory, "whole"), whole)
+        found = write("vtkPDirectionFieldWriter", os.path.join(directory, "pieces"), pieces)
+        check(total(len(found)) == len(wanted) == 3, name, "files", list(found), list(wanted))
+        check(not found or found == wanted, name, "files differ",
+              [pair for key in found for pair in zip(found[key], wanted[key]) if pair[0] != pair[1]][:4])
+        options = {"FileName": os.path.join(directory, "whole", "field.rosy"),
+                   "FieldOn": directionfields_vtk.vtkDirectionFieldReader.POINTS}
         one = run("vtkDirectionFieldReader", options, whole)
         other = run("vtkPDirectionFieldReader", options, pieces)
         compare_surfaces(one, other, name)
@@ -200,10 +212,10 @@ def main():
         owner = Surfaces.owners(points, triangles, way, count)
         own = Surfaces.piece(points, triangles, arrays_of(points), owner, rank, ids=True)
         all_of_it = whole_in_order(points, triangles, owner)
+        fields = {degree: (field_of("vtkDirectionField", all_of_it, Degree=degree),
+                           field_of("vtkPDirectionField", own, Degree=degree)) for degree in (2, 4)}
         for name, (degree, compare) in FILTERS.items():
-            compare(field_of("vtkDirectionField", all_of_it, Degree=degree),
-                    field_of("vtkPDirectionField", own, Degree=degree),
-                    f"{name}, {way}, process {rank} of {count}")
+            compare(*fields[degree], f"{name}, {way}, process {rank} of {count}")
 
 
 main()

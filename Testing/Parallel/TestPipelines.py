@@ -83,6 +83,24 @@ def whole_ellipsoid():
     return whole
 
 
+def check_file(field):
+    """Points of several pieces have one row, as one process writes them."""
+    whole = whole_ellipsoid()
+    whole.Update()
+    surface = whole.GetOutput()
+    name = os.path.join(directory, "written%d" % count)
+    for ending in ("rosy", "obj", "sharp"):
+        if os.path.exists(f"{name}.{ending}"):
+            os.remove(f"{name}.{ending}")
+    simple.SaveData(name + ".rosy", field, FieldOn="Points")
+    with open(name + ".obj") as mesh:
+        lines = [line.split()[:1] for line in mesh]
+    assert lines.count(["v"]) == surface.GetNumberOfPoints(), (lines.count(["v"]), surface.GetNumberOfPoints())
+    assert lines.count(["f"]) == surface.GetNumberOfPolys(), (lines.count(["f"]), surface.GetNumberOfPolys())
+    with open(name + ".rosy") as rows:
+        assert rows.readline().split() == [str(surface.GetNumberOfPoints())], "rows"
+
+
 def main():
     wanted = serial(whole_contour())
     surface = contour()
@@ -95,6 +113,7 @@ def main():
     wanted = serial(whole_ellipsoid())
     field = simple.DirectionField(Input=ellipsoid(), Diagnostics=1)
     check(field, wanted, "sources")
+    check_file(field)
     parts = simple.RedistributeDataSet(Input=ellipsoid())
     check(simple.DirectionField(
         Input=simple.ExtractSurface(Input=parts), Diagnostics=1), wanted, "redistributed")

@@ -17,7 +17,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 
 import Surfaces
 from directionfields_vtk import (vtkDirectionField, vtkDirectionFieldGlyphs, vtkPDirectionField,
-                                 vtkPDirectionFieldGlyphs)
+                                 vtkPDirectionFieldGlyphs, vtkPGatheredSurface, vtkPStripePattern)
 
 controller = vtkMultiProcessController.GetGlobalController()
 rank, count = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
@@ -51,14 +51,14 @@ def whole_mesh():
     return Surfaces.piece(points, triangles, {}, owner * 0, 0)
 
 
-def messages_of(algorithm):
+def messages_of(algorithm, event="ErrorEvent"):
     found = []
 
     def hear(source, event, message):
         found.append(message)
     hear.CallDataType = "string0"
     for source in (algorithm, algorithm.GetExecutive()):
-        source.AddObserver("ErrorEvent", hear)
+        source.AddObserver(event, hear)
     return found
 
 
@@ -326,13 +326,8 @@ def test_failure_upstream():
 
 def warned(limit, distribution):
     """The warnings of the field, those of all processes, and how it was computed."""
-    heard = []
-
-    def hear(source, event, message):
-        heard.append(message)
-    hear.CallDataType = "string0"
     field = vtkPDirectionField()
-    field.AddObserver("WarningEvent", hear)
+    heard = messages_of(field, "WarningEvent")
     field.SetGatherLimit(limit)
     field.SetDistribution(distribution)
     field.SetInputData(own_piece())
@@ -354,12 +349,30 @@ def test_limit():
         check((text, count, used) == ("", 0, 2), text, count, used)
         return
     check("libpetsc-complex-dev" in text and (count, used) == (1, 1), text, count, used)
+
     field = vtkPDirectionField()
     field.SetDistribution(vtkPDirectionField.DISTRIBUTED)
     field.SetInputData(own_piece())
     heard = messages_of(field)
     field.Update()
     check("libpetsc-complex-dev" in "".join(heard) and field.GetOutput().GetNumberOfCells() == 0, heard)
+
+
+def test_limit_of_filters():
+    """The filters after the field warn beyond the same limit, in the same words, on one process."""
+    field = vtkPDirectionField()
+    field.SetDegree(2)
+    field.SetInputData(own_piece())
+    for kind in (vtkPDirectionFieldGlyphs, vtkPStripePattern, vtkPGatheredSurface):
+        for limit, wanted in ((len(triangles), 0), (len(triangles) - 1, 1), (-5, 1)):
+            limited = kind()
+            heard = messages_of(limited, "WarningEvent")
+            limited.SetGatherLimit(limit)
+            check(limited.GetGatherLimit() == max(limit, 0), "limit", limited.GetGatherLimit())
+            limited.SetInputConnection(field.GetOutputPort())
+            limited.Update()
+            check(reduced(len(heard)) == wanted, kind.__name__, limit, heard)
+            check(all("more than Gather Limit" in text for text in heard), heard)
 
 
 def test_controllers():
@@ -383,7 +396,7 @@ def test_controllers():
 
 
 for test in (test_controllers, test_glyphs, test_error, test_stop, test_empty, test_arrays, test_field_data,
-             test_composite, test_failure_upstream, test_limit):
+             test_composite, test_failure_upstream, test_limit, test_limit_of_filters):
     test()
 if rank == 0:
     # Open MPI 5 may lose what is still on its way when processes end.

@@ -18,31 +18,16 @@
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
 #include "vtkPDirectionFieldFilter.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkCompareDirectionFields vtkPDirectionFieldFilter<vtkCompareDirectionFields>
-#endif
 class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPCompareDirectionFields
-  : public vtkCompareDirectionFields
-#ifndef __VTK_WRAP__
-#undef vtkCompareDirectionFields
-#endif
+  : public vtkPDirectionFieldFilterOf(vtkCompareDirectionFields)
 {
 public:
   static vtkPCompareDirectionFields* New();
   vtkTypeMacro(vtkPCompareDirectionFields, vtkCompareDirectionFields);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPCompareDirectionFields();
+    protected : vtkPCompareDirectionFields();
   ~vtkPCompareDirectionFields() override = default;
 
 private:

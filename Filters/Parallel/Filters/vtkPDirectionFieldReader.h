@@ -19,31 +19,16 @@
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
 #include "vtkPDirectionFieldFilter.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkDirectionFieldReader vtkPDirectionFieldFilter<vtkDirectionFieldReader>
-#endif
 class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPDirectionFieldReader
-  : public vtkDirectionFieldReader
-#ifndef __VTK_WRAP__
-#undef vtkDirectionFieldReader
-#endif
+  : public vtkPDirectionFieldFilterOf(vtkDirectionFieldReader)
 {
 public:
   static vtkPDirectionFieldReader* New();
   vtkTypeMacro(vtkPDirectionFieldReader, vtkDirectionFieldReader);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPDirectionFieldReader();
+    protected : vtkPDirectionFieldReader();
   ~vtkPDirectionFieldReader() override = default;
 
 private:

@@ -20,31 +20,16 @@
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
 #include "vtkPDirectionFieldFilter.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkDirectionFieldSingularities vtkPDirectionFieldFilter<vtkDirectionFieldSingularities>
-#endif
 class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPDirectionFieldSingularities
-  : public vtkDirectionFieldSingularities
-#ifndef __VTK_WRAP__
-#undef vtkDirectionFieldSingularities
-#endif
+  : public vtkPDirectionFieldFilterOf(vtkDirectionFieldSingularities)
 {
 public:
   static vtkPDirectionFieldSingularities* New();
   vtkTypeMacro(vtkPDirectionFieldSingularities, vtkDirectionFieldSingularities);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPDirectionFieldSingularities();
+    protected : vtkPDirectionFieldSingularities();
   ~vtkPDirectionFieldSingularities() override = default;
 
 private:

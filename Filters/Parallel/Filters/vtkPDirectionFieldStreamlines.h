@@ -19,31 +19,16 @@
 #include "vtkDirectionFieldsFiltersParallelModule.h" // For export macro
 #include "vtkPDirectionFieldFilter.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkDirectionFieldStreamlines vtkPDirectionFieldFilter<vtkDirectionFieldStreamlines>
-#endif
 class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPDirectionFieldStreamlines
-  : public vtkDirectionFieldStreamlines
-#ifndef __VTK_WRAP__
-#undef vtkDirectionFieldStreamlines
-#endif
+  : public vtkPDirectionFieldFilterOf(vtkDirectionFieldStreamlines)
 {
 public:
   static vtkPDirectionFieldStreamlines* New();
   vtkTypeMacro(vtkPDirectionFieldStreamlines, vtkDirectionFieldStreamlines);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPDirectionFieldStreamlines();
+    protected : vtkPDirectionFieldStreamlines();
   ~vtkPDirectionFieldStreamlines() override = default;
 
 private:

@@ -17,30 +17,16 @@
 #include "vtkFieldAlignedRemesh.h"
 #include "vtkPDirectionFieldFilter.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkFieldAlignedRemesh vtkPDirectionFieldFilter<vtkFieldAlignedRemesh>
-#endif
-class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPFieldAlignedRemesh : public vtkFieldAlignedRemesh
-#ifndef __VTK_WRAP__
-#undef vtkFieldAlignedRemesh
-#endif
+class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPFieldAlignedRemesh
+  : public vtkPDirectionFieldFilterOf(vtkFieldAlignedRemesh)
 {
 public:
   static vtkPFieldAlignedRemesh* New();
   vtkTypeMacro(vtkPFieldAlignedRemesh, vtkFieldAlignedRemesh);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPFieldAlignedRemesh();
+    protected : vtkPFieldAlignedRemesh();
   ~vtkPFieldAlignedRemesh() override = default;
 
 private:

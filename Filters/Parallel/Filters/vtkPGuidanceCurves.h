@@ -18,30 +18,16 @@
 #include "vtkGuidanceCurves.h"
 #include "vtkPDirectionFieldFilter.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkGuidanceCurves vtkPDirectionFieldFilter<vtkGuidanceCurves>
-#endif
-class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPGuidanceCurves : public vtkGuidanceCurves
-#ifndef __VTK_WRAP__
-#undef vtkGuidanceCurves
-#endif
+class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPGuidanceCurves
+  : public vtkPDirectionFieldFilterOf(vtkGuidanceCurves)
 {
 public:
   static vtkPGuidanceCurves* New();
   vtkTypeMacro(vtkPGuidanceCurves, vtkGuidanceCurves);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPGuidanceCurves();
+    protected : vtkPGuidanceCurves();
   ~vtkPGuidanceCurves() override = default;
 
 private:

@@ -17,30 +17,16 @@
 #include "vtkPDirectionFieldFilter.h"
 #include "vtkStripePattern.h"
 
-class vtkMultiProcessController;
-
-// The wrappers for Python and for clients of a server take no templates as base classes.
-#ifndef __VTK_WRAP__
-#define vtkStripePattern vtkPDirectionFieldFilter<vtkStripePattern>
-#endif
-class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPStripePattern : public vtkStripePattern
-#ifndef __VTK_WRAP__
-#undef vtkStripePattern
-#endif
+class VTKDIRECTIONFIELDSFILTERSPARALLEL_EXPORT vtkPStripePattern
+  : public vtkPDirectionFieldFilterOf(vtkStripePattern)
 {
 public:
   static vtkPStripePattern* New();
   vtkTypeMacro(vtkPStripePattern, vtkStripePattern);
 
-#ifdef __VTK_WRAP__
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  void SetGatherLimit(vtkIdType limit);
-  vtkIdType GetGatherLimit();
-#endif
+  vtkPDirectionFieldFilterMethods
 
-protected:
-  vtkPStripePattern();
+    protected : vtkPStripePattern();
   ~vtkPStripePattern() override = default;
 
 private:

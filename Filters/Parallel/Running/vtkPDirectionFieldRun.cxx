@@ -131,6 +131,13 @@ bool GatheringRun::HasSeveralProcesses() const
   return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
 }
 
+bool GatheringRun::SetGatherLimit(vtkIdType limit)
+{
+  const vtkIdType before = this->GatherLimit;
+  this->GatherLimit = std::max<vtkIdType>(0, std::min<vtkIdType>(limit, LargestGatherLimit));
+  return this->GatherLimit != before;
+}
+
 void GatheringRun::FillInputPort(int port, vtkInformation* info)
 {
   if (port == 0)
@@ -202,10 +209,10 @@ void GatheringRun::Deliver(Processes& processes, const WholeSurface& whole, vtkP
         outputs[k]->ShallowCopy(wholes[k]);
       }
     }
-    else if (hasCells)
+    else if (hasCells || (kind == OutputKind::OfPoints && !whole.IsInPlace))
     {
-      ScatterParts(
-        processes, gathered, PartsBelongTo::Cells, isThere ? wholes[k] : nullptr, outputs[k]);
+      ScatterParts(processes, gathered, hasCells ? PartsBelongTo::Cells : PartsBelongTo::Points,
+        isThere ? wholes[k] : nullptr, outputs[k]);
     }
     else
     {

@@ -32,7 +32,9 @@ enum class OutputKind
   /// it stays on one process as well.
   Surface,
   /// Points with a CellId of the surface, which go where that cell is.
-  OfCells
+  OfCells,
+  /// Cells with a PointId of the surface, which go where that point is.
+  OfPoints
 };
 
 /// The second input of a filter.
@@ -92,7 +94,12 @@ public:
     const FilterWork& work, vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   /// Beyond this number of polygons it warns.
-  vtkIdType GatherLimit = 20000000;
+  /// @param limit 0 to LargestGatherLimit; another one becomes the nearest of these
+  /// @return whether that is another one than before
+  bool SetGatherLimit(vtkIdType limit);
+  vtkIdType GetGatherLimit() const { return this->GatherLimit; }
+  /// The most triangles that one process can take.
+  static constexpr vtkIdType LargestGatherLimit = 715827882;
 
 private:
   void RunOnPiece(Processes& processes, const FilterWork& work, vtkPolyData* piece,
@@ -106,6 +113,7 @@ private:
   vtkAlgorithm* Filter;
   PortKinds Ports;
   vtkMultiProcessController* Controller = nullptr;
+  vtkIdType GatherLimit = 20000000;
 };
 }
 

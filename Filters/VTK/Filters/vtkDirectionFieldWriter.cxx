@@ -71,9 +71,8 @@ int vtkDirectionFieldWriter::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldWriter::WriteFiles()
+void vtkDirectionFieldWriter::WriteFiles(vtkPolyData* input)
 {
-  vtkPolyData* input = this->GetInput();
   if (!input || !this->FileName || !*this->FileName)
   {
     throw std::invalid_argument("There is no File Name to write to, or no input.");
@@ -99,22 +98,30 @@ void vtkDirectionFieldWriter::WriteFiles()
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectionFieldWriter::WriteData()
+std::string vtkDirectionFieldWriter::WriteSurface(vtkPolyData* surface)
 {
-  std::string error;
   try
   {
-    this->WriteFiles();
-    return;
+    this->WriteFiles(surface);
+    return {};
   }
   catch (const std::bad_alloc&)
   {
-    error = "Out of memory. Decimate the surface or process it in parts.";
+    return "Out of memory. Decimate the surface or process it in parts.";
   }
   catch (const std::exception& exception)
   {
-    error = exception.what();
+    return exception.what();
   }
-  vtkErrorMacro(<< error);
-  this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldWriter::WriteData()
+{
+  const std::string error = this->WriteSurface(this->GetInput());
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+  }
 }

@@ -38,6 +38,8 @@
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 #include "vtkWriter.h"
 
+#include <string>
+
 class vtkPolyData;
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionFieldWriter : public vtkWriter
@@ -105,12 +107,16 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
 
+  /// Writes the files of a surface, for writers of several processes.
+  /// @return why it could not; empty where it has
+  std::string WriteSurface(vtkPolyData* surface);
+
 private:
   vtkDirectionFieldWriter(const vtkDirectionFieldWriter&) = delete;
   void operator=(const vtkDirectionFieldWriter&) = delete;
 
   /// Everything but the handling of errors.
-  void WriteFiles();
+  void WriteFiles(vtkPolyData* surface);
 
   char* FileName;
   int FieldOn;

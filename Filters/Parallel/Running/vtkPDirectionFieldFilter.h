@@ -24,6 +24,22 @@
 
 #include <utility> // For std::move
 
+// The wrappers for Python and for clients of a server take no templates as base classes: they read
+// the base class itself, and what vtkPDirectionFieldFilter adds to it.
+#ifdef __VTK_WRAP__
+#define vtkPDirectionFieldFilterOf(base) base
+#define vtkPDirectionFieldFilterMethods                                                            \
+  void SetController(vtkMultiProcessController* controller);                                       \
+  vtkMultiProcessController* GetController();                                                      \
+  void SetGatherLimit(vtkIdType limit);                                                            \
+  vtkIdType GetGatherLimit();                                                                      \
+  vtkIdType GetGatherLimitMinValue();                                                              \
+  vtkIdType GetGatherLimitMaxValue();
+#else
+#define vtkPDirectionFieldFilterOf(base) vtkPDirectionFieldFilter<base>
+#define vtkPDirectionFieldFilterMethods
+#endif
+
 template <typename Base>
 class vtkPDirectionFieldFilter : public Base
 {
@@ -32,7 +48,7 @@ public:
   {
     this->Base::PrintSelf(os, indent);
     os << indent << "Controller: " << this->GetController() << "\n";
-    os << indent << "GatherLimit: " << this->Run.GatherLimit << "\n";
+    os << indent << "GatherLimit: " << this->Run.GetGatherLimit() << "\n";
   }
 
   ///@{
@@ -55,17 +71,19 @@ public:
   ///@{
   /**
    * A surface of more polygons than this is gathered with a warning, which says how much memory
-   * that takes. Default: 20000000, as of vtkPDirectionField.
+   * that takes. Range 0 to 715827882, the most triangles that one process can take; default
+   * 20000000, as of vtkPDirectionField.
    */
   void SetGatherLimit(vtkIdType limit)
   {
-    if (limit != this->Run.GatherLimit)
+    if (this->Run.SetGatherLimit(limit))
     {
-      this->Run.GatherLimit = limit;
       this->Modified();
     }
   }
-  vtkIdType GetGatherLimit() { return this->Run.GatherLimit; }
+  vtkIdType GetGatherLimit() { return this->Run.GetGatherLimit(); }
+  vtkIdType GetGatherLimitMinValue() { return 0; }
+  vtkIdType GetGatherLimitMaxValue() { return this->Run.LargestGatherLimit; }
   ///@}
 
 protected:
