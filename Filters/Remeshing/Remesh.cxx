@@ -7,6 +7,7 @@
 #include "Finishing/FaceSources.h"
 #include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
+#include "Finishing/MeshAdvice.h"
 #include "Parametrization/ComponentMap.h"
 #include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedField.h"
@@ -271,6 +272,45 @@ void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& 
   result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
 }
 
+/// The sentences about the finished mesh.
+void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& result)
+{
+  const RemeshOptions& options = request.Options;
+  const std::vector<double>& sizes = request.Sizes.AtPoints;
+  MeshWishes wishes;
+  wishes.IsOfQuads = options.Element == Element::Quads;
+  wishes.IsSmoothed = options.SmoothingIterations > 0;
+  wishes.NumberOfFaces = options.UseEdgeLength ? 0 : options.NumberOfFaces;
+  wishes.EdgeLength = result.EdgeLength;
+  wishes.Extent = Extent(request.Input);
+  wishes.ToSurface = result.MaximumDistance;
+  wishes.ToMesh = result.MaximumDistanceToMesh;
+  for (std::size_t v = 0; !options.Sizing.empty() && v < result.Points.size(); ++v)
+  {
+    const Triangle& t = request.Input.Triangles[result.SourceTriangle[v]];
+    const std::array<double, 3>& w = result.SourceWeights[v];
+    wishes.Sizes.push_back(
+      result.EdgeLength * (w[0] * sizes[t[0]] + w[1] * sizes[t[1]] + w[2] * sizes[t[2]]));
+  }
+  for (const std::vector<std::string>& sentences : { MeshAdvice(mesh.Points, mesh.Cells, wishes),
+         TopologyAdvice(CountTouching(request.Field.GetGeometry().Mesh,
+                          request.Field.GetSurface().GetOriginals()),
+           result.EulerCharacteristicBefore, result.EulerCharacteristicAfter, result.EdgeLength) })
+  {
+    result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
+  }
+  const std::vector<Triangle>& triangles = request.Input.Triangles;
+  const Index vanished =
+    CountUnused(triangles, request.Field.GetSurface().FindUsed(triangles.size()));
+  if (vanished > 0)
+  {
+    result.Notes.push_back(std::to_string(vanished) +
+      (vanished == 1 ? " component is" : " components are") +
+      " not in the mesh, since all triangles there use a point twice. Clean takes them out of the "
+      "surface.");
+  }
+}
+
 /// Fills the result.
 void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
   const FinishedMesh& finished, RemeshResult& result)
@@ -285,12 +325,15 @@ void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
     SourcesOf(field.GetSurface(), field.GetInputTriangles(), result.Points, result.Faces);
   result.FaceSource = std::move(faces.Triangle);
   result.MaximumDistance = faces.LargestDistance;
+  result.MaximumDistanceToMesh =
+    LargestDistance(field.GetGeometry().Positions, result.Points, result.Faces);
   result.EdgeLength = request.Sizes.EdgeLength;
   result.EulerCharacteristicBefore = field.GetSeams().GetEulerCharacteristic();
   result.EulerCharacteristicAfter =
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
   result.Repaired = field.GetSurface().GetRepairs();
   ReportExtraction(request, extracted, finished, result);
+  ReportQuality(request, finished.Faces, result);
 }
 }
 

@@ -117,6 +117,9 @@ struct RemeshResult
   Index Triangles = 0;
   /// Largest distance of a middle of a face from the surface, in its unit.
   double MaximumDistance = 0.0;
+  /// Largest distance of a point of the surface from the mesh, in its unit: of those points that
+  /// decimation leaves, which moves the surface by a tenth of an edge at most.
+  double MaximumDistanceToMesh = 0.0;
   /// V - E + F of the repaired surface and of the mesh.
   int EulerCharacteristicBefore = 0;
   int EulerCharacteristicAfter = 0;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -15,6 +16,23 @@ namespace
 {
 constexpr Index PieceSize = 256;
 constexpr double Anywhere = std::numeric_limits<double>::infinity();
+
+Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
+{
+  const int size = Faces::Size(face);
+  Vector3 middle = Vector3::Zero();
+  for (int c = 0; c < size; ++c)
+  {
+    middle += points[face[c]] / size;
+  }
+  return middle;
+}
+
+double LargestRoot(const std::vector<double>& squares)
+{
+  const auto largest = std::max_element(squares.begin(), squares.end());
+  return largest == squares.end() ? 0.0 : std::sqrt(*largest);
+}
 }
 
 PointSources SourcesOf(
@@ -50,22 +68,53 @@ FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surf
       Index last = None;
       for (Index f = begin; f < end; ++f)
       {
-        const int size = Faces::Size(faces[f]);
-        Vector3 middle = Vector3::Zero();
-        for (int c = 0; c < size; ++c)
-        {
-          middle += points[faces[f][c]] / size;
-        }
-        const ClosestPoints::Answer at = surface.Find(middle, Vector3::Zero(), Anywhere, last);
+        const ClosestPoints::Answer at =
+          surface.Find(MiddleOf(points, faces[f]), Vector3::Zero(), Anywhere, last);
         last = at.Place;
         sources.Triangle[f] = prepared.InputTriangle(at.Triangle);
         squaredDistance[f] = at.SquaredDistance;
       }
     });
-  for (const double d : squaredDistance)
-  {
-    sources.LargestDistance = std::max(sources.LargestDistance, std::sqrt(d));
-  }
+  sources.LargestDistance = LargestRoot(squaredDistance);
   return sources;
+}
+
+double LargestDistance(const std::vector<Vector3>& places, const std::vector<Vector3>& points,
+  const std::vector<Faces::Face>& faces)
+{
+  if (faces.empty())
+  {
+    return 0.0;
+  }
+  std::vector<ClosestPoints::Corners> triangles;
+  triangles.reserve(4 * faces.size());
+  for (const Faces::Face& face : faces)
+  {
+    const int size = Faces::Size(face);
+    if (size == 3)
+    {
+      triangles.push_back({ points[face[0]], points[face[1]], points[face[2]] });
+      continue;
+    }
+    const Vector3 middle = MiddleOf(points, face);
+    for (int c = 0; c < size; ++c)
+    {
+      triangles.push_back({ points[face[c]], points[face[(c + 1) % size]], middle });
+    }
+  }
+  const ClosestPoints mesh(std::move(triangles));
+  std::vector<double> squaredDistance(places.size());
+  ParallelFor(static_cast<Index>(places.size()), PieceSize,
+    [&](Index begin, Index end)
+    {
+      Index last = None;
+      for (Index p = begin; p < end; ++p)
+      {
+        const ClosestPoints::Answer at = mesh.Find(places[p], Vector3::Zero(), Anywhere, last);
+        last = at.Place;
+        squaredDistance[p] = at.SquaredDistance;
+      }
+    });
+  return LargestRoot(squaredDistance);
 }
 }

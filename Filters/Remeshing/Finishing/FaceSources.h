@@ -30,6 +30,11 @@ struct FaceSources
 };
 FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surface,
   const std::vector<Vector3>& points, const std::vector<Faces::Face>& faces);
+
+/// The largest distance of some places from faces; quads are four triangles around their middle. 0
+/// without faces.
+double LargestDistance(const std::vector<Vector3>& places, const std::vector<Vector3>& points,
+  const std::vector<Faces::Face>& faces);
 }
 
 #endif

@@ -86,6 +86,16 @@ public:
 
   /// The triangles of the input, as far as they are used, wound consistently.
   std::vector<ClosestPoints::Corners> GetTriangles() const;
+  /// Not 0 for each triangle of the input that is used.
+  std::vector<char> FindUsed(std::size_t inputTriangles) const
+  {
+    std::vector<char> isUsed(inputTriangles, 0);
+    for (const UsedTriangle& used : this->Used)
+    {
+      isUsed[used.Input] = 1;
+    }
+    return isUsed;
+  }
   /// Where a point of these is on the input.
   Index InputTriangle(Index triangle) const { return this->Used[triangle].Input; }
   std::array<double, 3> InputWeights(Index triangle, const std::array<double, 3>& weights) const

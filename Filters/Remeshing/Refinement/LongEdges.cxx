@@ -21,13 +21,15 @@ bool IsMostlyFlat(const SurfaceGeometry& geometry)
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
     bool hasNeighbour = false;
+    bool isAlone = true;
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
+      isAlone = isAlone && mesh.Twin(h) == None;
       hasNeighbour =
         hasNeighbour || (mesh.Twin(h) != None && std::abs(dihedral[mesh.Edge(h)]) < flat);
     }
     all += geometry.Lengths.Area[t];
-    inPlane += hasNeighbour ? geometry.Lengths.Area[t] : 0.0;
+    inPlane += hasNeighbour || isAlone ? geometry.Lengths.Area[t] : 0.0;
   }
   return inPlane > 0.5 * all;
 }

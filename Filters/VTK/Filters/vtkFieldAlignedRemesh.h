@@ -35,8 +35,9 @@
  * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices`
  *   (those that are no points of the grid, but could not be removed), `FlippedTriangles` (of the
  *   map): int.
- * - field data `EdgeLength`, the one that was asked for, and `MaximumDistance`, how far the middle
- *   of a face is from the surface: double, in the input's unit.
+ * - field data `EdgeLength`, the one that was asked for; `MaximumDistance`, how far the middle of a
+ *   face is from the surface; and `MaximumDistanceToMesh`, how far a point of the surface is from
+ *   the mesh: double, in the input's unit.
  * - field data `EulerCharacteristic`: int, two components, of the surface and of the mesh.
  * - field data `Repairs` and `Warnings`, as vtkDirectionField.
  *

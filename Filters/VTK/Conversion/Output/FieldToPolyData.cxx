@@ -39,8 +39,8 @@ constexpr const char* ReportNames[] = { "Eigenvalue", "Residual", "Iterations", 
   "MaximumRotation", "WrongTriangles", "TurningNumbers", "SeparatingDistance", "Spacing",
   "LineOffset", "Misfit", "BranchPoints", "NumberOfGlyphs", "Faces", "Quads", "Triangles",
   "IrregularVertices", "KeptVertices", "FlippedTriangles", "EdgeLength", "MaximumDistance",
-  "MeanAngleDifference", "MaximumAngleDifference", "MatchedSingularities", "MeanMatchDistance",
-  "MaximumMatchDistance" };
+  "MaximumDistanceToMesh", "MeanAngleDifference", "MaximumAngleDifference", "MatchedSingularities",
+  "MeanMatchDistance", "MaximumMatchDistance" };
 
 /// Adds an array of vectors over the points; where there are none, removes one that an earlier run
 /// left in the input.

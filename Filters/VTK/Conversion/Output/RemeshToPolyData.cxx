@@ -87,6 +87,7 @@ double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Re
   AddNumber<vtkIntArray>("FlippedTriangles", mesh.FlippedTriangles, data);
   AddNumber<vtkDoubleArray>("EdgeLength", mesh.EdgeLength, data);
   AddNumber<vtkDoubleArray>("MaximumDistance", mesh.MaximumDistance, data);
+  AddNumber<vtkDoubleArray>("MaximumDistanceToMesh", mesh.MaximumDistanceToMesh, data);
   auto euler = MakeArray<vtkIntArray>("EulerCharacteristic", 2, 1);
   euler->SetComponentName(0, "Input");
   euler->SetComponentName(1, "Output");
