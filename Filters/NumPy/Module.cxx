@@ -1,27 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Functions.h"
+
+#include <DirectionFields/Computation/SurfaceFigures.h>
 #include <DirectionFields/DirectionField.h>
+#include <DirectionFields/Exchange/FieldExport.h>
+#include <DirectionFields/Exchange/FieldImport.h>
 #include <DirectionFields/OptionTable.h>
+#include <DirectionFields/PrescribedSingularities/EditedResult.h>
+#include <DirectionFields/PrescribedSingularities/SurfaceRefinement.h>
+#include <DirectionFields/Reports/FieldSummary.h>
+#include <DirectionFields/Reports/FieldWarnings.h>
+#include <DirectionFields/Soup/PolygonEars.h>
 
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
+#include <cmath>
 
-#include <exception>
-#include <memory>
-#include <set>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
-namespace py = pybind11;
 using namespace DirectionFields;
 
 namespace
 {
-using Names = std::vector<std::string>;
+using Names = Keywords::Names;
 
 /// The names of the values of each choice, from 0.
 const Names AlignmentNames{ "none", "curvature", "vectors" };
@@ -36,251 +35,378 @@ std::string Keyword(const std::string& name)
   std::string keyword;
   for (const char letter : name)
   {
-    if (letter >= 'A' && letter <= 'Z')
-    {
-      keyword += keyword.empty() ? "" : "_";
-      keyword += static_cast<char>(letter - 'A' + 'a');
-    }
-    else
-    {
-      keyword += letter;
-    }
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    keyword += isCapital && !keyword.empty() ? "_" : "";
+    keyword += static_cast<char>(isCapital ? letter - 'A' + 'a' : letter);
   }
   return keyword;
 }
 
-template <class T>
-void Take(T& value, const std::string& keyword, py::handle given)
-{
-  // Python's numbers convert to bool silently, and a bool to a number.
-  if (std::is_same_v<T, bool> != py::isinstance<py::bool_>(given))
-  {
-    throw py::type_error(keyword +
-      (std::is_same_v<T, bool> ? " must be True or False." : " must be a number, not a bool."));
-  }
-  try
-  {
-    value = given.cast<T>();
-  }
-  catch (const py::cast_error&)
-  {
-    throw py::type_error(
-      keyword + (std::is_integral_v<T> ? " must be a whole number." : " must be a number."));
-  }
-}
-
-template <class T>
-void TakeChoice(T& value, const std::string& keyword, const Names& names, py::handle given)
-{
-  std::string all;
-  for (std::size_t i = 0; i < names.size(); ++i)
-  {
-    if (py::isinstance<py::str>(given) && given.cast<std::string>() == names[i])
-    {
-      value = static_cast<T>(i);
-      return;
-    }
-    all += (i == 0 ? "'" : ", '") + names[i] + "'";
-  }
-  throw py::value_error(keyword + " must be one of " + all + ".");
-}
-
-Options TakeOptions(const py::dict& given)
+Options ReadOptions(Keywords& keywords)
 {
   Options options;
-  std::set<std::string> known;
-#define TAKE(name, ...)                                                                            \
-  if (known.insert(Keyword(#name)); given.contains(Keyword(#name)))                                \
-  {                                                                                                \
-    Take(options.name, Keyword(#name), given[py::str(Keyword(#name))]);                            \
-  }
-#define TAKE_CHOICE(name, ...)                                                                     \
-  if (known.insert(Keyword(#name)); given.contains(Keyword(#name)))                                \
-  {                                                                                                \
-    TakeChoice(options.name, Keyword(#name), name##Names, given[py::str(Keyword(#name))]);         \
-  }
-  DIRECTIONFIELDS_OPTIONS(TAKE, TAKE_CHOICE, TAKE)
-#undef TAKE
-#undef TAKE_CHOICE
-  for (const auto& item : given)
-  {
-    const auto keyword = item.first.cast<std::string>();
-    if (known.count(keyword) == 0)
-    {
-      throw py::type_error("field() has no option '" + keyword +
-        "'; direction_fields.options() lists those that there are.");
-    }
-  }
-  return options;
-}
-
-/// Default and range of each option, by its keyword: (default, least, most, unit), (default,) for
-/// flags and (default, names) for choices.
-py::dict DescribeOptions()
-{
-  const Options options;
-  py::dict all;
-#define FLAG(name, ...) all[py::str(Keyword(#name))] = py::make_tuple(options.name);
-#define CHOICE(name, stage, last)                                                                  \
-  all[py::str(Keyword(#name))] =                                                                   \
-    py::make_tuple(name##Names.at(static_cast<std::size_t>(options.name)), name##Names);
+#define FLAG(name, stage) keywords(Keyword(#name), options.name);
+#define CHOICE(name, stage, last) keywords.Choice(Keyword(#name), options.name, name##Names);
 #define RANGE(name, stage, least, most, unit)                                                      \
-  all[py::str(Keyword(#name))] =                                                                   \
-    py::make_tuple(options.name, static_cast<double>(least), static_cast<double>(most), unit);
+  keywords(Keyword(#name), options.name, static_cast<double>(least), static_cast<double>(most),    \
+    static_cast<const char*>(unit));
   DIRECTIONFIELDS_OPTIONS(FLAG, CHOICE, RANGE)
 #undef FLAG
 #undef CHOICE
 #undef RANGE
-  return all;
+  keywords.RequireNoMore();
+  return options;
 }
 
-/// An array of NumPy's that owns the vector from now on: nothing is copied.
-template <class Scalar, class T>
-py::array Own(std::vector<T> values, std::vector<py::ssize_t> shape)
+struct EditChoices
 {
-  auto* owner = new std::vector<T>(std::move(values));
-  const py::capsule capsule(owner, [](void* data) { delete static_cast<std::vector<T>*>(data); });
-  return py::array_t<Scalar>(
-    std::move(shape), reinterpret_cast<const Scalar*>(owner->data()), capsule);
-}
+  EditOptions Options;
+  DirectionFields::Options Guidance;
+  bool Refines = false;
+  bool KeepsConstraints = true;
+  int Threads = 0;
+};
 
-std::vector<Vector3> Vectors(const py::array_t<double, py::array::c_style>& array)
+EditChoices ReadEditOptions(Keywords& keywords)
 {
-  const auto view = array.unchecked<2>();
-  std::vector<Vector3> vectors(static_cast<std::size_t>(view.shape(0)));
-  for (py::ssize_t i = 0; i < view.shape(0); ++i)
+  EditChoices choices;
+  keywords("add", choices.Options.AddsToBase);
+  keywords.Choice("objective", choices.Options.Objective, { "smoothest", "least_change" });
+  keywords("balance", choices.Options.Balances);
+  keywords("refine", choices.Refines);
+  keywords("keep_constraints", choices.KeepsConstraints);
+  keywords.Choice("alignment", choices.Guidance.Alignment, AlignmentNames);
+  keywords("alignment_strength", choices.Guidance.AlignmentStrength, 0.0, 1.0);
+  keywords("number_of_threads", choices.Threads, 0.0, 1024.0);
+  keywords.RequireNoMore();
+  if (choices.Guidance.Alignment != Alignment::None)
   {
-    vectors[static_cast<std::size_t>(i)] = Vector3(view(i, 0), view(i, 1), view(i, 2));
+    choices.Options.AlignmentStrength = choices.Guidance.AlignmentStrength;
   }
-  return vectors;
+  return choices;
 }
 
-std::vector<Triangle> Triangles(const py::array_t<Index, py::array::c_style>& array)
+ExportOptions ReadExportOptions(Keywords& keywords)
 {
-  const auto view = array.unchecked<2>();
-  std::vector<Triangle> triangles(static_cast<std::size_t>(view.shape(0)));
-  for (py::ssize_t i = 0; i < view.shape(0); ++i)
-  {
-    triangles[static_cast<std::size_t>(i)] = { view(i, 0), view(i, 1), view(i, 2) };
-  }
-  return triangles;
+  ExportOptions options;
+  bool atTriangles = true;
+  keywords.Choice("at", atTriangles, { "points", "triangles" });
+  options.On = atTriangles ? FieldOn::Cells : FieldOn::Points;
+  keywords("feature_angle", options.FeatureAngle, 0.0, 180.0, " degrees");
+  keywords("minimum_feature_length", options.MinimumFeatureLength, 0.0, NoLimit);
+  keywords.RequireNoMore();
+  return options;
 }
 
-/// Calls Python's function, if there is any, and looks for Ctrl-C. What Python raises stops the
-/// computation and waits here for its end: exceptions must not cross the libraries' threads.
-struct Listener
+FieldOn ReadImportOptions(Keywords& keywords)
 {
-  py::object Function;
-  std::exception_ptr Raised;
+  FieldOn on = FieldOn::Automatic;
+  keywords.Choice("at", on, { "automatic", "triangles", "points" });
+  keywords.RequireNoMore();
+  return on;
+}
 
-  bool operator()(double fraction)
+/// A field on its way to Python.
+struct FieldOutput
+{
+  SharedSurface Mesh;
+  Result Field;
+  std::vector<std::string> Warnings;
+  std::string Summary;
+  std::vector<Vector3> Directions;
+  std::vector<double> Magnitudes;
+
+  /// Takes what needs no lock, so that others can go on.
+  void Prepare()
   {
-    const py::gil_scoped_acquire lock;
-    if (this->Raised)
+    if (!this->Field.SplitTriangles.empty())
     {
-      return false;
-    }
-    try
-    {
-      if (PyErr_CheckSignals() != 0)
+      auto split = std::make_shared<Surface>();
+      for (const Index point : this->Field.OriginalPoint)
       {
-        throw py::error_already_set();
+        split->Points.push_back(this->Mesh->Points[point]);
       }
-      if (!this->Function.is_none())
-      {
-        this->Function(fraction);
-      }
-      return true;
+      split->Triangles = std::move(this->Field.SplitTriangles);
+      this->Mesh = std::move(split);
     }
-    catch (...)
+    const std::size_t count = this->Field.Representation.size();
+    this->Directions.resize(count * this->Field.Degree);
+    this->Field.Directions(0, static_cast<Index>(count), this->Directions.data());
+    for (std::size_t i = 0; i < count; ++i)
     {
-      this->Raised = std::current_exception();
-      return false;
+      // As the filter for VTK does; at points of no triangle without zeros of negative sign.
+      this->Magnitudes.push_back(std::sqrt(std::norm(this->Field.Representation[i])));
+      for (int k = 0; k < this->Field.Degree && this->Magnitudes[i] == 0.0; ++k)
+      {
+        this->Directions[i * this->Field.Degree + k] += Vector3::Zero();
+      }
     }
   }
 };
 
-py::dict ToPython(Result result, std::size_t points)
+py::object ToPython(FieldOutput& output)
 {
-  const auto count = static_cast<py::ssize_t>(result.OriginalPoint.size());
-  const auto degree = static_cast<py::ssize_t>(result.Degree);
-  std::vector<Vector3> directions(result.OriginalPoint.size() * result.Degree);
-  result.Directions(0, static_cast<Index>(count), directions.data());
+  Result& field = output.Field;
   std::vector<double> eigenvalues;
   bool converged = true;
-  for (const ComponentReport& component : result.Components)
+  for (const ComponentReport& component : field.Components)
   {
     eigenvalues.push_back(component.Eigenvalue);
     converged = converged && component.Converged;
   }
-  const auto triangles = static_cast<py::ssize_t>(result.SingularityIndex.size());
-  const auto split = static_cast<py::ssize_t>(result.SplitTriangles.size());
-  const auto components = static_cast<py::ssize_t>(eigenvalues.size());
   py::dict all;
-  all["degree"] = result.Degree;
+  all["_surface"] = output.Mesh;
+  all["degree"] = field.Degree;
   all["converged"] = converged;
-  all["warnings"] = result.Notes;
-  all["directions"] = Own<double>(std::move(directions), { count, degree, 3 });
-  all["representation"] = Own<Complex>(std::move(result.Representation), { count });
-  all["energy_density"] = Own<double>(std::move(result.EnergyDensity), { count });
-  all["normals"] = Own<double>(std::move(result.Normal), { count, 3 });
-  all["x_axes"] = Own<double>(std::move(result.XAxis), { count, 3 });
-  all["original_points"] = Own<Index>(std::move(result.OriginalPoint), { count });
-  all["split_triangles"] = static_cast<std::size_t>(count) == points
-    ? py::object(py::none())
-    : py::object(Own<Index>(std::move(result.SplitTriangles), { split, 3 }));
-  all["indices"] = Own<int>(std::move(result.SingularityIndex), { triangles });
-  all["components"] = Own<Index>(std::move(result.Component), { triangles });
-  all["eigenvalue"] = Own<double>(std::move(eigenvalues), { components });
-  if (result.Curvature)
+  all["warnings"] = output.Warnings;
+  all["summary"] = output.Summary;
+  all["directions"] = Own<double>(std::move(output.Directions), { field.Degree, 3 });
+  all["magnitudes"] = Own<double>(std::move(output.Magnitudes));
+  all["representation"] = Own<Complex>(std::move(field.Representation));
+  all["energy_density"] = Own<double>(std::move(field.EnergyDensity));
+  all["normals"] = Own<double>(std::move(field.Normal), { 3 });
+  all["x_axes"] = Own<double>(std::move(field.XAxis), { 3 });
+  all["constraints"] = Own<signed char>(std::move(field.Constraint));
+  all["constraint_directions"] = Own<double>(std::move(field.ConstraintDirection), { 3 });
+  all["original_points"] = Own<Index>(std::move(field.OriginalPoint));
+  all["indices"] = Own<int>(std::move(field.SingularityIndex));
+  all["components"] = Own<Index>(std::move(field.Component));
+  all["eigenvalue"] = Own<double>(std::move(eigenvalues));
+  if (field.Curvature)
   {
-    const CurvatureReport& curvature = *result.Curvature;
-    all["principal_directions"] =
-      py::make_tuple(Own<double>(curvature.PrincipalDirection0, { count, 3 }),
-        Own<double>(curvature.PrincipalDirection1, { count, 3 }));
-    all["mean_curvature"] = Own<double>(curvature.Mean, { count });
-    all["gaussian_curvature"] = Own<double>(curvature.Gaussian, { count });
+    const CurvatureReport& curvature = *field.Curvature;
+    all["principal_directions"] = py::make_tuple(Own<double>(curvature.PrincipalDirection0, { 3 }),
+      Own<double>(curvature.PrincipalDirection1, { 3 }));
+    all["mean_curvature"] = Own<double>(curvature.Mean);
+    all["gaussian_curvature"] = Own<double>(curvature.Gaussian);
   }
   return all;
 }
 
-py::dict ComputeField(const py::array_t<double, py::array::c_style>& points,
-  const py::array_t<Index, py::array::c_style>& triangles, const py::object& vectors,
+Finish Finished(const std::shared_ptr<FieldOutput>& output)
+{
+  output->Prepare();
+  return [output] { return ToPython(*output); };
+}
+
+py::object ComputeField(const SharedSurface& surface, const py::object& vectors,
   const py::object& weights, const py::object& progress, const py::dict& given)
 {
-  const Options options = TakeOptions(given);
-  Surface surface;
-  surface.Points = Vectors(points);
-  surface.Triangles = Triangles(triangles);
-  Guidance guidance;
-  if (!vectors.is_none())
+  Keywords keywords("field", given);
+  const Options options = ReadOptions(keywords);
+  const Guidance guidance{ VectorsOrNone(vectors), NumbersOrNone(weights) };
+  return Run(progress, options.NumberOfThreads,
+    [=](const ProgressFunction& report)
+    {
+      auto output = std::make_shared<FieldOutput>();
+      output->Mesh = surface;
+      output->Field = DirectionField(surface).Compute(options, guidance, report);
+      output->Warnings = Warnings(output->Field, options);
+      output->Summary =
+        Summary(FiguresOf(*surface, output->Field.SingularityIndex), output->Field, options);
+      return Finished(output);
+    });
+}
+
+/// The given field, the constraints and the guidance on a mesh that is refined where the edit needs
+/// it.
+struct Edit
+{
+  SharedGiven Base;
+  std::vector<Vector3> Constraints;
+  DirectionFields::Guidance Guidance;
+
+  void Refine(const GivenField& base, const EditedField& edited)
   {
-    guidance.Vectors = Vectors(vectors.cast<py::array_t<double, py::array::c_style>>());
+    SurfaceRefinement refinement(base.GetSurface(), TrianglesToSplit(base, edited));
+    std::vector<Vector3> directions = this->Base->Directions;
+    const std::vector<Vector3> middles = DirectionsAtMiddles(base, refinement);
+    directions.insert(directions.end(), middles.begin(), middles.end());
+    const std::size_t count = refinement.Refined.Points.size();
+    if (!this->Constraints.empty())
+    {
+      this->Constraints.resize(count, Vector3::Zero());
+    }
+    for (const std::array<Index, 2>& ends : refinement.Ends)
+    {
+      if (!this->Guidance.Vectors.empty())
+      {
+        this->Guidance.Vectors.push_back(
+          0.5 * (this->Guidance.Vectors[ends[0]] + this->Guidance.Vectors[ends[1]]));
+      }
+      if (!this->Guidance.Weights.empty())
+      {
+        this->Guidance.Weights.push_back(
+          0.5 * (this->Guidance.Weights[ends[0]] + this->Guidance.Weights[ends[1]]));
+      }
+    }
+    this->Base = std::make_shared<Given>(std::make_shared<Surface>(std::move(refinement.Refined)),
+      this->Base->Degree, std::move(directions));
   }
-  if (!weights.is_none())
+};
+
+py::object EditField(const SharedGiven& field, const py::object& constraints,
+  const std::vector<Index>& triangles, const std::vector<int>& indices, const py::object& vectors,
+  const py::object& weights, const py::object& progress, const py::dict& given)
+{
+  constexpr int mostRefinements = 4;
+  Keywords keywords("edit", given);
+  EditChoices choices = ReadEditOptions(keywords);
+  choices.Guidance.Degree = field->Degree;
+  std::vector<WantedSingularity> wanted;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    guidance.Weights = weights.cast<std::vector<double>>();
+    const std::vector<Vector3>& points = field->Mesh->Points;
+    const auto& [a, b, c] = field->Mesh->Triangles.at(static_cast<std::size_t>(triangles[i]));
+    wanted.push_back({ (points[a] + points[b] + points[c]) / 3.0, indices.at(i) });
   }
-  Listener listener;
-  listener.Function = progress;
-  Result result;
-  const std::size_t count = surface.Points.size();
+  Edit edit{ field, choices.KeepsConstraints ? VectorsOrNone(constraints) : std::vector<Vector3>(),
+    { VectorsOrNone(vectors), NumbersOrNone(weights) } };
+  return Run(progress, choices.Threads,
+    [=](const ProgressFunction& report) mutable
+    {
+      auto output = std::make_shared<FieldOutput>();
+      for (int k = 0;; ++k)
+      {
+        const SharedGiven base = edit.Base;
+        SingularityEditor editor(*base->Mesh, base->Get(), edit.Constraints);
+        output->Warnings.clear();
+        editor.SetGuidance(GuidanceFor(editor, choices.Guidance, edit.Guidance, output->Warnings));
+        const EditedField edited = editor.Edit(wanted, choices.Options, Progress(report));
+        if (!choices.Refines || edited.WrongTriangles.empty() || k == mostRefinements)
+        {
+          output->Mesh = base->Mesh;
+          output->Field = ToResult(editor, edited);
+          output->Warnings.insert(output->Warnings.end(), edited.Notes.begin(), edited.Notes.end());
+          output->Summary = SummaryOfEdit(output->Field, edited, choices.Options.Objective);
+          return Finished(output);
+        }
+        edit.Refine(editor.GetBase(), edited);
+      }
+    });
+}
+
+py::object ReadFrom(const SharedSurface& surface, const std::string& name, const py::dict& given)
+{
+  Keywords keywords("read", given);
+  const FieldOn on = ReadImportOptions(keywords);
+  return Run(py::none(), 0,
+    [=](const ProgressFunction& report)
+    {
+      ImportedField imported =
+        ImportField(ReadFieldFile(name), *surface, on, true, Progress(report));
+      auto output = std::make_shared<FieldOutput>();
+      output->Mesh = surface;
+      output->Summary = SummaryOfFile(imported.Field, name);
+      output->Warnings = std::move(imported.Warnings);
+      output->Field = std::move(imported.Field);
+      return Finished(output);
+    });
+}
+
+void WriteTo(const SharedGiven& field, const std::string& name, const py::dict& given)
+{
+  Keywords keywords("write", given);
+  ExportOptions options = ReadExportOptions(keywords);
+  options.Format = FormatOf(name);
+  Run(py::none(), 0,
+    [=](const ProgressFunction&)
+    {
+      WriteFiles(name, ExportField(GivenField(*field->Mesh, field->Get()), nullptr, options));
+      return [] { return py::none(); };
+    });
+}
+
+/// Index of each triangle of a given field, and its directions at the triangles' centroids.
+py::object Indices(const SharedGiven& field)
+{
+  const GivenField given(*field->Mesh, field->Get());
+  const std::vector<int> ofMesh = given.Indices();
+  std::vector<int> indices;
+  for (const Index triangle : given.GetMeshTriangles())
   {
-    const py::gil_scoped_release unlocked;
-    result = DirectionField(std::make_shared<const Surface>(std::move(surface)))
-               .Compute(options, guidance, [&listener](double done) { return listener(done); });
+    indices.push_back(triangle == None ? 0 : ofMesh[triangle]);
   }
-  if (listener.Raised)
+  return Own<int>(std::move(indices));
+}
+
+py::object AtTriangles(const SharedGiven& field)
+{
+  const GivenField given(*field->Mesh, field->Get());
+  const FaceField faces = AtCentroids(given);
+  const auto degree = static_cast<std::size_t>(field->Degree);
+  std::vector<Vector3> all(field->Mesh->Triangles.size() * degree);
+  for (std::size_t k = 0; k < degree; ++k)
   {
-    std::rethrow_exception(listener.Raised);
+    const std::vector<Vector3> directions = DirectionsInSpace(given, faces, static_cast<int>(k));
+    for (std::size_t t = 0; t < directions.size(); ++t)
+    {
+      all[t * degree + k] = directions[t];
+    }
   }
-  return ToPython(std::move(result), count);
+  return Own<double>(std::move(all), { field->Degree, 3 });
+}
+
+/// Triangles of polygons, and the polygon of each: by ears, or as a fan where that is not possible.
+py::tuple Cut(const SharedSurface& surface, const std::vector<std::int64_t>& offsets,
+  const std::vector<Index>& corners)
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::int64_t> polygons;
+  for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
+  {
+    const Index* const ids = corners.data() + offsets[i];
+    const auto size = static_cast<Index>(offsets[i + 1] - offsets[i]);
+    std::vector<Index> ears;
+    if (size > 3)
+    {
+      std::vector<Vector3> places;
+      for (Index c = 0; c < size; ++c)
+      {
+        places.push_back(surface->Points[ids[c]]);
+      }
+      ears = CutEars(places, false);
+    }
+    for (Index c = 1; ears.empty() && c + 1 < size; ++c)
+    {
+      triangles.push_back({ ids[0], ids[c], ids[c + 1] });
+    }
+    for (std::size_t e = 0; e + 2 < ears.size(); e += 3)
+    {
+      triangles.push_back({ ids[ears[e]], ids[ears[e + 1]], ids[ears[e + 2]] });
+    }
+    polygons.resize(triangles.size(), static_cast<std::int64_t>(i));
+  }
+  return py::make_tuple(
+    Own<Index>(std::move(triangles), { 3 }), Own<std::int64_t>(std::move(polygons)));
 }
 }
 
 PYBIND11_MODULE(_core, module)
 {
   py::register_exception<MeshError>(module, "MeshError", PyExc_ValueError);
-  module.def("options", &DescribeOptions);
+  py::register_exception<FileError>(module, "FileError", PyExc_OSError);
+  py::class_<Surface, SharedSurface>(module, "Surface")
+    .def(py::init(&MakeSurface))
+    .def_property_readonly(
+      "points", [](const SharedSurface& surface) { return View<double>(surface, surface->Points); })
+    .def_property_readonly("triangles",
+      [](const SharedSurface& surface) { return View<Index>(surface, surface->Triangles); });
+  py::class_<Given, SharedGiven>(module, "Given")
+    .def(py::init<SharedSurface, const py::array&, const py::object&>());
+  py::dict described;
+  Describe(described, "field", ReadOptions);
+  Describe(described, "edit", ReadEditOptions);
+  Describe(described, "read", ReadImportOptions);
+  Describe(described, "write", ReadExportOptions);
+  AddDrawing(module, described);
+  module.attr("options") = described;
   module.def("field", &ComputeField);
+  module.def("edit", &EditField);
+  module.def("read", &ReadFrom);
+  module.def("write", &WriteTo);
+  module.def("indices", &Indices);
+  module.def("at_triangles", &AtTriangles);
+  module.def("cut", &Cut);
+  module.def("stop_all", &StopAll);
 }

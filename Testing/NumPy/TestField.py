@@ -2,38 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of direction_fields.field: mathematics, options, memory, errors, and stopping."""
 
+import ast
 import doctest
+import glob
+import inspect
 import os
 import signal
 import subprocess
 import sys
 import threading
+import time
 import unittest
 import warnings
 
 import numpy as np
 
 import direction_fields as df
-
-
-def torus(rows=24, columns=48):
-    """Triangles of a torus of radii 1 and 0.4, wound counter-clockwise from outside."""
-    u, v = np.meshgrid(
-        2 * np.pi * np.arange(columns) / columns, 2 * np.pi * np.arange(rows) / rows, indexing="ij")
-    radius = 1 + 0.4 * np.cos(v)
-    points = np.stack([radius * np.cos(u), radius * np.sin(u), 0.4 * np.sin(v)], -1).reshape(-1, 3)
-    i, j = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
-    a, b = i * rows + j, (i + 1) % columns * rows + j
-    c, d = (i + 1) % columns * rows + (j + 1) % rows, i * rows + (j + 1) % rows
-    return points, np.concatenate(
-        [np.stack([a, b, c], -1).reshape(-1, 3), np.stack([a, c, d], -1).reshape(-1, 3)])
-
-
-OCTAHEDRON = (
-    np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float),
-    np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
-              [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]),
-)
+from surfaces import OCTAHEDRON, torus
 
 
 class Mathematics(unittest.TestCase):
@@ -150,16 +135,20 @@ class Errors(unittest.TestCase):
         self.refused(ValueError, "0 to 5", points, triangles + 2**32)
         self.refused(TypeError, "integers", points, triangles.astype(float))
         self.refused(TypeError, "complex128", points.astype(complex), triangles)
+        self.refused(ValueError, r"vectors must be of the shape \(6, 3\)", vectors=points[:3])
+        self.refused(ValueError, r"weights must be of the shape \(6\)", weights=np.ones(5))
 
     def test_options(self):
-        self.refused(ValueError, "1 to 16", degree=0)
+        self.refused(ValueError, "^degree must be 1 to 16", degree=0)
+        self.refused(ValueError, "^energy_bias must be", energy_bias=2)
+        self.refused(ValueError, "constrain_curvature out", constrain_curvature=True, degree=3)
         self.refused(TypeError, "'degre'", degre=4)
         self.refused(TypeError, "whole number", degree=2.5)
         self.refused(TypeError, "True or False", unit_length=1)
         self.refused(TypeError, "not a bool", degree=True)
         self.refused(ValueError, "'none', 'curvature', 'vectors'", alignment="shape")
         self.refused(ValueError, "2 or 4", alignment="curvature", degree=3)
-        self.refused(ValueError, "Guidance", alignment="vectors")
+        self.refused(ValueError, "alignment='vectors'", alignment="vectors")
         self.refused(TypeError, "progress", progress=3)
 
     def test_every_option_takes_its_default_and_refuses_beyond_its_range(self):
@@ -181,11 +170,25 @@ class Errors(unittest.TestCase):
             warnings.simplefilter("error")
             df.field(*torus())
 
+    def test_mended_meshes_are_warnings(self):
+        points, triangles = OCTAHEDRON
+        turned = triangles.copy()
+        turned[0] = turned[0, ::-1]
+        with self.assertWarnsRegex(df.DirectionFieldWarning, "1 triangle wound against"):
+            df.field(points, turned)
+
+    def test_warnings_name_keywords(self):
+        points, triangles = torus()
+        noise = np.random.default_rng(1).normal(size=points.shape)
+        with self.assertWarnsRegex(df.DirectionFieldWarning, "raise maximum_iterations|Raise maximum_iterations"):
+            df.field(points + 0.05 * noise, triangles, maximum_iterations=1, tolerance=1e-12,
+                     solver="multigrid")
+
 
 class Stopping(unittest.TestCase):
     def test_progress_grows_and_its_exception_comes_back(self):
         told = []
-        df.field(*torus(), progress=told.append)
+        df.field(*torus(100, 200), progress=told.append)
         self.assertEqual(told, sorted(told))
         self.assertGreater(told[-1], 0.5)
 
@@ -198,6 +201,32 @@ class Stopping(unittest.TestCase):
     def test_interrupt_stops(self):
         with self.assertRaises(KeyboardInterrupt):
             df.field(*torus(), progress=lambda done: os.kill(os.getpid(), signal.SIGINT))
+
+    def test_interrupt_comes_back_soon_and_nothing_is_lost(self):
+        points, triangles = torus(200, 400)
+        before = points.copy()
+        for delay in (0.05, 0.2):
+            sent = []
+
+            def interrupt():
+                sent.append(time.monotonic())
+                os.kill(os.getpid(), signal.SIGINT)
+
+            timer = threading.Timer(delay, interrupt)
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                df.field(points, triangles)
+            self.assertLess(time.monotonic() - sent[0], 0.5)
+        self.assertTrue(np.array_equal(points, before))
+        self.assertEqual(df.field(*OCTAHEDRON).indices.sum(), 8)
+
+    def test_a_program_may_end_while_it_computes(self):
+        subprocess.run(
+            [sys.executable, "-c", "import direction_fields as df, surfaces, threading, time\n"
+             "mesh = surfaces.torus(150, 300)\n"
+             "threading.Thread(target=lambda: df.field(*mesh), daemon=True).start()\n"
+             "time.sleep(0.05)"],
+            check=True, cwd=os.path.dirname(os.path.abspath(__file__)))
 
     def test_other_threads_go_on(self):
         turns = []
@@ -223,13 +252,40 @@ class Stopping(unittest.TestCase):
              "assert not [name for name in sys.modules if name.startswith(('vtk', 'pyvista'))]"],
             check=True)
 
+    def test_import_takes_little_time_beside_numpy(self):
+        times = [float(subprocess.run(
+            [sys.executable, "-c", "import time, numpy\nbegin = time.perf_counter()\n"
+             "import direction_fields\nprint(time.perf_counter() - begin)"],
+            check=True, capture_output=True, text=True).stdout) for _ in range(3)]
+        self.assertLess(min(times), 0.2)
+
 
 class Documentation(unittest.TestCase):
     def test_examples(self):
         page = os.environ["DIRECTIONFIELDS_NUMPY_PAGE"]
-        for results in (doctest.testmod(df), doctest.testfile(page, module_relative=False)):
+        os.chdir(os.path.join(os.path.dirname(page), ".."))
+        pages = [page, *glob.glob(os.path.join(os.path.dirname(page), "NumPy", "*.md"))]
+        self.assertEqual(len(pages), 3)
+        tested = [doctest.testfile(page, module_relative=False) for page in pages]
+        for results in (doctest.testmod(df), *tested):
             self.assertGreater(results.attempted, 5)
             self.assertEqual(results.failed, 0)
+
+    def test_help_and_stubs_have_every_option(self):
+        with open(os.path.join(os.path.dirname(df.__file__), "__init__.pyi"), encoding="utf-8") as stub:
+            tree = ast.parse(stub.read())
+        stubs = {node.name: {a.arg for a in node.args.kwonlyargs} for node in ast.walk(tree)
+                 if isinstance(node, ast.FunctionDef)}
+        for name in ("field", "edit", "remesh", "streamlines", "stripes", "guide_by_curves",
+                     "guide_by_tensors", "read", "write"):
+            function = getattr(df.Field if name in ("edit", "write") else df, name)
+            for keyword in df.options(name):
+                self.assertIn(f"    {keyword} : ", function.__doc__)
+                self.assertIn(keyword, stubs[name])
+                self.assertIn(keyword, inspect.signature(function).parameters)
+            self.assertNotIn("**options", function.__doc__)
+        for name in df.__all__:
+            self.assertTrue(getattr(df, name).__doc__, name)
 
 
 if __name__ == "__main__":
