@@ -29,6 +29,20 @@ void Simplify(IntegerSum& sum)
   }
   sum.resize(count);
 }
+
+/// By the greatest common divisor of the coefficients.
+void Divide(IntegerSum& sum)
+{
+  std::int64_t divisor = 0;
+  for (const auto& term : sum)
+  {
+    divisor = std::gcd(divisor, term.second);
+  }
+  for (auto& term : sum)
+  {
+    term.second /= divisor;
+  }
+}
 }
 
 IntegerElimination::IntegerElimination(std::vector<char> isInteger)
@@ -83,20 +97,78 @@ void IntegerElimination::MakeDependent(Index variable, IntegerSum sum)
   this->Sums.push_back(std::move(sum));
 }
 
+void IntegerElimination::SolveFor(std::size_t pivot, IntegerSum sum)
+{
+  const auto [variable, factor] = sum[pivot];
+  sum.erase(sum.begin() + static_cast<std::ptrdiff_t>(pivot));
+  for (auto& term : sum)
+  {
+    term.second *= -factor;
+  }
+  this->MakeDependent(variable, std::move(sum));
+}
+
+void IntegerElimination::RequireLocally(IntegerSum sum, Index own, Index other)
+{
+  sum = this->Resolve(sum);
+  Divide(sum);
+  const auto placeOf = [&](Index variable)
+  {
+    return static_cast<std::size_t>(std::find_if(sum.begin(), sum.end(),
+                                      [&](const auto& term) { return term.first == variable; }) -
+      sum.begin());
+  };
+  const std::size_t at = placeOf(own);
+  if (at == sum.size())
+  {
+    this->Require(std::move(sum));
+    return;
+  }
+  const std::int64_t p = sum[at].second;
+  if (std::abs(p) != 1)
+  {
+    const auto isUnit = [&](std::size_t k)
+    { return k < sum.size() && this->IsInteger(sum[k].first) && std::abs(sum[k].second) == 1; };
+    std::size_t unit = placeOf(other);
+    for (std::size_t k = 0; !isUnit(unit) && k < sum.size(); ++k)
+    {
+      unit = k;
+    }
+    if (!isUnit(unit))
+    {
+      this->Require(std::move(sum));
+      return;
+    }
+    // With all terms that p does not divide, but y, as r: let y = p y' - r, up to signs. That makes
+    // p divide everything.
+    IntegerSum substitute = { { this->GetNumberOfVariables(), p } };
+    this->Integers.push_back(1);
+    this->Dependent.push_back(None);
+    for (std::size_t k = 0; k < sum.size(); ++k)
+    {
+      const std::int64_t rest = sum[k].second % p;
+      if (k != unit && rest != 0)
+      {
+        substitute.emplace_back(sum[k].first, -sum[unit].second * rest);
+      }
+    }
+    Simplify(substitute);
+    this->MakeDependent(sum[unit].first, std::move(substitute));
+    sum = this->Resolve(sum);
+    Divide(sum);
+  }
+  this->SolveFor(placeOf(own), std::move(sum));
+}
+
 void IntegerElimination::Require(IntegerSum sum)
 {
   sum = this->Resolve(sum);
   while (!sum.empty())
   {
-    std::int64_t divisor = 0;
-    for (const auto& term : sum)
-    {
-      divisor = std::gcd(divisor, term.second);
-    }
+    Divide(sum);
     std::size_t pivot = sum.size();
     for (std::size_t i = 0; i < sum.size(); ++i)
     {
-      sum[i].second /= divisor;
       // The last one of the least rank: real variables go before integers.
       const bool isUnit = std::abs(sum[i].second) == 1;
       if (isUnit &&
@@ -107,13 +179,7 @@ void IntegerElimination::Require(IntegerSum sum)
     }
     if (pivot < sum.size())
     {
-      const auto [variable, factor] = sum[pivot];
-      sum.erase(sum.begin() + static_cast<std::ptrdiff_t>(pivot));
-      for (auto& term : sum)
-      {
-        term.second *= -factor;
-      }
-      this->MakeDependent(variable, std::move(sum));
+      this->SolveFor(pivot, std::move(sum));
       return;
     }
     // A step of Euclid: with the least coefficient p of x, and another one q = s p + r of y, let

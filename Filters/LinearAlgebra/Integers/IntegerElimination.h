@@ -32,6 +32,14 @@ public:
   /// Requires that a sum vanishes. Its terms may be in any order, and repeated.
   void Require(IntegerSum sum);
 
+  /// The same for integers such that few variables depend on each free one, where an equation
+  /// p x + ... = 0 is one of many that have others of their variables in common.
+  /// @param own   x: what is solved for, if it is possible. Where its coefficient p is not 1 or -1,
+  ///              another variable gets the value modulo p that makes it possible, and loses its
+  ///              freedom up to multiples of p
+  /// @param other this variable, if its coefficient is 1 or -1
+  void RequireLocally(IntegerSum sum, Index own, Index other);
+
   bool IsFree(Index variable) const { return this->Dependent[variable] == None; }
   bool IsInteger(Index variable) const { return this->Integers[variable] != 0; }
   /// There may be more than were given: where all coefficients of an equation are other than 1 and
@@ -43,6 +51,8 @@ public:
 
 private:
   void MakeDependent(Index variable, IntegerSum sum);
+  /// Solves for the term at a place of a sum; its coefficient is 1 or -1.
+  void SolveFor(std::size_t pivot, IntegerSum sum);
 
   /// The kind of each variable: 0 for a real number, 1 for an integer, 2 for one that stays free if
   /// it can.

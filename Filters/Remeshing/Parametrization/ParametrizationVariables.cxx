@@ -3,6 +3,8 @@
 
 #include "Parametrization/ParametrizationVariables.h"
 
+#include "Parametrization/ConeTree.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,11 @@ constexpr double LongestBounded = 4.0;
 /// Lengths that depend on more variables than this get no bound: every sum with such a length
 /// becomes as long.
 constexpr std::size_t MostTerms = 64;
+/// With up to about this number of integers the places of cones are the free ones. A jump then
+/// depends on all cones beyond it, and the matrix is dense among many of them: of more, differences
+/// of neighbouring cones are free, on which little depends. Noise of half an edge takes two thirds
+/// of the memory, that of one edge a twelfth.
+constexpr Index MostTogether = 200;
 
 void Append(IntegerSum& to, const IntegerSum& from, std::int64_t factor)
 {
@@ -57,14 +64,7 @@ ParametrizationVariables::ParametrizationVariables(const CutMesh& mesh)
   , Isolines(FindFeatureIsolines(mesh, this->IsPoint))
 {
   this->FixOrigin();
-  for (const CutMesh::Cone& cone : mesh.Cones)
-  {
-    SymbolicGridPoint image = this->Vertex(cone.Vertex).Turned(cone.Holonomy.Turn, this->Degree);
-    image.Add(this->Jumps(cone.Holonomy), 1);
-    image.Add(this->Vertex(cone.Vertex), -1);
-    this->Solved.Require(image.A);
-    this->Solved.Require(image.B);
-  }
+  this->FixCones();
   for (const auto& [key, variable] : this->AcrossFeature)
   {
     IntegerSum definition = this->Vertex(key.first).Turned(key.second, this->Degree).B;
@@ -158,6 +158,37 @@ SymbolicGridPoint ParametrizationVariables::Corner(Index t, int c) const
     this->Vertex(triangle.Vertex[c]).Turned(triangle.Corner[c].Turn, this->Degree);
   sum.Add(this->Jumps(triangle.Corner[c]), 1);
   return sum;
+}
+
+/// Each cone is a fixed point of the transition once around it.
+void ParametrizationVariables::FixCones()
+{
+  const auto equationsOf = [&](Index k)
+  {
+    const CutMesh::Cone& cone = this->Mesh.Cones[k];
+    SymbolicGridPoint image = this->Vertex(cone.Vertex).Turned(cone.Holonomy.Turn, this->Degree);
+    image.Add(this->Jumps(cone.Holonomy), 1);
+    image.Add(this->Vertex(cone.Vertex), -1);
+    return image;
+  };
+  if (2 * this->Mesh.NumberOfJumps <= MostTogether)
+  {
+    for (Index k = 0; k < static_cast<Index>(this->Mesh.Cones.size()); ++k)
+    {
+      const SymbolicGridPoint equations = equationsOf(k);
+      this->Solved.Require(equations.A);
+      this->Solved.Require(equations.B);
+    }
+    return;
+  }
+  for (const TreeCone& member : LeavesFirst(this->Mesh))
+  {
+    const SymbolicGridPoint equations = equationsOf(member.Cone);
+    const Index place = 2 * this->Mesh.Cones[member.Cone].Vertex;
+    const Index jump = member.Jump == None ? None : 2 * (this->Vertices + member.Jump);
+    this->Solved.RequireLocally(equations.A, place, jump);
+    this->Solved.RequireLocally(equations.B, place + 1, jump);
+  }
 }
 
 /// Finds the features at each vertex, and returns which variables are to be integers.

@@ -61,6 +61,7 @@ private:
   SymbolicGridPoint Along(const CutMesh::IsolineEdge& edge) const;
   std::vector<char> Flags();
   void FixOrigin();
+  void FixCones();
 };
 }
 

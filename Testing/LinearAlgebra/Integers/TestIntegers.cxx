@@ -57,6 +57,31 @@ TEST(IntegerElimination, AnyValuesOfTheFreeVariablesSatisfyAllEquations)
   }
 }
 
+TEST(IntegerElimination, ChainsOfEquationsAreSolvedLocally)
+{
+  // 2 c_k = a_k - a_(k-1): solved for the a_k they would be sums of all c before them.
+  constexpr Index count = 40;
+  IntegerElimination elimination(std::vector<char>(2 * count, 1));
+  for (Index k = 0; k < count; ++k)
+  {
+    IntegerSum sum = { { k, 2 }, { count + k, -1 } };
+    if (k > 0)
+    {
+      sum.emplace_back(count + k - 1, 1);
+    }
+    elimination.RequireLocally(sum, k, count + k);
+  }
+  Index free = 0;
+  for (Index v = 0; v < elimination.GetNumberOfVariables(); ++v)
+  {
+    free += elimination.IsFree(v) ? 1 : 0;
+    EXPECT_LE(elimination.Resolve(v).size(), 2U);
+  }
+  EXPECT_EQ(free, count);
+  // Every a is any even number.
+  EXPECT_EQ(std::abs(elimination.Resolve(count).front().second), 2);
+}
+
 TEST(IntegerRounding, OfIndependentVariablesIsToTheNearest)
 {
   Eigen::VectorXd x(4);

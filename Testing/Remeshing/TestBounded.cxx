@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Memory and time of a mesh grow with the surface and the faces, whatever the surface is: numbers
+// that they are proportional to.
+
+#include "Meshes/Surfaces.h"
+#include "Parametrization/ParametrizationVariables.h"
+#include "Remeshing/CutExample.h"
+
+#include <gtest/gtest.h>
+
+using namespace DirectionFields;
+using Meshes::CutExample;
+
+namespace
+{
+/// The numbers of free integers, and of terms of all corners' coordinates, of which there are two a
+/// corner.
+struct Counts
+{
+  explicit Counts(const CutMesh& mesh)
+  {
+    ParametrizationVariables variables(mesh);
+    for (Index v = 0; v < variables.Solved.GetNumberOfVariables(); ++v)
+    {
+      this->Integers += variables.Solved.IsFree(v) && variables.Solved.IsInteger(v) ? 1 : 0;
+    }
+    for (Index t = 0; t < static_cast<Index>(mesh.Triangles.size()); ++t)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const SymbolicGridPoint corner = variables.Corner(t, c);
+        this->Terms += variables.Solved.Resolve(corner.A).size();
+        this->Terms += variables.Solved.Resolve(corner.B).size();
+      }
+    }
+    this->PerCoordinate =
+      static_cast<double>(this->Terms) / (6.0 * static_cast<double>(mesh.Triangles.size()));
+  }
+
+  std::size_t Integers = 0;
+  std::size_t Terms = 0;
+  double PerCoordinate = 0.0;
+};
+}
+
+TEST(Bounded, CoordinatesDependOnFewVariablesHoweverManyConesThereAre)
+{
+  // A third of the triangles of a random field have cones.
+  for (const int degree : { 4, 6 })
+  {
+    double before = 0.0;
+    for (const int levels : { 2, 3, 4 })
+    {
+      const CutExample example = CutExample::Random(Meshes::Icosphere(levels), degree, 3);
+      const Counts counts(example.Mesh);
+      const std::size_t cones = example.Mesh.Cones.size();
+      EXPECT_GT(cones, std::size_t(50) << (2 * (levels - 2)));
+      // No integers were lost.
+      EXPECT_EQ(counts.Integers, 2 * (cones - 2));
+      EXPECT_LT(counts.PerCoordinate, 8.0);
+      if (levels == 4)
+      {
+        EXPECT_LT(counts.PerCoordinate, 1.2 * before);
+      }
+      before = counts.PerCoordinate;
+    }
+  }
+}
+
+TEST(Bounded, HandlesAndLoopsOfTheBoundaryHaveFewVariablesToo)
+{
+  // Genus 2, and a field of many cones.
+  const CutExample closed =
+    CutExample::Random(Meshes::FlatlySubdivided(Meshes::DoubleTorus(), 1), 4, 2);
+  const Counts counts(closed.Mesh);
+  ASSERT_GT(closed.Mesh.Cones.size(), 100U);
+  EXPECT_EQ(counts.Integers, 2 * (closed.Mesh.Cones.size() + 2));
+  EXPECT_LT(counts.PerCoordinate, 8.0);
+  const CutExample open = CutExample::Random(Meshes::PlateWithHole(48, 12, 0.5, true), 4, 2);
+  ASSERT_GT(open.Mesh.Cones.size(), 100U);
+  EXPECT_LT(Counts(open.Mesh).PerCoordinate, 12.0);
+}
