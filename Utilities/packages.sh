@@ -70,9 +70,9 @@ benchmark_packages=(libbenchmark-dev)
 # shellcheck disable=SC2034
 distributed_packages=(libpetsc-complex-dev)
 
-# For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY).
+# For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY), and its test with pip.
 # shellcheck disable=SC2034
-numpy_packages=(pybind11-dev)
+numpy_packages=(pybind11-dev python3-venv)
 
 # For the checks of the sources' style; clang-format 14 has come with Debian 12 only.
 # shellcheck disable=SC2034

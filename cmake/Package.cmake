@@ -1,13 +1,20 @@
-# Two Debian packages, made by `cpack -G DEB` in the build tree: direction-fields with the plugin,
-# the filters' library and their Python package, and direction-fields-dev to build upon them.
+# Debian packages, made by `cpack -G DEB` in the build tree: direction-fields with the plugin, the
+# filters' library and their Python package, and direction-fields-dev to build upon them, where the
+# plugin is built; python3-direction-fields where the package for NumPy is.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Direction Fields authors")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Globally optimal direction fields on surfaces")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_COMPONENTS_ALL)
+if (DIRECTIONFIELDS_BUILD_VTK AND DIRECTIONFIELDS_BUILD_PLUGIN)
+  list(APPEND CPACK_COMPONENTS_ALL runtime development)
+endif ()
+if (DIRECTIONFIELDS_BUILD_NUMPY)
+  list(APPEND CPACK_COMPONENTS_ALL numpy)
+endif ()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 
 # As with Debian's own tools, who builds the packages is who maintains them.
@@ -48,42 +55,25 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "This package has the headers, the static libraries of DirectionFields::Core and the
 CMake package for programs that compute direction fields, with VTK or without.")
 
+set(CPACK_DEBIAN_NUMPY_PACKAGE_NAME python3-direction-fields)
+set(CPACK_DEBIAN_NUMPY_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_NUMPY_PACKAGE_SHLIBDEPS ON)
+if (DIRECTIONFIELDS_BUILD_NUMPY)
+  # Its module is for one version of Python.
+  math(EXPR next "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_NUMPY_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
+endif ()
+set(CPACK_DEBIAN_NUMPY_PACKAGE_SUGGESTS "python3-pyvista")
+set(CPACK_DEBIAN_NUMPY_DESCRIPTION
+"Smooth n-direction fields on surfaces, on NumPy arrays: fields, lines along
+them, stripes, meshes of quads, edited singularities, and files of other
+programs. PyVista's surfaces have them as mesh.directions.")
+
 set(debian "${PROJECT_BINARY_DIR}/Debian")
-# The other files of a Debian package tell ParaView of the plugin: from Debian 13 on its configuration
-# names a directory for lists of plugins and, beside them, the plugins; before, scripts do it.
-set(scripts)
-set(pluginLists)
-get_filename_component(name "${PARAVIEW_PLUGIN_SUBDIR}" DIRECTORY)
-set(configuration "${ParaView_DIR}/../../${name}/paraview.conf")
-if (EXISTS "${configuration}")
-  file(STRINGS "${configuration}" pluginLists REGEX "^/usr/share/" LIMIT_COUNT 1)
+if (runtime IN_LIST CPACK_COMPONENTS_ALL)
+  include(PackagePlugin)
 endif ()
-if (pluginLists)
-  file(RELATIVE_PATH pluginDirectory "${pluginLists}"
-    "/usr/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/DirectionFields")
-  file(MAKE_DIRECTORY "${debian}")
-  file(CREATE_LINK "${pluginDirectory}" "${debian}/DirectionFields" SYMBOLIC)
-  file(RELATIVE_PATH destination /usr "${pluginLists}")
-  install(
-    FILES "${debian}/DirectionFields" "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${DIRECTIONFIELDS_PLUGINS_FILE}"
-    DESTINATION "${destination}" COMPONENT runtime EXCLUDE_FROM_ALL)
-else ()
-  foreach (script IN ITEMS postinst postrm)
-    configure_file("${CMAKE_CURRENT_LIST_DIR}/Debian/${script}.in" "${debian}/${script}" @ONLY
-      FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
-        GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-    list(APPEND scripts "${debian}/${script}")
-  endforeach ()
-endif ()
-set(soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
-file(WRITE "${debian}/shlibs"
-"libvtkDirectionFieldsFilters ${soversion} direction-fields (= ${version})
-libvtkDirectionFieldsFiltersParallel ${soversion} direction-fields (= ${version})
-libvtkDirectionFieldsServerManager ${soversion} direction-fields (= ${version})
-")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
-  ${scripts} "${CMAKE_CURRENT_LIST_DIR}/Debian/prerm" "${debian}/shlibs"
-  "${CMAKE_CURRENT_LIST_DIR}/Debian/triggers")
 file(READ LICENSE license)
 string(REGEX REPLACE "\n\n" "\n.\n" license "${license}")
 string(REGEX REPLACE "\n([^\n])" "\n \\1" license "${license}")
@@ -103,13 +93,10 @@ file(WRITE "${debian}/changelog.Debian"
  -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${date}
 ")
 execute_process(COMMAND gzip -9nkf "${debian}/changelog.Debian")
-foreach (component IN ITEMS RUNTIME DEVELOPMENT)
-  string(TOLOWER "${component}" lower)
+foreach (component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER "${component}" upper)
   install(FILES "${debian}/copyright" "${debian}/changelog.Debian.gz"
-    DESTINATION "share/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME}"
-    COMPONENT ${lower} EXCLUDE_FROM_ALL)
+    DESTINATION "share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}"
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach ()
-install(FILES "${CMAKE_CURRENT_LIST_DIR}/Debian/lintian-overrides"
-  DESTINATION share/lintian/overrides RENAME "${CPACK_DEBIAN_RUNTIME_PACKAGE_NAME}"
-  COMPONENT runtime EXCLUDE_FROM_ALL)
 include(CPack)

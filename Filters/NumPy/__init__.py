@@ -502,8 +502,12 @@ def curvature(points, triangles, *, scale=0.0):
         Of the principal directions, degree 4, with `principal_directions`, `mean_curvature` and
         `gaussian_curvature`.
     """
-    return field(
-        points, triangles, alignment="curvature", alignment_strength=1.0, curvature_scale=scale)
+    surface, polygons = _surface(points, triangles)
+    made = _call(_core.field, surface, None, None, None, {
+        "alignment": "curvature", "alignment_strength": 1.0, "curvature_scale": scale})
+    # Nobody has asked for an alignment, which changes nothing on spheres and planes.
+    made["warnings"] = [text for text in made["warnings"] if "another Alignment" not in text]
+    return _result(Field, made, polygons=polygons)
 
 
 def from_directions(points, triangles, directions, magnitudes=None):

@@ -12,4 +12,9 @@ then
   exit 1
 fi
 run_dpkg --install "$1"/direction-fields_*.deb "$1"/direction-fields-dev_*.deb
+for numpy in "$1"/python3-direction-fields_*.deb
+do
+  # There where the package for NumPy was built.
+  [ ! -e "$numpy" ] || run_dpkg --install "$numpy"
+done
 touch "$1/installed"

@@ -8,10 +8,14 @@ set -e
 . "$(dirname "$0")/Dpkg.sh"
 rm "$1/installed"
 run_dpkg --purge direction-fields-dev direction-fields
+if dpkg-query --show python3-direction-fields >/dev/null 2>&1
+then
+  run_dpkg --purge python3-direction-fields
+fi
 for remains in /usr/lib/*/paraview-*/plugins/*irection*ields* \
   /usr/share/paraview/plugins/*irection*ields* /usr/lib/*/libvtkDirectionFields* \
   /usr/lib/*/libDirectionFields* /usr/lib/*/cmake/DirectionFields /usr/include/DirectionFields* \
-  /usr/lib/python3/dist-packages/directionfields_vtk /usr/share/doc/direction-fields*
+  /usr/lib/python3/dist-packages/direction*fields* /usr/share/doc/direction-fields*
 do
   if [ -e "$remains" ] || [ -L "$remains" ]
   then

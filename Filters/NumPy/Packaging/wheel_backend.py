@@ -29,7 +29,7 @@ def _install(tree, build):
     subprocess.run(
         [cmake, "-S", str(ROOT), "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF",
          "-DDIRECTIONFIELDS_BUILD_VTK=OFF", "-DDIRECTIONFIELDS_BUILD_NUMPY=ON",
-         "-DDIRECTIONFIELDS_NUMPY_DESTINATION=.", f"-DPython3_EXECUTABLE={sys.executable}",
+         "-DDIRECTIONFIELDS_NUMPY_SITE=.", f"-DPython3_EXECUTABLE={sys.executable}",
          *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
     subprocess.run([cmake, "--build", build, "--parallel", "--target", "DirectionFieldsNumPy"], check=True)
     subprocess.run(
@@ -50,7 +50,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             encoding="utf-8")
         record = []
         with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
-            for path in sorted(p for p in tree.rglob("*") if p.is_file()):
+            for path in sorted(p for p in tree.glob("direction_fields*/*") if p.is_file()):
                 place, data = path.relative_to(tree).as_posix(), path.read_bytes()
                 digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
                 record.append(f"{place},sha256={digest},{len(data)}\n")
