@@ -12,6 +12,7 @@
 #include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/SizeAdvice.h"
+#include "Preparation/SurfaceUnit.h"
 #include "Preparation/WantedSizes.h"
 #include "Support/Threads.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -110,7 +112,8 @@ void Check(const RemeshOptions& options, std::size_t points)
 }
 
 Remesh::Remesh(std::shared_ptr<const Surface> surface)
-  : Input(std::move(surface))
+  : Unit(UnitFor(*surface))
+  , Input(InUnit(std::move(surface), this->Unit))
 {
 }
 Remesh::~Remesh() = default;
@@ -176,6 +179,8 @@ struct Request
   const Surface& Input;
   PreparedField& Field;
   const WantedSizes& Sizes;
+  /// Of lengths, in that of the user's surface.
+  double Unit;
 };
 
 /// Everything that the maps of the components are computed from.
@@ -268,7 +273,7 @@ void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& 
     advice.AddComponent(geometry, component, perLength);
   }
   advice.AddMesh(finished.Faces.Points, finished.Faces.Cells, result.KeptVertices);
-  const std::vector<std::string> sentences = advice.GetSentences();
+  const std::vector<std::string> sentences = advice.GetSentences(request.Unit);
   result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
 }
 
@@ -335,6 +340,18 @@ void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
   ReportExtraction(request, extracted, finished, result);
   ReportQuality(request, finished.Faces, result);
 }
+
+/// A result whose lengths are in a unit of the surface given.
+RemeshResult InUnitOfSurface(RemeshResult&& result, double unit)
+{
+  for (Vector3& point : result.Points)
+  {
+    point *= unit;
+  }
+  result.MaximumDistance *= unit;
+  result.EdgeLength *= unit;
+  return std::move(result);
+}
 }
 
 const char* Remesh::StepAt(double done)
@@ -345,10 +362,15 @@ const char* Remesh::StepAt(double done)
                                : "Smoothing the mesh";
 }
 
-RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vector3>& directions,
+RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vector3>& directions,
   const ProgressFunction& progressFunction)
 {
-  Check(options, this->Input->Points.size());
+  Check(given, this->Input->Points.size());
+  RemeshOptions options = given;
+  options.EdgeLength = given.UseEdgeLength
+    ? std::clamp(given.EdgeLength / this->Unit, std::numeric_limits<double>::min(),
+        std::numeric_limits<double>::max())
+    : given.EdgeLength;
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
   const Progress progress(progressFunction);
@@ -359,7 +381,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
     if (!isPure)
     {
       this->Make(options, directions, QuadPolicy::Mixed, progress, result);
-      return result;
+      return InUnitOfSurface(std::move(result), this->Unit);
     }
     // Vertices that must not move leave triangles no room.
     const bool mayJoin = options.SmoothingIterations > 0;
@@ -373,10 +395,10 @@ RemeshResult Remesh::Compute(const RemeshOptions& options, const std::vector<Vec
         progress.Part(mayJoin ? AfterJoining : 0.0, 1.0), split);
       if (!isJoined || LeastQuality(split) > quality)
       {
-        return split;
+        return InUnitOfSurface(std::move(split), this->Unit);
       }
     }
-    return result;
+    return InUnitOfSurface(std::move(result), this->Unit);
   }
   catch (const Stopped&)
   {
@@ -391,7 +413,7 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
 {
   const WantedSizes sizes =
     this->Prepare(options, directions, policy, progress.Part(0.0, AfterField));
-  const Request request{ options, policy, *this->Input, *this->Cache, sizes };
+  const Request request{ options, policy, *this->Input, *this->Cache, sizes, this->Unit };
   ParametrizationInput input = InputFor(request);
   std::vector<ExtractedMesh> extracted;
   for (const TriangleMesh::Component& component : input.Geometry.Mesh.GetComponents())

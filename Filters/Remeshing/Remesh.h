@@ -162,6 +162,8 @@ private:
   Internal::WantedSizes Prepare(const RemeshOptions& options,
     const std::vector<Vector3>& directions, Internal::QuadPolicy policy, const Progress& progress);
 
+  /// Of all lengths within: another one than that of the surface where that is very large or small.
+  double Unit;
   std::shared_ptr<const Surface> Input;
   std::unique_ptr<Internal::PreparedField> Cache;
 };

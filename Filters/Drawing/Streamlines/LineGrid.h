@@ -7,6 +7,7 @@
 #include "Types.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -114,10 +115,13 @@ private:
   bool SearchCell(
     const Cell& cell, const LineSample& place, double radius, const Visit& visit) const
   {
+    // A power of two, so that digits stay: squares of large and small lengths have no numbers.
+    const double unit = std::ldexp(1.0, -std::ilogb(this->CellSize));
+    const double most = unit * radius * (unit * radius);
     for (Index i = this->Heads[this->Slot(cell)]; i != None; i = this->Next[i])
     {
       const LineSample& sample = this->Samples[i];
-      if ((sample.Position - place.Position).squaredNorm() < radius * radius && visit(sample))
+      if ((unit * (sample.Position - place.Position)).squaredNorm() < most && visit(sample))
       {
         return true;
       }

@@ -112,6 +112,10 @@ private:
               line.Zeros[1] = rider.Trace->EndZero();
               break;
             }
+            if (line.Pieces.size() % PieceLimit::PerCall == PieceLimit::PerCall - 1)
+            {
+              this->Traced.Limit.Count(line.Pieces.size());
+            }
             piece->Arc += rider.Before;
             line.Pieces.push_back(*piece);
           }

@@ -108,7 +108,8 @@ TracedStreamline SpacedLine::Joined() &&
 SpacedTracing::SpacedTracing(
   const GivenField& field, const SingularPoints& zeros, Index component, const EvenOptions& options)
   : Field(field)
-  , Traced{ field, zeros }
+  , Limit(field.GetMesh().GetNumberOfTriangles())
+  , Traced{ field, zeros, this->Limit }
   , Options(options)
   , Component(component)
   , Unit(field.GetGeometry().Lengths.Unit[component])
@@ -180,7 +181,7 @@ bool SpacedTracing::IsTooClose(const LineSample& sample, const LineGrid& grid, c
     // Where it closes it may come near its first part.
     const bool mayClose = std::abs(other.Arc - first.Arc) <= spacing && sample.Arc > 0.0 &&
       other.Tangent.dot(sample.Tangent) > 0.9 &&
-      Lateral(other, sample.Position).norm() < ClosingPart * spacing;
+      Lateral(other, sample.Position).stableNorm() < ClosingPart * spacing;
     return !mayClose;
   };
   return own.IsNear(sample, radius, counts);
@@ -193,13 +194,14 @@ bool SpacedTracing::ComesBack(const LinePiece& piece, const LineSample& first, d
   const Vector3 end = this->PositionOf(piece.Triangle, piece.End) - first.Position;
   const double before = begin.dot(tangent);
   const double after = end.dot(tangent);
-  if (!(before < 0.0 && after >= 0.0) || (end - begin).dot(tangent) < 0.8 * (end - begin).norm())
+  if (!(before < 0.0 && after >= 0.0) ||
+    (end - begin).dot(tangent) < 0.8 * (end - begin).stableNorm())
   {
     return false;
   }
   part = before / (before - after);
   const Vector3 passes = begin + part * (end - begin);
-  return passes.norm() < ClosedPart * this->Options.Spacing;
+  return passes.stableNorm() < ClosedPart * this->Options.Spacing;
 }
 
 void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLength,
@@ -227,7 +229,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLeng
       return false;
     }
     isNearStart = sense > 0 && sample.Arc > OwnPart * spacing &&
-      (sample.Position - first.Position).norm() < NearStartPart * spacing;
+      (sample.Position - first.Position).stableNorm() < NearStartPart * spacing;
     own.Insert(sample);
     half.Marks.push_back({ sample, half.Pieces.size() - 1, part, place });
     turn = 1.0;
@@ -235,6 +237,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLeng
   };
   while (std::optional<LinePiece> piece = trace.Next())
   {
+    this->Limit.RequireFew(half.Pieces.size());
     piece->Arc = length;
     half.Pieces.push_back(*piece);
     const double pieceLength = piece->Length();

@@ -92,6 +92,7 @@ private:
   Vector3 PositionOf(Index triangle, const Complex& place) const;
 
   const GivenField& Field;
+  PieceLimit Limit;
   TracedField Traced;
   const EvenOptions& Options;
   Index Component;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace DirectionFields::Internal
 {
@@ -31,6 +32,11 @@ constexpr int FewWithoutProgress = 8;
 constexpr double OnEdge = 1e-12;
 constexpr double Progress = 1e-7;
 constexpr int MostCrossings = 1 << 20;
+/// The most pieces of all lines together, which take some five gigabytes up to the filter's output,
+/// and of one line: this number, and more for each triangle of the surface.
+constexpr std::size_t MostPieces = 20000000;
+constexpr std::size_t LeastOfLine = 200000;
+constexpr std::size_t PerTriangle = 1000;
 
 /// Where in (0, 1] a cubic vanishes that has these values and slopes at 0 and 1 and is negative at
 /// 1. One that starts at 0 already, on the edge that the line has come through, and rises from
@@ -111,6 +117,28 @@ Beyond AcrossEdge(const TriangleMesh& mesh, const FlatTriangle& flat, Index tria
   return { twin == None ? None : twin / 3, twin == None ? 0 : twin % 3, part,
     direction * std::conj(flat.Along(edge)) };
 }
+}
+
+PieceLimit::PieceLimit(Index triangles)
+  : MostOfLine(LeastOfLine + PerTriangle * static_cast<std::size_t>(triangles))
+{
+}
+
+void PieceLimit::Count(std::size_t ofLine) const
+{
+  this->RequireFew(this->Counted.fetch_add(PerCall) + PerCall > MostPieces
+      ? MostPieces + this->MostOfLine
+      : ofLine);
+}
+
+void PieceLimit::RequireFew(std::size_t ofLine) const
+{
+  if (ofLine > this->MostOfLine)
+  {
+    throw std::invalid_argument(
+      "The lines are so long, or triangles so small, that they would have "
+      "many million points. Lower Maximum Streamline Length.");
+  }
 }
 
 Complex TracedField::DirectionNear(const Complex& power, int degree, const Complex& near, int sense)

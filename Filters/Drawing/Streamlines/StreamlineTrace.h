@@ -7,6 +7,8 @@
 #include "Streamlines.h"
 #include "Streamlines/SingularPoints.h"
 
+#include <atomic>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -43,11 +45,32 @@ struct LineStart
   int Sense = 1;
 };
 
+/// Keeps the pieces of lines, on all threads, few enough for the memory.
+class PieceLimit
+{
+public:
+  explicit PieceLimit(Index triangles);
+
+  /// To be called for each line each time that it has so many pieces more. Throws
+  /// std::invalid_argument where the line, or all lines together, have too many: that does not
+  /// depend on the threads.
+  /// @param ofLine the pieces that this line has
+  void Count(std::size_t ofLine) const;
+  /// The same for lines that may be cut off: it counts none of them.
+  void RequireFew(std::size_t ofLine) const;
+  static constexpr std::size_t PerCall = 1024;
+
+private:
+  std::size_t MostOfLine;
+  mutable std::atomic<std::size_t> Counted{ 0 };
+};
+
 /// A field and its singularities, as lines are traced on.
 struct TracedField
 {
   const GivenField& Field;
   const SingularPoints& Zeros;
+  const PieceLimit& Limit;
   /// No piece is longer, in the unit of the component. Short steps make smooth lines in large
   /// triangles.
   double LongestStep = 1e300;

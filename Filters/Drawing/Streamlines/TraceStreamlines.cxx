@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Geometry/RootOfArea.h"
 #include "Streamlines.h"
 #include "Streamlines/EvenStreamlines.h"
 #include "Streamlines/MotorcycleGraph.h"
@@ -62,7 +63,8 @@ public:
     : Field(field)
     , Options(options)
     , Zeros(field)
-    , Traced{ field, this->Zeros }
+    , Limit(field.GetMesh().GetNumberOfTriangles())
+    , Traced{ field, this->Zeros, this->Limit }
     , Spacing(SpacingFor(field, options))
   {
   }
@@ -95,14 +97,9 @@ private:
   /// One for all components.
   static double SpacingFor(const GivenField& field, const StreamlineOptions& options)
   {
-    const Metric& lengths = field.GetGeometry().Lengths;
-    double area = 0.0;
-    for (std::size_t c = 0; c < lengths.Unit.size(); ++c)
-    {
-      area += lengths.ComponentArea[c] * lengths.Unit[c] * lengths.Unit[c];
-    }
-    return options.Spacing > 0.0 ? std::max(options.Spacing, LeastSpacing * std::sqrt(area))
-                                 : DefaultSpacing * std::sqrt(area);
+    const double extent = Internal::RootOfArea(field.GetGeometry().Lengths);
+    return options.Spacing > 0.0 ? std::max(options.Spacing, LeastSpacing * extent)
+                                 : DefaultSpacing * extent;
   }
   double MaximumLength(Index c) const
   {
@@ -348,6 +345,7 @@ private:
   const GivenField& Field;
   const StreamlineOptions& Options;
   SingularPoints Zeros;
+  PieceLimit Limit;
   TracedField Traced;
   double Spacing;
 };

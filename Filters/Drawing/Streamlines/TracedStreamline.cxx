@@ -11,7 +11,8 @@ namespace DirectionFields::Internal
 namespace
 {
 /// Follows a trace on from the pieces that a line has.
-void Follow(StreamlineTrace& trace, double mostLength, TracedStreamline& line)
+void Follow(
+  StreamlineTrace& trace, const PieceLimit& limit, double mostLength, TracedStreamline& line)
 {
   const double before = line.Length();
   while (line.Length() < mostLength)
@@ -20,6 +21,10 @@ void Follow(StreamlineTrace& trace, double mostLength, TracedStreamline& line)
     if (!piece)
     {
       break;
+    }
+    if (line.Pieces.size() % PieceLimit::PerCall == PieceLimit::PerCall - 1)
+    {
+      limit.Count(line.Pieces.size());
     }
     piece->Arc += before;
     const double left = mostLength - piece->Arc;
@@ -59,7 +64,7 @@ TracedStreamline TraceLine(const TracedField& field, const LineStart& start, dou
   TracedStreamline line;
   line.Sense = start.Sense;
   StreamlineTrace trace(field, start);
-  Follow(trace, mostLength, line);
+  Follow(trace, field.Limit, mostLength, line);
   return line;
 }
 
@@ -96,7 +101,7 @@ TracedStreamline TraceRay(const TracedField& field, const ZeroRay& ray, double m
   {
     StreamlineTrace trace(field, start.Start);
     trace.StartAtZero(start.FreeUntil);
-    Follow(trace, mostLength, line);
+    Follow(trace, field.Limit, mostLength, line);
   }
   return line;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Geometry/RootOfArea.h"
 #include "Stripes.h"
 #include "Stripes/PhaseDiffusion.h"
 #include "Stripes/PhaseSmoothing.h"
@@ -46,12 +47,7 @@ void CheckOptions(const StripeOptions& options)
 
 double DefaultSpacing(const SurfaceGeometry& geometry)
 {
-  double area = 0.0;
-  for (std::size_t c = 0; c < geometry.Lengths.Unit.size(); ++c)
-  {
-    area += geometry.Lengths.ComponentArea[c] * geometry.Lengths.Unit[c] * geometry.Lengths.Unit[c];
-  }
-  return std::sqrt(area) / SpacingsPerSize;
+  return Internal::RootOfArea(geometry.Lengths) / SpacingsPerSize;
 }
 
 double FrequencyOf(double spacing)
@@ -170,7 +166,7 @@ void AddLines(const StripePieces& pieces, const std::vector<char>& ghost, Stripe
     {
       if (p > pattern.LineOffsets[i])
       {
-        arc += (pattern.LinePositions[p] - pattern.LinePositions[p - 1]).norm();
+        arc += (pattern.LinePositions[p] - pattern.LinePositions[p - 1]).stableNorm();
       }
       pattern.Arc[p] = arc;
     }

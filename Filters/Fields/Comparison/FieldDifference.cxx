@@ -52,19 +52,21 @@ std::size_t ComponentOf(const TriangleMesh& mesh, Index triangle)
   return static_cast<std::size_t>(after - components.begin()) - 1;
 }
 
-/// A third of the triangles at each point of the surface, ghosts left out, in the square of its
-/// unit.
+/// A third of the triangles at each point of the surface, ghosts left out, in the square of the
+/// largest unit of a component, as that of the surface may be too large for squares.
 std::vector<double> AreasOfPoints(const GivenField& field)
 {
   const Surface& surface = field.GetSurface();
   const SurfaceGeometry& geometry = field.GetGeometry();
   std::vector<double> areas(surface.Points.size(), 0.0);
+  const std::vector<double>& units = geometry.Lengths.Unit;
+  const double largest = units.empty() ? 1.0 : *std::max_element(units.begin(), units.end());
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
     const Index at = field.GetMeshTriangles()[t];
     if (at != None && !IsGhost(surface, static_cast<Index>(t)))
     {
-      const double unit = geometry.Lengths.Unit[ComponentOf(geometry.Mesh, at)];
+      const double unit = units[ComponentOf(geometry.Mesh, at)] / largest;
       for (const Index point : surface.Triangles[t])
       {
         areas[point] += geometry.Lengths.Area[at] * unit * unit / 3.0;

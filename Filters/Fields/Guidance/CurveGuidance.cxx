@@ -147,7 +147,7 @@ void Strokes::AddToTriangle(
   const TriangleInSpace space = this->Given.InSpace(triangle);
   const Complex tangential(tangent.dot(space.X), tangent.dot(space.Y));
   const double length = std::abs(tangential);
-  if (!(length > LeastTangential * tangent.norm()))
+  if (!(length > LeastTangential * tangent.stableNorm()))
   {
     return;
   }

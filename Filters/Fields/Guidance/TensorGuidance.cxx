@@ -149,14 +149,17 @@ struct VertexTensors
   std::vector<double> Largest;
 };
 
-/// A third of the area of the triangles at each vertex, in the surface's own unit.
+/// A third of the area of the triangles at each vertex, in the square of the largest unit of a
+/// component.
 std::vector<double> AreasOf(const SurfaceGeometry& geometry)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   std::vector<double> areas(mesh.GetNumberOfVertices(), 0.0);
+  const std::vector<double>& units = geometry.Lengths.Unit;
+  const double largest = units.empty() ? 1.0 : *std::max_element(units.begin(), units.end());
   for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
   {
-    const double unit = geometry.Lengths.Unit[c];
+    const double unit = units[c] / largest;
     const TriangleMesh::Component& component = mesh.GetComponents()[c];
     for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
     {

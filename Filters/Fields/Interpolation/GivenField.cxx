@@ -22,6 +22,10 @@ namespace
 constexpr double SameDirection = 1e-4;
 /// The tangential part of a direction that is left over of one along the normal.
 constexpr double LeastTangential = 1e-6;
+/// Magnitudes are divided by the largest where that is larger, or smaller than the inverse, and are
+/// at least a part of the largest.
+constexpr double MostMagnitude = 1e50;
+constexpr double LeastOfLargest = 1e-100;
 
 bool IsFinite(const Surface& surface, const Triangle& triangle)
 {
@@ -206,10 +210,33 @@ bool GivenField::SeamsAgree(const PointDirections& directions, const std::vector
            }) == 0;
 }
 
+double GivenField::LargestMagnitude(const PointDirections& directions) const
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const Index vertices = mesh.GetNumberOfVertices();
+  std::vector<double> largest(NumberOfPieces(vertices, MediumPiece) + 1, 0.0);
+  ParallelFor(vertices, MediumPiece,
+    [&](Index begin, Index end)
+    {
+      double most = 0.0;
+      for (Index v = begin; v < end; ++v)
+      {
+        const double magnitude = directions.Magnitude(mesh.Point(v));
+        most = std::isfinite(magnitude) ? std::max(most, magnitude) : most;
+      }
+      largest[begin / MediumPiece] = most;
+    });
+  return *std::max_element(largest.begin(), largest.end());
+}
+
 void GivenField::ReadSection(const PointDirections& directions)
 {
   const TriangleMesh& mesh = this->GetMesh();
   this->Section.resize(mesh.GetNumberOfVertices());
+  const double largest = this->LargestMagnitude(directions);
+  // Only their ratios count, but squares must be numbers.
+  const bool isExtreme = largest > MostMagnitude || largest < 1.0 / MostMagnitude;
+  const double factor = isExtreme ? 1.0 / std::max(largest, 1e-300) : 1.0;
   ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
     [&](Index begin, Index end)
     {
@@ -225,7 +252,8 @@ void GivenField::ReadSection(const PointDirections& directions)
           const double length = Modulus(tangential);
           if (length > LeastTangential)
           {
-            this->Section[v] = magnitude * IntegerPower(tangential / length, this->Degree);
+            const double size = std::max(magnitude, LeastOfLargest * largest);
+            this->Section[v] = factor * size * IntegerPower(tangential / length, this->Degree);
           }
         }
       }

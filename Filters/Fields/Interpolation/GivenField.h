@@ -117,6 +117,7 @@ public:
   }
 
 private:
+  double LargestMagnitude(const PointDirections& directions) const;
   void ReadSection(const PointDirections& directions);
   /// Whether the directions at points that became one are the same.
   static bool SeamsAgree(const PointDirections& directions, const std::vector<Index>& first);

@@ -73,7 +73,7 @@ void SizeAdvice::AddMesh(const std::vector<Vector3>& points, const Faces& faces,
   }
 }
 
-std::vector<std::string> SizeAdvice::GetSentences() const
+std::vector<std::string> SizeAdvice::GetSentences(double unit) const
 {
   std::vector<std::string> sentences;
   if (this->LengthOfArea > 0.0)
@@ -81,8 +81,8 @@ std::vector<std::string> SizeAdvice::GetSentences() const
     sentences.push_back(
       "Where the surface is thinner than a face, the length of its boundary decides how many faces there are: for the number "
       "asked for edges are " +
-      Text(this->EdgeLength) + " long, where its area would give " + Text(this->LengthOfArea) +
-      ".");
+      Text(unit * this->EdgeLength) + " long, where its area would give " +
+      Text(unit * this->LengthOfArea) + ".");
   }
   if (this->SmallComponents > 0)
   {
@@ -90,14 +90,15 @@ std::vector<std::string> SizeAdvice::GetSentences() const
       (this->SmallComponents == 1 ? " component is" : " components are") +
       " too small for faces of the size asked for: triangles of the surface are left there. An edge "
       "length of " +
-      Text(this->EdgeLength * std::sqrt(this->LeastFaces / FewestFaces)) + " would do for all.");
+      Text(unit * this->EdgeLength * std::sqrt(this->LeastFaces / FewestFaces)) +
+      " would do for all.");
   }
   if (this->Kept > 0)
   {
     sentences.push_back(std::to_string(this->Kept) +
       " vertices are no points of a grid: the surface is thinner there than three edges, or has features "
       "that are closer than one. An edge length of " +
-      Text(this->ShortestEdge) + " would do.");
+      Text(unit * this->ShortestEdge) + " would do.");
   }
   return sentences;
 }

@@ -33,7 +33,8 @@ public:
     const std::vector<double>& perLength);
   /// @param kept vertices that are no grid points but could not be removed
   void AddMesh(const std::vector<Vector3>& points, const Faces& faces, Index kept);
-  std::vector<std::string> GetSentences() const;
+  /// @param unit of the lengths, in that of the user's surface
+  std::vector<std::string> GetSentences(double unit = 1.0) const;
 
 private:
   double EdgeLength;

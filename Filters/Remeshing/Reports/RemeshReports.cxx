@@ -66,14 +66,17 @@ double ScaledJacobian(const RemeshResult& mesh, const std::array<Index, 4>& face
 {
   const int size = SizeOf(face);
   const double even = size == 4 ? 1.0 : 2.0 / std::sqrt(3.0);
+  // A power of two, so that digits stay: areas of large and small faces have no numbers.
+  const double perLength =
+    mesh.EdgeLength > 0.0 ? std::ldexp(1.0, std::min(-std::ilogb(mesh.EdgeLength), 1000)) : 1.0;
   std::array<Vector3, 4> normals;
   std::array<double, 4> lengths;
   Vector3 sum = Vector3::Zero();
   for (int c = 0; c < size; ++c)
   {
     const Vector3& at = mesh.Points[face[c]];
-    const Vector3 next = mesh.Points[face[(c + 1) % size]] - at;
-    const Vector3 last = mesh.Points[face[(c + size - 1) % size]] - at;
+    const Vector3 next = perLength * (mesh.Points[face[(c + 1) % size]] - at);
+    const Vector3 last = perLength * (mesh.Points[face[(c + size - 1) % size]] - at);
     normals[c] = next.cross(last);
     lengths[c] = next.norm() * last.norm();
     sum += normals[c];

@@ -89,7 +89,7 @@ double MeanEdge(const DirectionFields::Surface& surface)
   {
     for (int c = 0; c < 3; ++c)
     {
-      sum += (surface.Points[triangle[(c + 1) % 3]] - surface.Points[triangle[c]]).norm();
+      sum += (surface.Points[triangle[(c + 1) % 3]] - surface.Points[triangle[c]]).stableNorm();
     }
   }
   return sum / std::max(1.0, 3.0 * static_cast<double>(surface.Triangles.size()));
@@ -97,9 +97,10 @@ double MeanEdge(const DirectionFields::Surface& surface)
 
 /// Draws the curves, and a stroke through each guided point, as long as an edge times its weight.
 void AddStrokes(const DirectionFields::Surface& surface, const Curves& curves,
-  const DirectionFields::CurveGuidance& guidance, vtkPolyData* output)
+  const DirectionFields::CurveGuidance& guidance, int pointDataType, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
+  points->SetDataType(pointDataType == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> kind;
   kind->SetName("Kind");
@@ -219,9 +220,10 @@ void vtkGuidanceCurves::Execute(
              : "All parts of the curves are farther from the surface than Maximum Distance. Raise it, or set it to 0."));
   }
   DirectionFields::CopyWithoutReports(input, output);
-  AddStrokes(surface.Mesh, lines, guidance, vtkPolyData::SafeDownCast(outputs[1]));
+  const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
+  AddStrokes(surface.Mesh, lines, guidance, type, vtkPolyData::SafeDownCast(outputs[1]));
   Summarize(DirectionFields::Summary(guidance, lines.size()), outputs);
-  if (input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE)
+  if (type == VTK_DOUBLE)
   {
     AddArrays<vtkDoubleArray>(guidance, output->GetPointData());
   }

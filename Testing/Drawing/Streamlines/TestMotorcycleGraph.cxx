@@ -35,7 +35,8 @@ struct Graph
       rays.insert(rays.end(), more.begin(), more.end());
     }
     this->Rays = rays.size();
-    TracedField traced{ this->Field, this->Zeros };
+    const PieceLimit limit(this->Field.GetMesh().GetNumberOfTriangles());
+    TracedField traced{ this->Field, this->Zeros, limit };
     traced.Capture = 0.1;
     this->Lines = TraceMotorcycleGraph(traced, rays, 1e4, Progress());
   }

@@ -19,7 +19,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -62,6 +64,18 @@ private:
   void SetPolygon(const Surface& mesh, vtkIdType cell, std::size_t first, std::size_t end)
   {
     Surface polygon;
+    double largest = 0.0;
+    for (std::size_t t = first; t < end; ++t)
+    {
+      const DirectionFields::Triangle& ids = mesh.Triangles[t];
+      for (int c = 1; c < 3; ++c)
+      {
+        const Vector3 edge = mesh.Points[ids[c]] - mesh.Points[ids[0]];
+        largest = std::max(largest, edge.lpNorm<Eigen::Infinity>());
+      }
+    }
+    // A power of two, so that digits stay: areas of large and small polygons have no numbers.
+    const double unit = largest > 0.0 ? std::ldexp(1.0, std::min(-std::ilogb(largest), 1000)) : 1.0;
     double area = 0.0;
     Vector3 centroid = Vector3::Zero();
     for (std::size_t t = first; t < end; ++t)
@@ -72,7 +86,8 @@ private:
         polygon.Points.push_back(mesh.Points[i]);
       }
       const Vector3* const corner = &polygon.Points[start];
-      const double part = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+      const double part =
+        (unit * (corner[1] - corner[0])).cross(unit * (corner[2] - corner[0])).norm();
       centroid += part * (corner[0] + corner[1] + corner[2]) / 3.0;
       area += part;
       polygon.Triangles.push_back({ start, start + 1, start + 2 });

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Statements that hold for every filter, on pseudo-random surfaces, fields and options: a filter
+// that was used before gives the bytes of a new one, two threads those of one, inputs stay as they
+// were, numbers are finite, indices sum up, and an error leaves nothing.
+//
+// DIRECTIONFIELDS_PROPERTY_CASES in the environment says how many to take of each group of filters,
+// and DIRECTIONFIELDS_PROPERTY_FIRST the number of the first.
+
+#include "Checks.h"
+
+#include "Fuzz/FuzzedFilters.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+
+namespace
+{
+/// Few enough for every run of the tests.
+constexpr int FewCases = 30;
+
+int FromEnvironment(const char* name, int standard)
+{
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : standard;
+}
+
+std::vector<std::uint8_t> BytesOf(unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<std::uint8_t> bytes(40 + random() % 60);
+  for (std::uint8_t& byte : bytes)
+  {
+    // Zeros stand for defaults.
+    byte = static_cast<std::uint8_t>(random() % 4 == 0 ? 0 : random() % 256);
+  }
+  return bytes;
+}
+}
+
+int TestFilterProperties(int, char*[])
+{
+  const int first = FromEnvironment("DIRECTIONFIELDS_PROPERTY_FIRST", 0);
+  const int cases = FromEnvironment("DIRECTIONFIELDS_PROPERTY_CASES", FewCases);
+  for (const FilterGroup group :
+    { FilterGroup::Streamlines, FilterGroup::Edits, FilterGroup::Comparison, FilterGroup::Pairs })
+  {
+    for (int number = first; number < first + cases; ++number)
+    {
+      const std::vector<std::uint8_t> bytes =
+        BytesOf(4U * static_cast<unsigned>(number) + static_cast<unsigned>(group));
+      const std::string flaw = FuzzedFilters(group, bytes.data(), bytes.size());
+      if (!flaw.empty())
+      {
+        std::cerr << "group " << static_cast<int>(group) << ", case " << number << ": " << flaw
+                  << std::endl;
+      }
+      CHECK(flaw.empty());
+    }
+  }
+  return Checks::Result();
+}
