@@ -12,6 +12,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -21,7 +22,7 @@ namespace
 {
 constexpr std::chrono::milliseconds BetweenLooks(50);
 
-/// The computations that run.
+/// The computations that run, and the threads of Python that wait for them.
 struct Running
 {
   std::mutex Mutex;
@@ -122,6 +123,10 @@ void Attend(Task& task, const py::object& progress)
 py::object Run(
   const py::object& progress, int threads, std::function<Finish(const ProgressFunction&)> compute)
 {
+  if (GetRunning().AreToStop)
+  {
+    throw std::runtime_error("Python ends: nothing is computed any more.");
+  }
   const auto task = std::make_shared<Task>();
   std::thread(
     [task, threads, compute = std::move(compute)]() mutable
@@ -131,7 +136,9 @@ py::object Run(
       GetRunning().Add(-1);
     })
     .detach();
-  GetRunning().Add(1);
+  GetRunning().Add(2);
+  const std::unique_ptr<Running, void (*)(Running*)> waiting(
+    &GetRunning(), [](Running* running) { running->Add(-1); });
   try
   {
     Attend(*task, progress);
@@ -141,6 +148,10 @@ py::object Run(
     const std::lock_guard<std::mutex> lock(task->Mutex);
     task->IsToStop = true;
     throw;
+  }
+  if (GetRunning().AreToStop)
+  {
+    throw std::runtime_error("Python ends: the computation was stopped.");
   }
   if (task->Error)
   {

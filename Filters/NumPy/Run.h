@@ -26,8 +26,8 @@ using Finish = std::function<py::object()>;
 py::object Run(
   const py::object& progress, int threads, std::function<Finish(const ProgressFunction&)> compute);
 
-/// Stops all computations, some of which nobody may wait for any more, and waits for their ends:
-/// the interpreter must not end before them.
+/// Stops all computations, some of which nobody may wait for any more, and waits for their ends and
+/// for the threads that wait for them: the interpreter must not end before these.
 void StopAll();
 }
 

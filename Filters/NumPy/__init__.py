@@ -99,6 +99,9 @@ def _call(function, *arguments):
     try:
         return function(*arguments)
     except (ValueError, FileError) as error:
+        if error.__traceback__.tb_next is not None:
+            # Raised by a function of the caller's, such as progress.
+            raise
         raise type(error)(in_python(str(error))) from None
 
 
@@ -183,11 +186,15 @@ def _listener(progress):
     return progress
 
 
-def _result(kind, made, stacklevel=3, **more):
+def _result(kind, made, **more):
     result = kind(**made, **more)
+    # Warnings name the caller's line.
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals["__name__"].split(".")[0] == __name__:
+        level, frame = level + 1, frame.f_back
     result.warnings = [in_python(sentence) for sentence in getattr(result, "warnings", [])]
     for sentence in result.warnings:
-        warnings.warn(sentence, DirectionFieldWarning, stacklevel=stacklevel)
+        warnings.warn(sentence, DirectionFieldWarning, stacklevel=level)
     return result
 
 
@@ -300,13 +307,13 @@ class Field(_Result):
         triangles = [int(k) for k in wanted]
         if triangles and not 0 <= min(triangles) <= max(triangles) < len(self.triangles):
             raise ValueError(f"wanted must name triangles, 0 to {len(self.triangles) - 1}.")
-        constraints = getattr(self, "constraint_directions", None)
-        return _result(Field, _call(
-            _core.edit, self._given(), constraints if constraints is not None and len(constraints) else None,
-            triangles, [int(k) for k in wanted.values()],
+        constraints = getattr(self, "constraint_directions", ())
+        edited = _result(Field, _call(
+            _core.edit, self._given(), constraints if len(constraints) else None, triangles, [int(k) for k in wanted.values()],
             _optional("vectors", vectors, len(self.points), 3),
-            _optional("weights", weights, len(self.points)), _listener(progress), options),
-            polygons=None)
+            _optional("weights", weights, len(self.points)), _listener(progress), options))
+        edited.polygons = self.polygons if len(edited.triangles) == len(self.triangles) else None
+        return edited
 
     def at_triangles(self):
         """Directions at the middles of the triangles, as finite elements take them.

@@ -198,6 +198,18 @@ class Stopping(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "enough"):
             df.field(*torus(), progress=stop)
 
+    def test_an_exception_of_progress_is_not_touched(self):
+        class Enough(ValueError):
+            def __init__(self, first, second):
+                super().__init__("Degree", first, second)
+
+        def stop(fraction):
+            raise Enough(1, 2)
+
+        with self.assertRaises(Enough) as raised:
+            df.field(*torus(), progress=stop)
+        self.assertEqual(raised.exception.args, ("Degree", 1, 2))
+
     def test_interrupt_stops(self):
         with self.assertRaises(KeyboardInterrupt):
             df.field(*torus(), progress=lambda done: os.kill(os.getpid(), signal.SIGINT))
@@ -226,7 +238,7 @@ class Stopping(unittest.TestCase):
              "mesh = surfaces.torus(150, 300)\n"
              "threading.Thread(target=lambda: df.field(*mesh), daemon=True).start()\n"
              "time.sleep(0.05)"],
-            check=True, cwd=os.path.dirname(os.path.abspath(__file__)))
+            check=True, cwd=os.path.dirname(os.path.abspath(__file__)), stderr=subprocess.DEVNULL)
 
     def test_other_threads_go_on(self):
         turns = []

@@ -82,9 +82,10 @@ class Lines(unittest.TestCase):
             df.streamlines(self.points)
 
     def test_limited_lines_are_a_warning(self):
-        with self.assertWarnsRegex(df.DirectionFieldWarning, "Raise maximum_number"):
+        with self.assertWarnsRegex(df.DirectionFieldWarning, "Raise maximum_number") as caught:
             lines = df.streamlines(self.field, spacing=0.1, maximum_number=5)
         self.assertEqual(len(lines.lengths), 5)
+        self.assertEqual(caught.filename, __file__)
 
     def test_graph_has_its_nodes(self):
         graph = df.graph(df.field(*OCTAHEDRON))
