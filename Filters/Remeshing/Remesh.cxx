@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 namespace DirectionFields
@@ -32,11 +31,9 @@ namespace
 constexpr double AfterField = 0.4;
 constexpr double AfterPreparing = PreparedField::PreparingShare * AfterField;
 constexpr double AfterCells = 0.85;
-constexpr double AfterJoining = 0.97;
+constexpr double AfterFinishing = 0.97;
 /// The user is told of lengths of edges that differ by more than this factor.
 constexpr double Noticeably = 1.05;
-/// With quads below this scaled Jacobian another policy is tried, which may give better ones.
-constexpr double Bad = 0.2;
 
 int DegreeOf(Element element)
 {
@@ -139,16 +136,6 @@ void CopyFaces(const FaceMesh& mesh, RemeshResult& result)
   }
 }
 
-double LeastQuality(const RemeshResult& mesh)
-{
-  double least = 1.0;
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    least = std::min(least, ScaledJacobian(mesh.Points, face));
-  }
-  return least;
-}
-
 /// Counts faces and irregular vertices.
 void CountFaces(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult& result)
 {
@@ -175,7 +162,6 @@ void CountFaces(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult
 struct Request
 {
   const RemeshOptions& Options;
-  QuadPolicy Policy;
   const Surface& Input;
   PreparedField& Field;
   const WantedSizes& Sizes;
@@ -218,9 +204,14 @@ struct FinishedMesh
   Index OpenSeams = 0;
 };
 
-/// Joins the components along the seams, and improves the faces as the policy says. Returns no mesh
-/// if triangles remain although only quads are wanted.
-std::optional<FinishedMesh> Finish(const Request& request, const FeatureLines& features,
+/// Whether quads only are wanted.
+bool IsPure(const RemeshOptions& options)
+{
+  return options.PureQuads && options.Element == Element::Quads;
+}
+
+/// Joins the components along the seams, and improves the faces.
+FinishedMesh Finish(const Request& request, const FeatureLines& features,
   std::vector<ExtractedMesh>& extracted, const Progress& progress)
 {
   const PreparedField& field = request.Field;
@@ -234,10 +225,9 @@ std::optional<FinishedMesh> Finish(const Request& request, const FeatureLines& f
   const RemeshOptions& options = request.Options;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
     options.Sizing.empty() ? options.Sizing : sizes.AtPoints };
-  const bool isFinished =
-    FinishFaces(finished.Faces, request.Policy, options.Element == Element::Quads,
-      options.SmoothingIterations, sizes.EdgeLength, context, progress);
-  return isFinished ? std::optional(std::move(finished)) : std::nullopt;
+  FinishFaces(finished.Faces, options.Element == Element::Quads, IsPure(options),
+    options.SmoothingIterations, sizes.EdgeLength, context, progress);
+  return finished;
 }
 
 /// The sentences about the components and the sizes, and the counts that belong to them.
@@ -259,6 +249,12 @@ void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& 
     result.Notes.push_back(std::to_string(finished.OpenSeams) +
       " seams between sheets of the surface are open in the mesh, since the faces there are too "
       "few. More faces, or shorter edges, would join them.");
+  }
+  if (IsPure(request.Options) && result.Triangles > 0)
+  {
+    result.Notes.push_back(std::to_string(result.Triangles) +
+      " triangles are left among the quads, since the faces between features there are too few to "
+      "be joined. More faces, or a larger Feature Angle, would do.");
   }
   const WantedSizes& sizes = request.Sizes;
   SizeAdvice advice(sizes.EdgeLength, DegreeOf(request.Options.Element));
@@ -377,27 +373,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vecto
   try
   {
     RemeshResult result;
-    const bool isPure = options.PureQuads && options.Element == Element::Quads;
-    if (!isPure)
-    {
-      this->Make(options, directions, QuadPolicy::Mixed, progress, result);
-      return InUnitOfSurface(std::move(result), this->Unit);
-    }
-    // Vertices that must not move leave triangles no room.
-    const bool mayJoin = options.SmoothingIterations > 0;
-    const bool isJoined =
-      mayJoin && this->Make(options, directions, QuadPolicy::Joined, progress, result);
-    const double quality = isJoined ? LeastQuality(result) : -1.0;
-    if (quality < Bad)
-    {
-      RemeshResult split;
-      this->Make(options, directions, QuadPolicy::Split,
-        progress.Part(mayJoin ? AfterJoining : 0.0, 1.0), split);
-      if (!isJoined || LeastQuality(split) > quality)
-      {
-        return InUnitOfSurface(std::move(split), this->Unit);
-      }
-    }
+    this->Make(options, directions, progress, result);
     return InUnitOfSurface(std::move(result), this->Unit);
   }
   catch (const Stopped&)
@@ -408,12 +384,11 @@ RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vecto
   }
 }
 
-bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
-  QuadPolicy policy, const Progress& progress, RemeshResult& result)
+void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  const Progress& progress, RemeshResult& result)
 {
-  const WantedSizes sizes =
-    this->Prepare(options, directions, policy, progress.Part(0.0, AfterField));
-  const Request request{ options, policy, *this->Input, *this->Cache, sizes, this->Unit };
+  const WantedSizes sizes = this->Prepare(options, directions, progress.Part(0.0, AfterField));
+  const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit };
   ParametrizationInput input = InputFor(request);
   std::vector<ExtractedMesh> extracted;
   for (const TriangleMesh::Component& component : input.Geometry.Mesh.GetComponents())
@@ -422,23 +397,19 @@ bool Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
     const ComponentMap map = MapComponent(input, component, part.Part(0.15, 0.7));
     extracted.push_back(ExtractMesh(input.Geometry, map, part.Part(0.7, 1.0)));
   }
-  const std::optional<FinishedMesh> finished =
-    Finish(request, input.Features, extracted, progress.Part(AfterCells, AfterJoining));
-  if (finished)
-  {
-    Report(request, extracted, *finished, result);
-  }
-  return finished.has_value();
+  const FinishedMesh finished =
+    Finish(request, input.Features, extracted, progress.Part(AfterCells, AfterFinishing));
+  Report(request, extracted, finished, result);
 }
 
-WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vector3>& directions,
-  QuadPolicy policy, const Progress& progress)
+WantedSizes Remesh::Prepare(
+  const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress)
 {
   WantedSizes sizes;
   sizes.AtPoints = ClampedSizes(options.Sizing, this->Input->Points.size());
   const double area = RelativeArea(*this->Input, sizes.AtPoints);
   sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
-  sizes.MapLength = sizes.EdgeLength * (policy == QuadPolicy::Split ? 2.0 : 1.0);
+  sizes.MapLength = sizes.EdgeLength;
   const int degree = DegreeOf(options.Element);
   const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
   const double strength = StrengthOf(options);

@@ -17,7 +17,6 @@ namespace DirectionFields
 {
 namespace Internal
 {
-enum class QuadPolicy : int;
 class PreparedField;
 struct WantedSizes;
 }
@@ -55,9 +54,8 @@ struct RemeshOptions
   /// Wanted length of the edges at each point relative to elsewhere; empty for the same everywhere.
   /// Values are clamped to 1/8 ... 8; values that are no positive numbers count as 1.
   std::vector<double> Sizing;
-  /// Only quads: triangles are joined in pairs with the quads between them. Where that is not
-  /// possible, and without smoothing, a mesh of twice the edge length is made, and each of its
-  /// faces split into quads.
+  /// Only quads: triangles are joined in pairs with the quads between them, also without smoothing;
+  /// vertices of other faces stay on the grid then. Notes say where triangles are left.
   bool PureQuads = false;
   /// Sharp edges become edges of the new mesh. The boundary always does.
   bool KeepFeatures = true;
@@ -154,13 +152,12 @@ public:
   static const char* StepAt(double done);
 
 private:
-  /// Makes a mesh with one policy. Returns false if triangles remain although only quads are
-  /// wanted. Throws Stopped.
-  bool Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
-    Internal::QuadPolicy policy, const Progress& progress, RemeshResult& result);
+  /// Makes a mesh. Throws Stopped.
+  void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    const Progress& progress, RemeshResult& result);
   /// Makes sure that the cache has the surface and the field for these options.
-  Internal::WantedSizes Prepare(const RemeshOptions& options,
-    const std::vector<Vector3>& directions, Internal::QuadPolicy policy, const Progress& progress);
+  Internal::WantedSizes Prepare(
+    const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress);
 
   /// Of all lengths within: another one than that of the surface where that is very large or small.
   double Unit;

@@ -323,6 +323,43 @@ TEST(Remesh, PureQuadsAreNeitherFoldedNorFlat)
   }
 }
 
+TEST(Remesh, PureQuadsAreAsRegularAsTheMeshWithTriangles)
+{
+  // Coarse meshes of many features and of noise.
+  for (const auto& [surface, faces] :
+    { std::pair<Surface, Index>(Meshes::PlateWithHole(48, 12, 0.6, true), 300),
+      { Meshes::ChamferedCube(4), 200 }, { Meshes::DoubleTorus(), 300 },
+      { Meshes::Jittered(Meshes::Potato(4), 0.1, 2), 300 } })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = faces;
+    Remesh remesh(std::make_shared<Surface>(surface));
+    const RemeshResult mixed = remesh.Compute(options);
+    options.PureQuads = true;
+    const RemeshResult pure = remesh.Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(pure), "");
+    EXPECT_EQ(pure.Triangles, 0);
+    EXPECT_LE(pure.IrregularVertices, 1.1 * mixed.IrregularVertices + mixed.Triangles);
+    EXPECT_NEAR(pure.Quads, mixed.Quads + mixed.Triangles, 0.1 * mixed.Quads);
+    EXPECT_GT(LeastQuality(pure), 0.2);
+  }
+}
+
+TEST(Remesh, PureQuadsNeedNoSmoothing)
+{
+  RemeshOptions options;
+  options.NumberOfFaces = 300;
+  options.SmoothingIterations = 0;
+  Remesh remesh(std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.1, 2)));
+  const RemeshResult mixed = remesh.Compute(options);
+  EXPECT_GT(mixed.Triangles, 0);
+  options.PureQuads = true;
+  const RemeshResult pure = remesh.Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(pure), "");
+  EXPECT_EQ(pure.Triangles, 0);
+  EXPECT_NEAR(pure.Quads, mixed.Quads + 0.5 * mixed.Triangles, 0.1 * mixed.Quads);
+}
+
 TEST(Remesh, SizingMakesFacesSmallerWhereItIsAsked)
 {
   const Surface square = Meshes::Square(30);

@@ -6,7 +6,6 @@
 #include "Improvement/FaceSmoothing.h"
 #include "Improvement/QualityRepair.h"
 #include "Improvement/ValenceOptimization.h"
-#include "PureQuads/TrianglePairs.h"
 
 #include <algorithm>
 #include <map>
@@ -78,13 +77,32 @@ void Compress(const VertexStars& stars, FaceMesh& mesh)
     edge.Ends = { number[edge.Ends[0]], number[edge.Ends[1]] };
   }
 }
+
+/// The steps before the edits tell which faces can become good.
+void Improve(VertexStars& stars, MovableFaces& movable,
+  const std::vector<FaceMesh::Vertex>& vertices, const ShapingSettings& settings,
+  const Progress& progress)
+{
+  const int before = 2 * settings.Steps / 3;
+  RelaxFaces(movable, before, progress.Part(0.1, 0.4));
+  if (settings.AreQuads)
+  {
+    OptimizeValences(stars, movable, vertices, progress.Part(0.4, 0.5));
+  }
+  RelaxFaces(movable, settings.Steps - before, progress.Part(0.5, 0.7));
+  ImproveFaces(movable, progress.Part(0.7, 0.9));
+  if (settings.AreQuads && settings.RepairsFaces)
+  {
+    RepairQuality(stars, movable, vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));
+  }
+}
 }
 
 void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPoints& surface,
   const std::vector<ClosestPoints>& lines, const std::vector<double>& edgeLength,
   const Progress& progress)
 {
-  if (settings.Steps == 0)
+  if (settings.Steps == 0 && !settings.Joins)
   {
     return;
   }
@@ -95,26 +113,13 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
     domain.Line.push_back(vertex.Line);
   }
   MovableFaces movable(stars, domain, mesh.Points);
-  if (settings.JoinsTriangles)
+  if (settings.Joins)
   {
-    JoinTriangles(
-      stars, movable, mesh.Vertices, !settings.MayMakeTriangles, progress.Part(0.0, 0.1));
+    JoinTriangles(stars, movable, mesh.Vertices, *settings.Joins, progress.Part(0.0, 0.1));
   }
-  const int before = settings.IsDraft ? 0 : 2 * settings.Steps / 3;
-  RelaxFaces(movable, before, progress.Part(0.1, 0.4));
-  if (settings.AreQuads)
+  if (settings.Steps > 0)
   {
-    OptimizeValences(stars, movable, mesh.Vertices, progress.Part(0.4, 0.5));
-  }
-  if (!settings.IsDraft)
-  {
-    RelaxFaces(movable, settings.Steps - before, progress.Part(0.5, 0.7));
-    ImproveFaces(movable, progress.Part(0.7, 0.9));
-  }
-  if (settings.AreQuads && settings.RepairsFaces)
-  {
-    RepairQuality(
-      stars, movable, mesh.Vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));
+    Improve(stars, movable, mesh.Vertices, settings, progress);
   }
   if (!stars.GetChanges().empty())
   {

@@ -7,14 +7,16 @@
 #include "Distance/ClosestPoints.h"
 #include "FaceMesh/FaceMesh.h"
 #include "Progress.h"
+#include "PureQuads/TrianglePairs.h"
 
+#include <optional>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
 struct ShapingSettings
 {
-  /// Steps in which the vertices move; 0 leaves the mesh unchanged.
+  /// Steps in which the vertices move; 0 only joins triangles.
   int Steps = 0;
   /// The field is of degree 4: faces may be changed.
   bool AreQuads = true;
@@ -23,10 +25,7 @@ struct ShapingSettings
   /// Quads may become triangles where faces get better.
   bool MayMakeTriangles = false;
   /// Triangles are joined in pairs before anything else.
-  bool JoinsTriangles = false;
-  /// The faces will be split: they are edited, but only the vertices of edited faces move. Making
-  /// large faces regular would draw them away from thin parts of the surface.
-  bool IsDraft = false;
+  std::optional<JoinPolicy> Joins;
 };
 
 /// Moves the vertices of a mesh so that its faces become regular, turns edges where that leaves

@@ -12,17 +12,6 @@
 
 namespace DirectionFields::Internal
 {
-/// Which faces the mesh may have, and how pure quads are made.
-enum class QuadPolicy : int
-{
-  /// Quads and the triangles that are left among them, or triangles only.
-  Mixed,
-  /// Quads only: triangles are joined in pairs.
-  Joined,
-  /// Quads only: all faces are split into quads. They are of twice the wanted length before.
-  Split
-};
-
 /// The surface as the new mesh needs it.
 struct SurfaceContext
 {
@@ -35,12 +24,12 @@ struct SurfaceContext
   const std::vector<double>& Sizes;
 };
 
-/// Makes faces regular, and all of them quads if that is wanted. Returns false where triangles
-/// remain then. Throws Stopped.
+/// Makes faces regular, and all of them quads if that is wanted. Throws Stopped.
 /// @param areQuads   the field is of degree 4
+/// @param isPure     no triangles are to be among the quads
 /// @param steps      in which the vertices move
 /// @param edgeLength wanted, where the size is 1
-bool FinishFaces(FaceMesh& mesh, QuadPolicy policy, bool areQuads, int steps, double edgeLength,
+void FinishFaces(FaceMesh& mesh, bool areQuads, bool isPure, int steps, double edgeLength,
   const SurfaceContext& context, const Progress& progress);
 }
 

@@ -10,9 +10,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Quads of a scaled Jacobian up to this count as folded.
-constexpr double Folded = 0.01;
-
 std::array<Index, 2> EdgeOf(Index a, Index b)
 {
   return { std::min(a, b), std::max(a, b) };
@@ -57,12 +54,12 @@ double QualityOf(const std::array<Faces::Face, 2>& halves, const std::vector<Vec
 }
 }
 
-Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points)
+Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points, double quality)
 {
   std::vector<std::size_t> folded;
   for (std::size_t f = 0; f < faces.Corners.size(); ++f)
   {
-    if (Faces::Size(faces.Corners[f]) == 4 && ScaledJacobian(points, faces.Corners[f]) <= Folded)
+    if (Faces::Size(faces.Corners[f]) == 4 && ScaledJacobian(points, faces.Corners[f]) <= quality)
     {
       folded.push_back(f);
     }
@@ -82,12 +79,12 @@ Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points)
     for (int c = 0; c < 2; ++c)
     {
       const std::array<Index, 2> diagonal = EdgeOf(quad[c], quad[c + 2]);
-      const double quality = QualityOf(Halves(quad, c), points);
-      if (quality > bestQuality && !std::binary_search(edges.begin(), edges.end(), diagonal) &&
+      const double both = QualityOf(Halves(quad, c), points);
+      if (both > bestQuality && !std::binary_search(edges.begin(), edges.end(), diagonal) &&
         diagonals.count(diagonal) == 0)
       {
         best = c;
-        bestQuality = quality;
+        bestQuality = both;
       }
     }
     if (best >= 0)

@@ -14,7 +14,8 @@ namespace DirectionFields::Internal
 /// flatter: where the map is bad, smoothing may not have unfolded them. The first triangle takes
 /// the number of the quad, the others come last. A diagonal that is already an edge is not used.
 /// Returns the number of quads that were cut.
-Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points);
+/// @param quality the scaled Jacobian up to which quads count as folded
+Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points, double quality = 0.01);
 }
 
 #endif

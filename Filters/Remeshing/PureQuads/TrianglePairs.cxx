@@ -5,6 +5,7 @@
 
 #include "FaceMesh/FaceRules.h"
 #include "PureQuads/FaceStrip.h"
+#include "PureQuads/StripCuts.h"
 
 #include <algorithm>
 #include <array>
@@ -18,38 +19,71 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The wanted scaled Jacobian of the faces: first all triangles search for strips that leave it,
-/// then the others take any strip.
-constexpr double Wanted[] = { 0.3, 0.1, -1.0 };
-/// Number of strips to other triangles that are tried for each.
+/// What joins may do: first all triangles search for those that make no vertex irregular, then for
+/// those that cost two irregular vertices, and so on.
+struct Price
+{
+  /// By how much the irregularity may grow.
+  int Grown;
+  /// The least scaled Jacobian of the faces around.
+  double Quality;
+};
+constexpr int AnyGrowth = std::numeric_limits<int>::max();
+constexpr Price Prices[] = { { 0, 0.3 }, { 20, 0.3 }, { AnyGrowth, 0.3 }, { AnyGrowth, 0.2 },
+  { AnyGrowth, -1.0 } };
+/// Number of strips to other triangles that are tried for each, and looked at.
 constexpr int MostWays = 6;
+constexpr int MostLooks = 60;
+/// Cost of a strip that turns, in faces: two vertices become irregular there.
+constexpr Index PerTurn = 8;
 constexpr int Moves = 6;
 /// Number of vertices that may be moved in trials: a constant, and a number for each face.
 constexpr std::size_t MostMovedAnyway = 5000;
 constexpr std::size_t MostMovedPerFace = 10;
+/// All rows that are taken out have at most this number of quads: a constant, and a part of all
+/// faces. The steps on strips beside them are this number for each face.
+constexpr Index MostTakenAnyway = 8;
+constexpr Index OneTakenOf = 40;
+constexpr Index MostStepsPerFace = 100;
+/// Rows and the strips beside them are this long at most.
+constexpr Index LongestRow = 256;
 
 constexpr Faces::Face Nothing = { None, None, None, None };
 
 class Pairs
 {
 public:
-  Pairs(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules, int mostGrown)
+  Pairs(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules,
+    bool mayCrossLines)
     : Cells(faces)
     , Places(places)
     , Edits(faces, std::move(rules))
-    , MostGrown(mostGrown)
+    , Cuts(faces, places, this->Edits)
+    , MayCrossLines(mayCrossLines)
     , MovesLeft(MostMovedAnyway + MostMovedPerFace * faces.GetNumberOfFaces())
-    , Seen(faces.GetNumberOfFaces(), None)
-    , From(faces.GetNumberOfFaces(), None)
-    , Cost(faces.GetNumberOfFaces(), 0)
+    , RowsLeft(MostTakenAnyway + faces.GetNumberOfFaces() / OneTakenOf)
+    , StepsLeft(MostStepsPerFace * faces.GetNumberOfFaces())
+    , Seen(4 * faces.GetNumberOfFaces(), None)
+    , From(4 * faces.GetNumberOfFaces(), None)
+    , Cost(4 * faces.GetNumberOfFaces(), 0)
   {
+  }
+
+  /// Joins a triangle with another one over a strip of at most this cost; returns whether it did.
+  bool Join(Index triangle, Index farthest, const Price& price)
+  {
+    this->Wanted = price;
+    this->Start = this->Cells.GetChanges().size();
+    return this->JoinAsItIs(triangle, farthest, PerTurn);
   }
 
   /// Lets a triangle first change places with parts of a quad beside it: from there strips may be
   /// better.
-  bool JoinAfterMove(Index triangle, Index farthest, double wanted)
+  bool JoinAfterMove(Index triangle, Index farthest, const Price& price)
   {
     const std::size_t start = this->Cells.GetChanges().size();
+    this->Wanted = price;
+    this->Start = start;
     const Faces::Face face = this->Cells.Face(triangle);
     for (int c = 0; c < 3; ++c)
     {
@@ -60,7 +94,7 @@ public:
           this->Edits.Do({ triangle, quad, diagonal }))
         {
           const Index moved = Faces::Size(this->Cells.Face(quad)) == 3 ? quad : triangle;
-          if (this->JoinAsItIs(moved, farthest, wanted))
+          if (this->JoinAsItIs(moved, farthest, PerTurn))
           {
             return true;
           }
@@ -71,44 +105,149 @@ public:
     return false;
   }
 
-  /// Joins a triangle with another one over a strip of at most this cost; returns whether it did.
-  /// The cheapest strips are tried first (Dijkstra), entering faces over each of their edges.
-  bool JoinAsItIs(Index triangle, Index farthest, double wanted)
+  /// Takes out the row of quads beyond an edge of a triangle, up to the boundary, to a triangle at
+  /// its other end, or to a face from where a straight strip leads to another triangle.
+  bool JoinAfterRow(Index triangle, Index farthest, const Price& price)
   {
-    int partners = 0;
+    this->Start = this->Cells.GetChanges().size();
+    const Faces::Face face = this->Cells.Face(triangle);
+    for (int c = 0; c < 3; ++c)
+    {
+      if (this->TakeOutRow(triangle, face[c], face[(c + 1) % 3], farthest, price))
+      {
+        return true;
+      }
+      this->Cells.UndoTo(this->Start);
+    }
+    return false;
+  }
+
+private:
+  bool TakeOutRow(Index f, Index tail, Index head, Index farthest, const Price& price)
+  {
+    this->Wanted = price;
+    const Index longest = std::min({ farthest, LongestRow, this->RowsLeft });
+    for (Index k = 1; k <= longest && this->StepsLeft > 0; ++k)
+    {
+      const Index next = this->Cells.Across(f, tail, head);
+      const Faces::Face face = next != None ? this->Cells.Face(next) : Nothing;
+      const bool isEnd = next == None || Faces::Size(face) == 3;
+      const bool isHub = this->Places.IsHub(tail) || this->Places.IsHub(head);
+      const bool isWall = next == None || this->Cells.IsLineEdge(tail, head);
+      if (isHub || (isWall && !this->MayCrossLines) ||
+        (next != None && !HasEdge(face, head, tail)) || !this->Merge(tail, head))
+      {
+        return false;
+      }
+      if (isEnd)
+      {
+        const std::vector<Index> touched = this->Cells.TouchedSince(this->Start);
+        const bool isGood = this->Wanted.Grown >= 0 && this->Settle(touched, price.Quality);
+        this->RowsLeft -= isGood ? k : 0;
+        return isGood;
+      }
+      const Index left = std::min(farthest, LongestRow) - k;
+      if (this->JoinAsItIs(next, left, left + 1))
+      {
+        this->RowsLeft -= k;
+        return true;
+      }
+      const auto at = std::find(face.begin(), face.end(), tail) - face.begin();
+      f = next;
+      tail = face[(at + 1) % 4];
+      head = face[(at + 2) % 4];
+    }
+    return false;
+  }
+
+  /// Merges the ends of an edge of a triangle; its growth counts.
+  bool Merge(Index tail, Index head)
+  {
+    for (const FaceEdits::Edit& edit :
+      { FaceEdits::Edit{ tail, head, None }, FaceEdits::Edit{ head, tail, None } })
+    {
+      const int grown = this->Edits.GrowthBy(edit);
+      if (this->Edits.Do(edit))
+      {
+        this->Wanted.Grown -= this->Wanted.Grown == AnyGrowth ? 0 : grown;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Moves vertices to better places. Returns false, and puts them back, if faces are not good
+  /// then.
+  bool Settle(const std::vector<Index>& vertices, double quality)
+  {
+    if (vertices.size() > this->MovesLeft)
+    {
+      return false;
+    }
+    this->MovesLeft -= vertices.size();
+    const std::vector<Vector3> before = this->PlacesOf(vertices);
+    this->Places.Relax(vertices, Moves);
+    if (this->LeastQuality(vertices) >= quality)
+    {
+      return true;
+    }
+    this->PutBack(vertices, before);
+    return false;
+  }
+
+  /// The cheapest strips are tried first (Dijkstra), entering faces over each of their edges.
+  bool JoinAsItIs(Index triangle, Index farthest, Index perTurn)
+  {
+    int ways = MostWays;
+    int looks = MostLooks;
     using Arrival = std::pair<Index, Index>;
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> front;
-    this->Seen[triangle] = ++this->Stamp;
-    this->Cost[triangle] = 0;
-    front.emplace(0, triangle);
+    // A face and the edge over which it is entered; the last one of a triangle is none.
+    const Index start = 4 * triangle + 3;
+    this->Seen[start] = ++this->Stamp;
+    this->Cost[start] = 0;
+    front.emplace(0, start);
     while (!front.empty() && front.top().first <= farthest)
     {
-      const auto [cost, f] = front.top();
+      const auto [cost, entry] = front.top();
       front.pop();
+      this->StepsLeft -= this->StepsLeft > 0 && perTurn != PerTurn ? 1 : 0;
+      const Index f = entry / 4;
       const Faces::Face face = this->Cells.Face(f);
       const int size = Faces::Size(face);
-      for (int c = 0; cost == this->Cost[f] && c < size; ++c)
+      for (int c = 0; cost == this->Cost[entry] && c < size; ++c)
       {
-        const Index g = this->Beyond(f, face[c], face[(c + 1) % size]);
-        const bool isQuad = g != None && Faces::Size(this->Cells.Face(g)) == 4;
-        const Index there = cost + (isQuad ? this->CostOfPassing(g) : 1);
-        if (g == None || g == triangle ||
-          (isQuad && this->Seen[g] == this->Stamp && this->Cost[g] <= there))
+        const Index tail = face[c];
+        const Index head = face[(c + 1) % size];
+        const Index g = c != entry % 4 ? this->Beyond(f, tail, head) : None;
+        if (g == None || g == triangle)
         {
           continue;
         }
-        this->From[g] = f;
-        this->Cost[g] = there;
+        const Faces::Face& other = this->Cells.Face(g);
+        const auto at =
+          static_cast<Index>(std::find(other.begin(), other.end(), head) - other.begin());
+        const bool isQuad = Faces::Size(other) == 4;
+        const bool isStraight = size == 3 || (c + 2) % 4 == entry % 4;
+        const Index there =
+          cost + (isQuad ? this->CostOfPassing(g) : 1) + (isStraight ? 0 : perTurn);
+        const Index next = 4 * g + at;
+        if (isQuad && this->Seen[next] == this->Stamp && this->Cost[next] <= there)
+        {
+          continue;
+        }
+        this->From[next] = entry;
+        this->Cost[next] = there;
         if (isQuad)
         {
-          this->Seen[g] = this->Stamp;
-          front.emplace(there, g);
+          this->Seen[next] = this->Stamp;
+          front.emplace(there, next);
         }
-        else if (this->Try(this->WayTo(g), wanted))
+        else if (this->Try(this->WayTo(next), ways))
         {
           return true;
         }
-        else if (++partners == MostWays)
+        else if (ways <= 0 || --looks == 0)
         {
           return false;
         }
@@ -117,7 +256,6 @@ public:
     return false;
   }
 
-private:
   /// Next to lines there is less room for other quads.
   Index CostOfPassing(Index f) const
   {
@@ -139,82 +277,21 @@ private:
     return g != None && HasEdge(this->Cells.Face(g), head, tail) ? g : None;
   }
 
-  std::vector<Index> WayTo(Index f) const
+  std::vector<Index> WayTo(Index entry) const
   {
-    std::vector<Index> path = { f };
-    while (this->Cost[path.back()] > 0)
+    std::vector<Index> path = { entry / 4 };
+    while (this->Cost[entry] > 0)
     {
-      path.push_back(this->From[path.back()]);
+      entry = this->From[entry];
+      path.push_back(entry / 4);
     }
     std::reverse(path.begin(), path.end());
     return path;
   }
 
-  /// Chords of a strip that cut it into quads. Or, where two triangles share an edge, the end of
-  /// that edge that is merged with the other one.
-  struct Cut
-  {
-    std::vector<FaceStrip::Chord> Chords;
-    int Grown = 0;
-    Index Goes = None;
-    Index Stays = None;
-  };
-
-  /// By how much the irregularity grows.
-  int Growth(const FaceStrip& strip, const std::vector<FaceStrip::Chord>& chords) const
-  {
-    std::vector<Index> more(strip.GetPolygon().size(), 0);
-    for (const FaceStrip::Chord& edge : strip.GetEdges())
-    {
-      --more[edge[0]];
-      --more[edge[1]];
-    }
-    for (const FaceStrip::Chord& chord : chords)
-    {
-      ++more[chord[0]];
-      ++more[chord[1]];
-    }
-    int grown = 0;
-    for (std::size_t k = 0; k < more.size(); ++k)
-    {
-      const Index v = strip.GetPolygon()[k];
-      grown += this->Edits.Irregularity(v, more[k]) - this->Edits.Irregularity(v);
-    }
-    return grown;
-  }
-
-  std::vector<Cut> CutsOf(const FaceStrip& strip) const
-  {
-    std::vector<Cut> cuts;
-    for (const std::vector<FaceStrip::Chord>& chords :
-      { strip.Cheapest(this->Places.GetPoints()), strip.Shifted(true), strip.Shifted(false) })
-    {
-      const bool isNew = std::none_of(
-        cuts.begin(), cuts.end(), [&](const Cut& other) { return other.Chords == chords; });
-      if (isNew && chords.size() + 1 == strip.GetEdges().size())
-      {
-        cuts.push_back({ chords, this->Growth(strip, chords) });
-      }
-    }
-    if (strip.GetEdges().size() == 1)
-    {
-      const Index right = strip.GetPolygon()[strip.GetEdges()[0][0]];
-      const Index left = strip.GetPolygon()[strip.GetEdges()[0][1]];
-      for (const FaceEdits::Edit& edit :
-        { FaceEdits::Edit{ left, right, None }, FaceEdits::Edit{ right, left, None } })
-      {
-        const int grown = this->Edits.GrowthBy(edit) + 2 * FaceEdits::PerTriangle;
-        cuts.push_back({ {}, grown, edit.First, edit.Second });
-      }
-    }
-    std::stable_sort(
-      cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.Grown < b.Grown; });
-    return cuts;
-  }
-
   /// Joins the triangles at the ends of a strip by the first cut that leaves good faces, or else,
   /// if any is allowed, by the one that leaves the best ones.
-  bool Try(const std::vector<Index>& path, double wanted)
+  bool Try(const std::vector<Index>& path, int& ways)
   {
     const FaceStrip strip(this->Cells, path);
     if (!strip.IsSimple())
@@ -222,142 +299,91 @@ private:
       return false;
     }
     const std::size_t start = this->Cells.GetChanges().size();
-    const std::vector<Vector3> before = this->PlacesOf(strip);
-    const bool isAnyGood = wanted <= 0.0;
-    const double least = isAnyGood ? Wanted[0] : wanted;
-    const Cut* best = nullptr;
+    const bool isAnyGood = this->Wanted.Quality <= 0.0;
+    const double least = isAnyGood ? Prices[0].Quality : this->Wanted.Quality;
+    const StripCuts::Cut* best = nullptr;
     double most = -1.0;
-    const std::vector<Cut> cuts = this->CutsOf(strip);
-    for (const Cut& cut : cuts)
+    const std::vector<StripCuts::Cut> cuts = this->Cuts.Find(strip);
+    bool isTried = false;
+    for (const StripCuts::Cut& cut : cuts)
     {
-      const std::size_t size = strip.GetPolygon().size();
-      if (cut.Grown <= this->MostGrown && size <= this->MovesLeft && this->Do(path, strip, cut))
+      if (cut.Grown <= this->Wanted.Grown && this->Cuts.Do(path, strip, cut))
       {
-        this->MovesLeft -= size;
-        this->Places.Relax(strip.GetPolygon(), Moves);
-        const double quality = this->LeastQuality(strip);
-        if (quality >= least)
+        isTried = true;
+        const std::vector<Index> touched = this->Cells.TouchedSince(this->Start);
+        if (touched.size() <= this->MovesLeft || isAnyGood)
         {
-          return true;
+          this->MovesLeft -= std::min(this->MovesLeft, touched.size());
+          const std::vector<Vector3> before = this->PlacesOf(touched);
+          this->Places.Relax(touched, Moves);
+          const double quality = this->LeastQuality(touched);
+          if (quality >= least)
+          {
+            return true;
+          }
+          if (best == nullptr || quality > most)
+          {
+            best = &cut;
+            most = quality;
+          }
+          this->PutBack(touched, before);
         }
-        if (best == nullptr || quality > most)
-        {
-          best = &cut;
-          most = quality;
-        }
-        this->PutBack(strip, before);
       }
       this->Cells.UndoTo(start);
     }
+    ways -= isTried ? 1 : 0;
     if (!isAnyGood || best == nullptr)
     {
       return false;
     }
-    this->Do(path, strip, *best);
-    this->Places.Relax(strip.GetPolygon(), Moves);
+    this->Cuts.Do(path, strip, *best);
+    this->Places.Relax(this->Cells.TouchedSince(this->Start), Moves);
     return true;
   }
 
-  std::vector<Vector3> PlacesOf(const FaceStrip& strip) const
+  std::vector<Vector3> PlacesOf(const std::vector<Index>& vertices) const
   {
     std::vector<Vector3> places;
-    for (const Index v : strip.GetPolygon())
+    for (const Index v : vertices)
     {
       places.push_back(this->Places.GetPoints()[v]);
     }
     return places;
   }
 
-  void PutBack(const FaceStrip& strip, const std::vector<Vector3>& places)
+  void PutBack(const std::vector<Index>& vertices, const std::vector<Vector3>& places)
   {
     for (std::size_t k = 0; k < places.size(); ++k)
     {
-      this->Places.GetPoints()[strip.GetPolygon()[k]] = places[k];
+      this->Places.GetPoints()[vertices[k]] = places[k];
     }
   }
 
-  double LeastQuality(const FaceStrip& strip) const
+  double LeastQuality(const std::vector<Index>& vertices) const
   {
     double least = 1.0;
-    for (const Index v : strip.GetPolygon())
+    for (const Index v : vertices)
     {
-      least = std::min(least, this->Places.LeastQuality(v));
+      least = std::min(least, this->Cells.At(v).empty() ? 1.0 : this->Places.LeastQuality(v));
     }
     return least;
-  }
-
-  /// Replaces the faces of a strip by quads; returns false if the mesh would not stay manifold.
-  bool Do(const std::vector<Index>& path, const FaceStrip& strip, const Cut& cut)
-  {
-    if (cut.Goes != None)
-    {
-      return this->Edits.Do({ cut.Goes, cut.Stays, None }) && this->TakeOutDoublets(strip);
-    }
-    for (const Index f : path)
-    {
-      this->Cells.Set(f, Nothing);
-    }
-    const std::vector<Index>& polygon = strip.GetPolygon();
-    FaceStrip::Chord before = strip.Whole();
-    for (std::size_t k = 0; k < cut.Chords.size(); ++k)
-    {
-      const FaceStrip::Chord& chord = cut.Chords[k];
-      if (this->Cells.AreJoined(polygon[chord[0]], polygon[chord[1]]))
-      {
-        return false;
-      }
-      this->Cells.Set(path[k], strip.Between(before, chord));
-      before = chord;
-    }
-    this->Cells.Set(path[cut.Chords.size()], strip.Beyond(before));
-    return this->TakeOutDoublets(strip);
-  }
-
-  /// Merges two quads that share two edges into one; returns false if a vertex has too few faces
-  /// nevertheless.
-  bool TakeOutDoublets(const FaceStrip& strip)
-  {
-    std::vector<Index> vertices = strip.GetPolygon();
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-    {
-      const Index v = vertices[k];
-      const std::vector<Index> star = this->Cells.At(v);
-      if (star.empty() || this->Edits.HasEnoughFaces(v))
-      {
-        continue;
-      }
-      if (star.size() != 2 || !this->Places.IsOnSurface(v) ||
-        Faces::Size(this->Cells.Face(star[0])) + Faces::Size(this->Cells.Face(star[1])) < 8)
-      {
-        return false;
-      }
-      // From v on.
-      std::array<Faces::Face, 2> faces{};
-      for (int i = 0; i < 2; ++i)
-      {
-        faces[i] = this->Cells.Face(star[i]);
-        std::rotate(
-          faces[i].begin(), std::find(faces[i].begin(), faces[i].end(), v), faces[i].end());
-      }
-      if (faces[0][1] != faces[1][3] || faces[0][3] != faces[1][1] || faces[0][2] == faces[1][2])
-      {
-        return false;
-      }
-      this->Cells.Set(star[0], { faces[1][2], faces[0][1], faces[0][2], faces[0][3] });
-      this->Cells.Set(star[1], Nothing);
-      vertices.insert(vertices.end(), { faces[0][1], faces[0][3] });
-    }
-    return true;
   }
 
   VertexStars& Cells;
   MovableFaces& Places;
   FaceEdits Edits;
-  /// By how much irregularity may grow at most.
-  int MostGrown;
+  StripCuts Cuts;
+  /// The number of triangles between lines may change.
+  bool MayCrossLines;
+  Price Wanted = Prices[0];
+  /// The number of changes before the edits that are tried.
+  std::size_t Start = 0;
   /// The number of vertices that may still be moved. Where faces are bad everywhere no strip is
   /// found.
   std::size_t MovesLeft;
+  /// The number of quads that may still be taken out in rows, and of faces on strips beside them.
+  Index RowsLeft;
+  Index StepsLeft;
   /// The last search that reached a face, the face before it on the strip, and the cost of the
   /// strip.
   std::vector<Index> Seen;
@@ -368,11 +394,10 @@ private:
 }
 
 void JoinTriangles(VertexStars& faces, MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices, bool atAnyPrice, const Progress& progress)
+  const std::vector<FaceMesh::Vertex>& vertices, JoinPolicy policy, const Progress& progress)
 {
-  Pairs pairs(faces, places, WithoutLocks(RulesFor(faces, places, vertices)),
-    atAnyPrice ? std::numeric_limits<int>::max() : 0);
-  ;
+  Pairs pairs(
+    faces, places, WithoutLocks(RulesFor(faces, places, vertices)), policy == JoinPolicy::Cheap);
   std::vector<Index> left;
   for (Index f = 0; f < faces.GetNumberOfFaces(); ++f)
   {
@@ -396,19 +421,27 @@ void JoinTriangles(VertexStars& faces, MovableFaces& places,
     left.erase(std::remove_if(left.begin(), left.end(), isJoined), left.end());
   };
   const Index anywhere = 4 * faces.GetNumberOfFaces();
-  for (const double wanted : Wanted)
+  const std::size_t count = policy == JoinPolicy::Free ? 1
+    : policy == JoinPolicy::Cheap                      ? 3
+                                                       : std::size(Prices);
+  for (std::size_t k = 0; k < count; ++k)
   {
-    if (wanted < Wanted[0] && !atAnyPrice)
-    {
-      break;
-    }
+    const Price& price = Prices[k];
     for (Index farthest = 1; !left.empty() && farthest < anywhere; farthest *= 4)
     {
-      joinEach([&](Index f) { pairs.JoinAsItIs(f, farthest, wanted); });
+      // What is dear is left to strips for which the triangles have been evened out.
+      if (policy != JoinPolicy::Cheap || price.Grown < AnyGrowth)
+      {
+        joinEach([&](Index f) { pairs.Join(f, farthest, price); });
+      }
+      if (policy != JoinPolicy::Free)
+      {
+        joinEach([&](Index f) { pairs.JoinAfterRow(f, farthest, price); });
+      }
     }
-    if (wanted < Wanted[0])
+    if (price.Quality < Prices[0].Quality)
     {
-      joinEach([&](Index f) { pairs.JoinAfterMove(f, anywhere, wanted); });
+      joinEach([&](Index f) { pairs.JoinAfterMove(f, anywhere, price); });
     }
   }
   progress.Report(1.0);

@@ -12,16 +12,25 @@
 
 namespace DirectionFields::Internal
 {
+/// What it may cost to join triangles.
+enum class JoinPolicy
+{
+  /// No irregular vertices; triangles stay otherwise.
+  Free,
+  /// Two irregular vertices a pair.
+  Cheap,
+  /// Where no strip leaves faces good they become as good as they can, and vertices may become
+  /// irregular; only triangles that find no other one stay.
+  AtAnyPrice
+};
+
 /// Joins triangles in pairs, the nearest ones first: two triangles and the k quads of a strip
 /// between them, which crosses no line, become k + 1 quads. Often each edge of the strip moves on
-/// to the next vertex on one side, which changes the valence of few vertices. Faces are to stay
-/// good. Takes time in proportion to the faces that are nearer to a triangle than the one it is
-/// joined with. Throws Stopped.
-/// @param atAnyPrice where no strip leaves faces good they become as good as they can, and vertices
-///                   may become irregular; only triangles that find no other one stay. Otherwise
-///                   triangles whose join gains nothing stay, too.
+/// to the next vertex on one side, which changes the valence of few vertices. Or the row of quads
+/// beyond an edge of a triangle is taken out, up to the boundary, another triangle or a strip to
+/// one: rows go on over lines. Faces are to stay good. Throws Stopped.
 void JoinTriangles(VertexStars& faces, MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices, bool atAnyPrice, const Progress& progress = {});
+  const std::vector<FaceMesh::Vertex>& vertices, JoinPolicy policy, const Progress& progress = {});
 }
 
 #endif

@@ -20,18 +20,21 @@ constexpr double PerWall = 40.0;
 constexpr double Good = 0.3;
 constexpr Index FewFaces = 8;
 constexpr double PerBadFace = 20.0;
+/// The parts of a triangle could be joined only with each other: the new vertex would be flat.
+constexpr double PerTriangle = 60.0;
+/// Corners of lines leave the faces no room to move.
+constexpr double PerCorner = 20.0;
 
 std::array<Index, 2> EndsOf(Index a, Index b)
 {
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// An edge of a line with one face or two.
+/// An edge of a line and its faces: one at the boundary, more than two where sheets meet.
 struct Wall
 {
   std::array<Index, 2> Ends;
-  /// The second one is None at the boundary.
-  std::array<Index, 2> Faces;
+  std::vector<Index> Faces;
   Index Line;
 };
 
@@ -46,7 +49,7 @@ public:
   {
   }
 
-  bool EvenOut()
+  void EvenOut()
   {
     this->FindWalls();
     this->FindRegions();
@@ -54,13 +57,26 @@ public:
     std::vector<Index> chosen;
     if (!this->ChooseWalls(chosen))
     {
-      return false;
+      // If all edges of lines were cut, all regions would be even. So they are if those where
+      // sheets meet are cut, and then some of the others.
+      for (const Wall& wall : this->Walls)
+      {
+        if (wall.Faces.size() > 2)
+        {
+          this->Cut(wall);
+          for (const Index f : wall.Faces)
+          {
+            this->IsOdd[this->Region[f]] ^= 1;
+          }
+        }
+      }
+      chosen.clear();
+      this->ChooseWalls(chosen);
     }
     for (const Index w : chosen)
     {
       this->Cut(this->Walls[w]);
     }
-    return true;
   }
 
 private:
@@ -104,10 +120,13 @@ private:
       const FaceMesh::LineEdge wanted{ one.Ends, 0 };
       const auto line = std::lower_bound(lines.begin(), lines.end(), wanted, isLess);
       const bool isLine = line != lines.end() && line->Ends == one.Ends;
-      if (isLine && end - k <= 2)
+      if (isLine)
       {
-        this->Walls.push_back(
-          { one.Ends, { one.Face, end - k == 2 ? sides[k + 1].Face : None }, line->Line });
+        this->Walls.push_back({ one.Ends, {}, line->Line });
+        for (std::size_t i = k; i < end; ++i)
+        {
+          this->Walls.back().Faces.push_back(sides[i].Face);
+        }
       }
       else if (!isLine && end - k == 2 &&
         this->Face(one.Face)[one.Corner] != this->Face(sides[k + 1].Face)[sides[k + 1].Corner])
@@ -179,7 +198,7 @@ private:
   std::array<Index, 2> RegionsOf(const Wall& wall) const
   {
     return { this->Region[wall.Faces[0]],
-      wall.Faces[1] != None ? this->Region[wall.Faces[1]]
+      wall.Faces.size() > 1 ? this->Region[wall.Faces[1]]
                             : static_cast<Index>(this->IsOdd.size()) };
   }
 
@@ -204,7 +223,7 @@ private:
     for (std::size_t w = 0; w < this->Walls.size(); ++w)
     {
       const std::array<Index, 2> regions = this->RegionsOf(this->Walls[w]);
-      if (regions[0] != regions[1])
+      if (this->Walls[w].Faces.size() <= 2 && regions[0] != regions[1])
       {
         const double cost = this->CostOf(this->Walls[w]);
         crossings[regions[0]].push_back({ cost, regions[1], static_cast<Index>(w) });
@@ -268,16 +287,18 @@ private:
   double CostOf(const Wall& wall) const
   {
     double cost = PerWall;
+    for (const Index v : wall.Ends)
+    {
+      cost += this->Mesh.Vertices[v].Line < 0 ? PerCorner : 0.0;
+    }
+    const Vector3 middle =
+      0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
     for (const Index f : wall.Faces)
     {
-      if (f != None)
-      {
-        const Vector3 middle =
-          0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
-        cost += std::max<Index>(this->Distance[f], 0) +
-          (this->BestCut(this->Face(f), wall.Ends, middle).Quality < Good ? PerBadFace : 0.0) +
-          (this->Size[this->Region[f]] < FewFaces ? PerBadFace : 0.0);
-      }
+      cost += std::max<Index>(this->Distance[f], 0) +
+        (this->BestCut(this->Face(f), wall.Ends, middle).Quality < Good ? PerBadFace : 0.0) +
+        (this->Size[this->Region[f]] < FewFaces ? PerBadFace : 0.0) +
+        (Faces::Size(this->Face(f)) == 3 ? PerTriangle : 0.0);
     }
     return cost;
   }
@@ -338,21 +359,18 @@ private:
       0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
     for (const Index f : wall.Faces)
     {
-      if (f != None)
-      {
-        const Index part = this->PartWith(f, wall.Ends);
-        const Parts parts = this->BestCut(this->Face(part), wall.Ends, middle);
-        this->Mesh.Cells.Corners[part] = parts.First;
-        this->Mesh.Cells.IsRegular[part] = 0;
-        this->PartsOf.emplace_back(f, static_cast<Index>(this->Mesh.Cells.Corners.size()));
-        this->Mesh.Cells.Corners.push_back(parts.Second);
-        this->Mesh.Cells.IsRegular.push_back(0);
-      }
+      const Index part = this->PartWith(f, wall.Ends);
+      const Parts parts = this->BestCut(this->Face(part), wall.Ends, middle);
+      this->Mesh.Cells.Corners[part] = parts.First;
+      this->Mesh.Cells.IsRegular[part] = 0;
+      this->PartsOf.emplace_back(f, static_cast<Index>(this->Mesh.Cells.Corners.size()));
+      this->Mesh.Cells.Corners.push_back(parts.Second);
+      this->Mesh.Cells.IsRegular.push_back(0);
     }
     this->Mesh.Points.push_back(middle);
     FaceMesh::Vertex vertex;
     vertex.Line = wall.Line;
-    vertex.IsBoundary = wall.Faces[1] == None;
+    vertex.IsBoundary = wall.Faces.size() != 2;
     this->Mesh.Vertices.push_back(vertex);
     std::vector<FaceMesh::LineEdge>& edges = this->Mesh.LineEdges;
     const auto end = edges.size();
@@ -400,8 +418,8 @@ private:
 };
 }
 
-bool EvenOutTriangles(FaceMesh& mesh)
+void EvenOutTriangles(FaceMesh& mesh)
 {
-  return Parity(mesh).EvenOut();
+  Parity(mesh).EvenOut();
 }
 }

@@ -11,9 +11,9 @@ namespace DirectionFields::Internal
 /// Makes the number of triangles even in every region between lines, so that they can be joined in
 /// pairs: edges of lines are split in two, which adds a triangle to each face there, a quad
 /// becoming a triangle and a quad. Odd regions are connected with each other, or with the boundary,
-/// over few lines and where the faces are good. Returns false, and leaves the mesh unchanged, if
-/// odd regions meet others only in edges of more than two faces.
-bool EvenOutTriangles(FaceMesh& mesh);
+/// over few lines and where the faces are good; if some meet others only in edges of more than two
+/// faces, all these edges are split.
+void EvenOutTriangles(FaceMesh& mesh);
 }
 
 #endif

@@ -134,9 +134,10 @@ public:
 
   ///@{
   /**
-   * Quads only: triangles are joined in pairs, and the quads between them change. Where that leaves
-   * bad faces, and without smoothing, a mesh of twice the edge length is made, and every face of it
-   * split into quads. No effect on meshes of triangles. Default off.
+   * Quads only: triangles are joined in pairs with the quads between them, or rows of quads between
+   * them are taken out. Without smoothing the vertices of these move, too. A warning says where
+   * triangles are left, in features that have too few faces. No effect on meshes of triangles.
+   * Default off.
    */
   vtkSetMacro(PureQuads, bool);
   vtkGetMacro(PureQuads, bool);
