@@ -53,6 +53,7 @@ RemeshOptions ReadRemeshOptions(Keywords& keywords)
   keywords("minimum_feature_length", options.MinimumFeatureLength, 0.0);
   keywords.Choice("alignment", options.Alignment, { "shape", "smooth" });
   keywords("alignment_strength", options.AlignmentStrength, 0.0, 1.0);
+  keywords("singularity_cost", options.SingularityCost, 0.0, 4.0);
   keywords("smoothing_iterations", options.SmoothingIterations, 0.0, 1000.0);
   keywords("number_of_threads", options.NumberOfThreads, 0.0, 1024.0);
   keywords.RequireNoMore();

@@ -254,6 +254,7 @@ def remesh(
     minimum_feature_length: float = 0.5,
     alignment: Literal['shape', 'smooth'] = 'shape',
     alignment_strength: float = 0.25,
+    singularity_cost: float = 1.5,
     smoothing_iterations: int = 12,
     number_of_threads: int = 0,
 ) -> Mesh: ...

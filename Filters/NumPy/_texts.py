@@ -56,6 +56,7 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         pure_quads: No triangles between the quads.
         keep_features: Sharp edges become edges of the mesh; the boundary always does.
         alignment: The field where none is given: along the shape, or the smoothest.
+        singularity_cost: Less makes more irregular points, and edges of more even lengths.
         smoothing_iterations: Steps in which points move so that faces become regular.
     """,
     "streamlines": """

@@ -49,13 +49,14 @@ FeatureSettings FeaturesOf(const RemeshOptions& options, double edgeLength)
     ShortestFeature * edgeLength };
 }
 
-/// How strongly the mesh's own field is drawn to the principal curvatures. Their two lines are no
-/// part of a field that has three.
-double StrengthOf(const RemeshOptions& options)
+/// How the mesh's own field is drawn to the principal curvatures. Their two lines are no part of a
+/// field that has three.
+ShapeAlignment AlignmentOf(const RemeshOptions& options)
 {
   const bool isDrawn =
     options.Alignment == FieldAlignment::Shape && options.Element == Element::Quads;
-  return isDrawn ? options.AlignmentStrength : 0.0;
+  return isDrawn ? ShapeAlignment{ options.AlignmentStrength, options.SingularityCost }
+                 : ShapeAlignment();
 }
 
 /// The diagonal of the box around a surface.
@@ -102,6 +103,8 @@ void Check(const RemeshOptions& options, std::size_t points)
     "Minimum Feature Length has to be at least 0.");
   require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,
     "Alignment Strength has to be between 0 and 1.");
+  require(options.SingularityCost >= 0.0 && options.SingularityCost <= 4.0,
+    "Singularity Cost has to be between 0 and 4.");
   require(options.SmoothingIterations >= 0 && options.SmoothingIterations <= 1000,
     "Smoothing Iterations has to be between 0 and 1000.");
   require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
@@ -412,18 +415,18 @@ WantedSizes Remesh::Prepare(
   sizes.MapLength = sizes.EdgeLength;
   const int degree = DegreeOf(options.Element);
   const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
-  const double strength = StrengthOf(options);
+  const ShapeAlignment alignment = AlignmentOf(options);
   WorkingLengths lengths = LengthsFor(sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input));
   if (!directions.empty() || !options.Sizing.empty())
   {
     // Fields and sizes that are given have their values at the points that there are.
     lengths.Split.clear();
   }
-  if (!this->Cache || !this->Cache->IsFor(degree, features, lengths, directions, strength))
+  if (!this->Cache || !this->Cache->IsFor(degree, features, lengths, directions, alignment))
   {
     this->Cache.reset();
     this->Cache = std::make_unique<PreparedField>(
-      *this->Input, degree, features, lengths, directions, strength, progress);
+      *this->Input, degree, features, lengths, directions, alignment, progress);
   }
   const SurfaceGeometry& geometry = this->Cache->GetGeometry();
   const std::vector<double> continued = this->Cache->GetSurface().Continued(sizes.AtPoints);

@@ -146,6 +146,7 @@ void PrintRemesh()
   RANGE(FeatureAngle);
   RANGE(Alignment);
   RANGE(AlignmentStrength);
+  RANGE(SingularityCost);
   RANGE(SmoothingIterations);
   VALUE(KeepStages);
   RANGE(NumberOfThreads);

@@ -46,6 +46,7 @@ void TestParameters()
   CHECK(filter->GetAlignment() == vtkFieldAlignedRemesh::SHAPE);
   filter->SetAlignment(5);
   filter->SetAlignmentStrength(2.0);
+  filter->SetSingularityCost(5.0);
   filter->SetSmoothingIterations(3);
   filter->KeepStagesOff();
   filter->SetNumberOfThreads(2);
@@ -53,7 +54,7 @@ void TestParameters()
   filter->Print(text);
   for (const char* line : { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n",
          "EdgeLength: 0.25\n", "SizingArray: Size\n", "PureQuads: 1\n", "KeepFeatures: 0\n",
-         "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n",
+         "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
          "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);

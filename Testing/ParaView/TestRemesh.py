@@ -19,7 +19,8 @@ ENUMERATIONS = {
     "SizeMode": ["Number Of Faces", "Edge Length"],
     "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SmoothingIterations", "KeepStages", "NumberOfThreads")
+ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SingularityCost", "SmoothingIterations", "KeepStages",
+            "NumberOfThreads")
 
 
 def number(data, name):

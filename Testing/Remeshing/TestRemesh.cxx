@@ -467,6 +467,9 @@ TEST(Remesh, RefusesWhatMakesNoSense)
   options.AlignmentStrength = 1.5;
   EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
   options = {};
+  options.SingularityCost = 5.0;
+  EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
+  options = {};
   options.Sizing = { 1.0 };
   EXPECT_THROW(remesh.Compute(options), std::invalid_argument);
 }

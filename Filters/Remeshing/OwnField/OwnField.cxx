@@ -15,10 +15,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What a singularity costs a field that is drawn to the principal curvatures, as
-/// Options::SingularityCost: without it each wave of the surface has its own.
-constexpr double Cost = 1.5;
-
 /// Vectors along the features, at the points of the surface.
 Guidance AlongFeatures(
   const Surface& surface, const SurfaceGeometry& geometry, const std::vector<char>& isFeature)
@@ -48,11 +44,11 @@ std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   options.ConstrainGuidance = settings.FollowsFeatures;
   options.MergePoints = MergePoints::Off;
   options.UnitLength = true;
-  if (settings.Strength > 0.0)
+  if (settings.Alignment.Strength > 0.0)
   {
     options.Alignment = Alignment::PrincipalCurvature;
-    options.AlignmentStrength = settings.Strength;
-    options.SingularityCost = Cost;
+    options.AlignmentStrength = settings.Alignment.Strength;
+    options.SingularityCost = settings.Alignment.SingularityCost;
   }
   std::vector<std::string> notes;
   const Guidance guidance = AlongFeatures(*surface, geometry, isFeature);

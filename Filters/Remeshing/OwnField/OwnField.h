@@ -14,15 +14,29 @@
 namespace DirectionFields::Internal
 {
 /// How the mesher makes a field of its own.
+/// How the shape of a surface draws a field of degree 4.
+struct ShapeAlignment
+{
+  /// The strength of the alignment to the principal curvatures, from 0 for none to 1, as
+  /// Options::AlignmentStrength.
+  double Strength = 0.0;
+  /// As Options::SingularityCost, for a strength above 0: without it each wave of the surface has
+  /// its own singularities.
+  double SingularityCost = 0.0;
+
+  bool operator==(const ShapeAlignment& other) const
+  {
+    return this->Strength == other.Strength && this->SingularityCost == other.SingularityCost;
+  }
+};
+
 struct OwnFieldSettings
 {
   /// 4 or 6
   int Degree = 4;
   /// Whether the field runs along the features.
   bool FollowsFeatures = true;
-  /// The strength of the alignment to the principal curvatures, from 0 for none to 1, as
-  /// Options::AlignmentStrength.
-  double Strength = 0.0;
+  ShapeAlignment Alignment;
 };
 
 /// Computes a section of unit length over the vertices of a surface, kept along its boundary and

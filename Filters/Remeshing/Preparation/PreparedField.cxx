@@ -10,19 +10,19 @@
 namespace DirectionFields::Internal
 {
 PreparedField::PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
-  WorkingLengths lengths, const std::vector<Vector3>& given, double strength,
+  WorkingLengths lengths, const std::vector<Vector3>& given, const ShapeAlignment& alignment,
   const Progress& progress)
   : Degree(degree)
   , Lengths(std::move(lengths))
   , Given(given)
-  , Strength(strength)
+  , Alignment(alignment)
   , Prepared(input, degree, settings, this->Lengths, progress.Part(0.0, PreparingShare))
   , InputTriangles(this->Prepared.GetTriangles())
   , IsFeature(this->Prepared.FindFeatures(settings))
   , IsFrameless(FramelessVertices(this->GetGeometry(), degree, this->IsFeature))
   , Section(given.empty()
         ? OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
-            { degree, settings.AreKept, strength }, progress.Part(0.4, 0.95))
+            { degree, settings.AreKept, alignment }, progress.Part(0.4, 0.95))
         : this->GivenField())
   , Matching(this->GetGeometry(), degree, this->Section)
   , Joints(this->GetGeometry().Mesh, this->Prepared.GetOriginals())
@@ -32,10 +32,11 @@ PreparedField::PreparedField(const Surface& input, int degree, const FeatureSett
 }
 
 bool PreparedField::IsFor(int degree, const FeatureSettings& settings,
-  const WorkingLengths& lengths, const std::vector<Vector3>& given, double strength) const
+  const WorkingLengths& lengths, const std::vector<Vector3>& given,
+  const ShapeAlignment& alignment) const
 {
   return this->Degree == degree && this->Given == given && this->Lengths == lengths &&
-    (!given.empty() || this->Strength == strength) &&
+    (!given.empty() || this->Alignment == alignment) &&
     this->IsFeature == this->Prepared.FindFeatures(settings);
 }
 

@@ -26,17 +26,17 @@ public:
   static constexpr double PreparingShare = 0.3;
 
   /// Throws MeshError and Stopped.
-  /// @param degree   4 or 6
-  /// @param given    any of the directions of a field at each point of the input; empty for an
-  ///                 OwnField
-  /// @param strength how strongly that is drawn to the principal curvatures, 0 to 1
+  /// @param degree    4 or 6
+  /// @param given     any of the directions of a field at each point of the input; empty for an
+  ///                  OwnField
+  /// @param alignment of that
   PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
-    WorkingLengths lengths, const std::vector<Vector3>& given, double strength,
+    WorkingLengths lengths, const std::vector<Vector3>& given, const ShapeAlignment& alignment,
     const Progress& progress);
 
   /// Whether the same field would be prepared from these.
   bool IsFor(int degree, const FeatureSettings& settings, const WorkingLengths& lengths,
-    const std::vector<Vector3>& given, double strength) const;
+    const std::vector<Vector3>& given, const ShapeAlignment& alignment) const;
 
   const PreparedSurface& GetSurface() const { return this->Prepared; }
   const SurfaceGeometry& GetGeometry() const { return this->Prepared.GetGeometry(); }
@@ -57,7 +57,7 @@ private:
   int Degree;
   WorkingLengths Lengths;
   std::vector<Vector3> Given;
-  double Strength;
+  ShapeAlignment Alignment;
   PreparedSurface Prepared;
   ClosestPoints InputTriangles;
   std::vector<char> IsFeature;

@@ -56,6 +56,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->FeatureAngle = defaults.FeatureAngle;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->AlignmentStrength = defaults.AlignmentStrength;
+  this->SingularityCost = defaults.SingularityCost;
   this->SmoothingIterations = defaults.SmoothingIterations;
   this->KeepStages = true;
   this->NumberOfThreads = defaults.NumberOfThreads;
@@ -82,6 +83,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
+  os << indent << "SingularityCost: " << this->SingularityCost << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
   os << indent << "KeepStages: " << this->KeepStages << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
@@ -101,6 +103,7 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* i
   options.FeatureAngle = this->FeatureAngle;
   options.Alignment = static_cast<DirectionFields::FieldAlignment>(this->Alignment);
   options.AlignmentStrength = this->AlignmentStrength;
+  options.SingularityCost = this->SingularityCost;
   options.SmoothingIterations = this->SmoothingIterations;
   options.NumberOfThreads = this->NumberOfThreads;
   return options;

@@ -191,6 +191,16 @@ public:
 
   ///@{
   /**
+   * What a singularity costs the field of SHAPE, as vtkDirectionField::SetSingularityCost: less
+   * makes more irregular vertices, and edges of more even lengths where features leave them free.
+   * Range 0 to 4, default 1.5.
+   */
+  vtkSetClampMacro(SingularityCost, double, 0.0, 4.0);
+  vtkGetMacro(SingularityCost, double);
+  ///@}
+
+  ///@{
+  /**
    * Steps in which vertices move along the surface so that faces become regular. 0: they stay where
    * the grid has them. Range 0 to 1000, default 12.
    */
@@ -242,6 +252,7 @@ private:
   double FeatureAngle;
   int Alignment;
   double AlignmentStrength;
+  double SingularityCost;
   int SmoothingIterations;
   bool KeepStages;
   int NumberOfThreads;

@@ -177,8 +177,57 @@ TEST(OwnField, AnotherAlignmentIsAnotherMeshOfTheSameMesher)
   options.NumberOfFaces = 500;
   Remesh kept(surface);
   kept.Compute(options);
+  options.SingularityCost = 0.0;
+  EXPECT_EQ(kept.Compute(options).Points, Remesh(surface).Compute(options).Points);
   options.Alignment = FieldAlignment::Smooth;
   EXPECT_EQ(kept.Compute(options).Points, Remesh(surface).Compute(options).Points);
+}
+
+namespace
+{
+/// The standard deviation of the lengths of edges over their mean, those of interior edges twice.
+double Unevenness(const RemeshResult& mesh)
+{
+  double count = 0.0;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const int size = face[3] == None ? 3 : 4;
+    for (int c = 0; c < size; ++c)
+    {
+      const double length = (mesh.Points[face[(c + 1) % size]] - mesh.Points[face[c]]).norm();
+      count += 1.0;
+      sum += length;
+      squares += length * length;
+    }
+  }
+  return std::sqrt(squares * count / (sum * sum) - 1.0);
+}
+}
+
+TEST(OwnField, CheapSingularitiesMakeEdgesEven)
+{
+  // A ball with limbs of several lengths.
+  Surface body = Meshes::Icosphere(5);
+  for (Vector3& p : body.Points)
+  {
+    double height = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      height += (1.25 + 0.625 * axis) * std::exp(6.0 * (std::abs(p[axis]) - 1.0));
+    }
+    p *= height;
+  }
+  const auto surface = std::make_shared<Surface>(body);
+  RemeshOptions options;
+  options.NumberOfFaces = 2000;
+  Remesh mesher(surface);
+  const RemeshResult dear = mesher.Compute(options);
+  options.SingularityCost = 0.0;
+  const RemeshResult cheap = mesher.Compute(options);
+  EXPECT_GT(cheap.IrregularVertices, dear.IrregularVertices);
+  EXPECT_LT(Unevenness(cheap), 0.95 * Unevenness(dear));
 }
 
 TEST(OwnField, TrianglesAreMadeAlongTheSmoothestField)
