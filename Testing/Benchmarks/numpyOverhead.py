@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What direction_fields takes beyond the libraries: numpyOverhead.py MEASURECORE [TRIANGLES [RUNS]]
 
-Prints the ratio of the times of a smoothest cross field, and memory: the most that a process of Python takes beyond
+Prints the ratio of the times of a smoothest cross field, added up over the processors, which does not depend on what
+else the machine does; and memory: the most that a process of Python takes beyond
 what it had with the arrays, against the libraries' process and the arrays of the result."""
 
 import os
@@ -30,14 +31,16 @@ with tempfile.TemporaryDirectory() as folder:
     cells.tofile(names[1])
     seconds, core = [], []
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-    # In turns, so that both see the same machine.
+    # In turns, so that both see the same machine; a process's first run takes longer.
     for _ in range(runs):
         core.append([float(word) for word in subprocess.run(
-            [sys.argv[1], *names, "1"], check=True, capture_output=True, text=True).stdout.split()])
-        begin = time.perf_counter()
-        field = df.field(points, cells)
-        seconds.append(time.perf_counter() - begin)
-    after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+            [sys.argv[1], *names, "3" if core else "1"], check=True, capture_output=True, text=True).stdout.split()])
+        for _ in range(3):
+            begin = time.process_time()
+            field = df.field(points, cells)
+            seconds.append(time.process_time() - begin)
+            if len(seconds) == 1:
+                after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
 outputs = sum(value.nbytes for value in vars(field).values() if isinstance(value, np.ndarray))
 alone, memory = (min(column) for column in zip(*core))
 print(f"{len(cells)} triangles: {min(seconds):.3f} s in Python, {alone:.3f} s in the libraries alone, "
