@@ -53,13 +53,13 @@ constexpr Faces::Face Nothing = { None, None, None, None };
 class Pairs
 {
 public:
-  Pairs(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules,
-    bool mayCrossLines)
+  Pairs(
+    VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules, JoinPolicy policy)
     : Cells(faces)
     , Places(places)
     , Edits(faces, std::move(rules))
     , Cuts(faces, places, this->Edits)
-    , MayCrossLines(mayCrossLines)
+    , Policy(policy)
     , MovesLeft(MostMovedAnyway + MostMovedPerFace * faces.GetNumberOfFaces())
     , RowsLeft(MostTakenAnyway + faces.GetNumberOfFaces() / OneTakenOf)
     , StepsLeft(MostStepsPerFace * faces.GetNumberOfFaces())
@@ -134,7 +134,7 @@ private:
       const bool isEnd = next == None || Faces::Size(face) == 3;
       const bool isHub = this->Places.IsHub(tail) || this->Places.IsHub(head);
       const bool isWall = next == None || this->Cells.IsLineEdge(tail, head);
-      if (isHub || (isWall && !this->MayCrossLines) ||
+      if (isHub || (isWall && this->Policy != JoinPolicy::Cheap) ||
         (next != None && !HasEdge(face, head, tail)) || !this->Merge(tail, head))
       {
         return false;
@@ -199,7 +199,8 @@ private:
   bool JoinAsItIs(Index triangle, Index farthest, Index perTurn)
   {
     int ways = MostWays;
-    int looks = MostLooks;
+    // Triangles that may stay are not worth a long search.
+    int looks = this->Policy == JoinPolicy::Free ? MostWays : MostLooks;
     using Arrival = std::pair<Index, Index>;
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> front;
     // A face and the edge over which it is entered; the last one of a triangle is none.
@@ -373,8 +374,8 @@ private:
   MovableFaces& Places;
   FaceEdits Edits;
   StripCuts Cuts;
-  /// The number of triangles between lines may change.
-  bool MayCrossLines;
+  /// Rows may change the number of triangles between lines only before that is evened out.
+  JoinPolicy Policy;
   Price Wanted = Prices[0];
   /// The number of changes before the edits that are tried.
   std::size_t Start = 0;
@@ -396,8 +397,7 @@ private:
 void JoinTriangles(VertexStars& faces, MovableFaces& places,
   const std::vector<FaceMesh::Vertex>& vertices, JoinPolicy policy, const Progress& progress)
 {
-  Pairs pairs(
-    faces, places, WithoutLocks(RulesFor(faces, places, vertices)), policy == JoinPolicy::Cheap);
+  Pairs pairs(faces, places, WithoutLocks(RulesFor(faces, places, vertices)), policy);
   std::vector<Index> left;
   for (Index f = 0; f < faces.GetNumberOfFaces(); ++f)
   {
