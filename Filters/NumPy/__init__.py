@@ -190,7 +190,7 @@ def _result(kind, made, **more):
     result = kind(**made, **more)
     # Warnings name the caller's line.
     level, frame = 1, sys._getframe()
-    while frame.f_back and frame.f_globals["__name__"].split(".")[0] == __name__:
+    while frame.f_back and frame.f_globals.get("__name__", "").split(".")[0] == __name__:
         level, frame = level + 1, frame.f_back
     result.warnings = [in_python(sentence) for sentence in getattr(result, "warnings", [])]
     for sentence in result.warnings:

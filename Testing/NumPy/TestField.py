@@ -170,6 +170,12 @@ class Errors(unittest.TestCase):
             warnings.simplefilter("error")
             df.field(*torus())
 
+    def test_callers_need_no_name(self):
+        # Doctests and exec run with any globals.
+        found = {"df": df, "mesh": OCTAHEDRON}
+        exec("field = df.field(*mesh)", found)
+        self.assertEqual(found["field"].indices.sum(), 8)
+
     def test_mended_meshes_are_warnings(self):
         points, triangles = OCTAHEDRON
         turned = triangles.copy()
