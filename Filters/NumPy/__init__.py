@@ -81,9 +81,10 @@ def _keyword_options(name):
         described = _core.options[name]
         if call.__doc__:
             lines = "".join(
-                f"    {key} : {words(*entry)}\n        {DESCRIPTIONS[name][key]}\n"
+                f"\n{key} : {words(*entry)}\n    {DESCRIPTIONS[name][key]}"
                 for key, entry in described.items())
-            call.__doc__ = call.__doc__.replace("    **options\n", lines)
+            # From Python 3.13 on the compiler takes the indentation away.
+            call.__doc__ = inspect.cleandoc(call.__doc__).replace("\n**options", lines)
         signature = inspect.signature(call)
         kept = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
         call.__signature__ = signature.replace(parameters=kept + [

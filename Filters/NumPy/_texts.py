@@ -115,7 +115,8 @@ _OTHERS = {
     r"Turn Refine Where Needed on": "Set refine=True",
     r"Balance Automatically": "balance",
     r"Tensor Scale": "scale",
-    r"before Direction Field|of Direction Field": "of field()",
+    r"before Direction Field": "before field()",
+    r"of Direction Field": "of field()",
     r"Field Aligned Remesh": "remesh()",
 }
 # Words of sentences, too.

@@ -298,7 +298,7 @@ class Documentation(unittest.TestCase):
                      "guide_by_tensors", "read", "write"):
             function = getattr(df.Field if name in ("edit", "write") else df, name)
             for keyword in df.options(name):
-                self.assertIn(f"    {keyword} : ", function.__doc__)
+                self.assertIn(f"\n{keyword} : ", function.__doc__)
                 self.assertIn(keyword, stubs[name])
                 self.assertIn(keyword, inspect.signature(function).parameters)
             self.assertNotIn("**options", function.__doc__)
