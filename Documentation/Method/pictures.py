@@ -381,7 +381,7 @@ def constraint_priorities():
     entries = (
         ("given", "given: the user's vector, wherever its weight is positive"),
         ("boundary", "boundary: both edges; likewise edges of more than two triangles"),
-        ("sharp", "sharp edge: the dihedral angle exceeds 30°; the edge"),
+        ("sharp", "sharp edge: the dihedral angle exceeds 40°; the edge"),
         ("curvature", "curvature: |H| l or |K| l^2 exceeds 2; a principal direction"),
     )
     for k, (kind, words) in enumerate(entries):

@@ -35,6 +35,12 @@ enum class CurvatureDirection
   MostBent = 3
 };
 
+/// What counts as a sharp edge unless somebody says otherwise, for fields, meshes and files. It is
+/// more than edges of coarse round surfaces and of the noise of scans mostly have, and less than
+/// those of an icosahedron, 41.8 degrees.
+inline constexpr double DefaultFeatureAngle = 40.0;
+inline constexpr double DefaultMinimumFeatureLength = 0.5;
+
 /// How constraints enter.
 enum class ConstraintSolver
 {
@@ -136,11 +142,11 @@ struct Options
   bool ConstrainSharpEdges = false;
   /// Angle between the normals of the two triangles of an edge above which it is sharp, degrees.
   /// Range 0 to 180.
-  double FeatureAngle = 30.0;
+  double FeatureAngle = DefaultFeatureAngle;
   /// Chains of sharp edges are dropped as noise where they are shorter than this, in parts of the
   /// square root of the component's area, and stand out little from the edges around: less than
   /// four times as sharp, or eight times where they end freely. At least 0, which keeps all.
-  double MinimumFeatureLength = 0.1;
+  double MinimumFeatureLength = DefaultMinimumFeatureLength;
   /// Constrain the vertices of high curvature to their principal directions; degrees 2 and 4 only.
   bool ConstrainCurvature = false;
   /// A vertex is constrained where |H| l or |K| l^2 exceeds this; l is the radius of a sphere with

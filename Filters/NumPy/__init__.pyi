@@ -69,8 +69,8 @@ class Field(_Result):
         path: Union[str, PathLike[str]],
         *,
         at: Literal['points', 'triangles'] = 'triangles',
-        feature_angle: float = 30.0,
-        minimum_feature_length: float = 0.1,
+        feature_angle: float = 40.0,
+        minimum_feature_length: float = 0.5,
     ) -> None: ...
 
 class Lines(_Result):
@@ -164,7 +164,7 @@ def field(
     shift: float = 0.0,
     constrain_boundary: bool = False,
     constrain_sharp_edges: bool = False,
-    feature_angle: float = 30.0,
+    feature_angle: float = 40.0,
     constrain_curvature: bool = False,
     curvature_tolerance: float = 2.0,
     consistency_angle: float = 30.0,
@@ -174,7 +174,7 @@ def field(
     solver: Literal['automatic', 'multigrid', 'direct'] = 'automatic',
     merge_points: Literal['off', 'on', 'automatic'] = 'automatic',
     intrinsic_delaunay: bool = False,
-    minimum_feature_length: float = 0.1,
+    minimum_feature_length: float = 0.5,
     unit_length: bool = False,
     singularity_cost: float = 0.0,
     curvature_scale: float = 0.0,

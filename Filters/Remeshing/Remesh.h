@@ -59,9 +59,9 @@ struct RemeshOptions
   bool PureQuads = false;
   /// Sharp edges become edges of the new mesh. The boundary always does.
   bool KeepFeatures = true;
-  /// As in Options. Angles of coarse round surfaces should not pass for features.
-  double FeatureAngle = 40.0;
-  double MinimumFeatureLength = 0.5;
+  /// As in Options.
+  double FeatureAngle = DefaultFeatureAngle;
+  double MinimumFeatureLength = DefaultMinimumFeatureLength;
   /// The field, if none is given.
   FieldAlignment Alignment = FieldAlignment::Shape;
   /// How strongly the field is drawn to the principal curvatures for Alignment::Shape, as

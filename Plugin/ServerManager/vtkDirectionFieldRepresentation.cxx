@@ -3,6 +3,7 @@
 
 #include "vtkDirectionFieldRepresentation.h"
 
+#include "ConstraintLines.h"
 #include "vtkDirectionFieldGlyphs.h"
 
 #include "vtkActor.h"
@@ -27,19 +28,29 @@ namespace
 {
 // The colour that the display of Direction Field Glyphs begins with.
 constexpr double Teal[3] = { 0.0, 0.42, 0.46 };
+// That of the strokes of Guidance From Curves.
+constexpr double Orange[3] = { 0.85, 0.45, 0.05 };
+constexpr float LineWidth = 3.0F;
 // The surface is the data of port 0.
 constexpr int GlyphPort = 1;
+constexpr int LinePort = 2;
 }
 
 //------------------------------------------------------------------------------
 vtkDirectionFieldRepresentation::vtkDirectionFieldRepresentation()
 {
-  this->GlyphMapper->ScalarVisibilityOff();
-  this->GlyphActor->SetMapper(this->GlyphMapper);
-  this->GlyphActor->GetProperty()->SetColor(Teal[0], Teal[1], Teal[2]);
-  this->GlyphActor->GetProperty()->SetAmbient(0.3);
-  // A click selects cells of the surface.
-  this->GlyphActor->PickableOff();
+  for (Part* const part : { &this->Glyphs, &this->Lines })
+  {
+    part->Mapper->ScalarVisibilityOff();
+    part->Actor->SetMapper(part->Mapper);
+    // A click selects cells of the surface.
+    part->Actor->PickableOff();
+  }
+  this->Glyphs.Actor->GetProperty()->SetColor(Teal[0], Teal[1], Teal[2]);
+  this->Glyphs.Actor->GetProperty()->SetAmbient(0.3);
+  this->Lines.Actor->GetProperty()->SetColor(Orange[0], Orange[1], Orange[2]);
+  this->Lines.Actor->GetProperty()->SetLineWidth(LineWidth);
+  this->Lines.Actor->GetProperty()->LightingOff();
 }
 
 //------------------------------------------------------------------------------
@@ -52,12 +63,13 @@ void vtkDirectionFieldRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkDirectionFieldRepresentation::GlyphsOf(vtkPolyData* block, std::size_t number)
+bool vtkDirectionFieldRepresentation::AddBlock(
+  vtkPolyData* block, std::size_t number, vtkAppendPolyData* glyphs, vtkAppendPolyData* lines)
 {
   vtkDataArray* const direction = block ? block->GetPointData()->GetArray("Direction0") : nullptr;
   if (!direction || direction->GetNumberOfComponents() != 3)
   {
-    return nullptr;
+    return false;
   }
   if (number == this->Filters.size())
   {
@@ -68,7 +80,9 @@ vtkPolyData* vtkDirectionFieldRepresentation::GlyphsOf(vtkPolyData* block, std::
   copy->ShallowCopy(block);
   this->Filters[number]->SetInputData(copy);
   this->Filters[number]->Update();
-  return this->Filters[number]->GetOutput();
+  glyphs->AddInputData(this->Filters[number]->GetOutput());
+  lines->AddInputData(ConstraintLines(copy));
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -78,16 +92,11 @@ int vtkDirectionFieldRepresentation::RequestData(
   vtkDataObject* const input = inputVector[0]->GetNumberOfInformationObjects() == 1
     ? vtkDataObject::GetData(inputVector[0], 0)
     : nullptr;
-  vtkNew<vtkAppendPolyData> all;
+  vtkNew<vtkAppendPolyData> glyphs;
+  vtkNew<vtkAppendPolyData> lines;
   std::size_t blocks = 0;
   const auto add = [&](vtkDataObject* data)
-  {
-    if (vtkPolyData* const glyphs = this->GlyphsOf(vtkPolyData::SafeDownCast(data), blocks))
-    {
-      all->AddInputData(glyphs);
-      ++blocks;
-    }
-  };
+  { blocks += this->AddBlock(vtkPolyData::SafeDownCast(data), blocks, glyphs, lines) ? 1 : 0; };
   if (auto* const composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
@@ -101,15 +110,20 @@ int vtkDirectionFieldRepresentation::RequestData(
     add(input);
   }
   this->Filters.resize(blocks);
-  this->Glyphs->Initialize();
+  this->Glyphs.Data->Initialize();
+  this->Lines.Data->Initialize();
   if (blocks > 0)
   {
-    all->Update();
-    // The mapper needs points, cells and normals only.
-    this->Glyphs->CopyStructure(all->GetOutput());
-    this->Glyphs->GetPointData()->SetNormals(all->GetOutput()->GetPointData()->GetNormals());
+    glyphs->Update();
+    lines->Update();
+    // The mappers need points, cells and normals only.
+    vtkPolyData* const all = glyphs->GetOutput();
+    this->Glyphs.Data->CopyStructure(all);
+    this->Glyphs.Data->GetPointData()->SetNormals(all->GetPointData()->GetNormals());
+    this->Lines.Data->CopyStructure(lines->GetOutput());
   }
-  this->Glyphs->Modified();
+  this->Glyphs.Data->Modified();
+  this->Lines.Data->Modified();
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -119,25 +133,32 @@ int vtkDirectionFieldRepresentation::ProcessViewRequest(
 {
   if (!this->Superclass::ProcessViewRequest(request, input, output))
   {
-    this->GlyphActor->VisibilityOff();
+    this->Glyphs.Actor->VisibilityOff();
+    this->Lines.Actor->VisibilityOff();
     return 0;
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    vtkPVView::SetPiece(input, this, this->Glyphs, 0, GlyphPort);
+    vtkPVView::SetPiece(input, this, this->Glyphs.Data, 0, GlyphPort);
+    vtkPVView::SetPiece(input, this, this->Lines.Data, 0, LinePort);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->GlyphMapper->SetInputConnection(
+    this->Glyphs.Mapper->SetInputConnection(
       vtkPVRenderView::GetPieceProducer(input, this, GlyphPort));
+    this->Lines.Mapper->SetInputConnection(
+      vtkPVRenderView::GetPieceProducer(input, this, LinePort));
     // The user may have hidden or moved the surface.
     vtkPVLODActor* const surface = this->GetRenderedProp();
-    this->GlyphActor->SetVisibility(surface->GetVisibility());
-    this->GlyphActor->SetOrigin(surface->GetOrigin());
-    this->GlyphActor->SetPosition(surface->GetPosition());
-    this->GlyphActor->SetOrientation(surface->GetOrientation());
-    this->GlyphActor->SetScale(surface->GetScale());
-    this->GlyphActor->SetUserTransform(surface->GetUserTransform());
+    for (vtkActor* const actor : { this->Glyphs.Actor.Get(), this->Lines.Actor.Get() })
+    {
+      actor->SetVisibility(surface->GetVisibility());
+      actor->SetOrigin(surface->GetOrigin());
+      actor->SetPosition(surface->GetPosition());
+      actor->SetOrientation(surface->GetOrientation());
+      actor->SetScale(surface->GetScale());
+      actor->SetUserTransform(surface->GetUserTransform());
+    }
   }
   return 1;
 }
@@ -146,7 +167,8 @@ int vtkDirectionFieldRepresentation::ProcessViewRequest(
 void vtkDirectionFieldRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
-  this->GlyphActor->SetVisibility(visible);
+  this->Glyphs.Actor->SetVisibility(visible);
+  this->Lines.Actor->SetVisibility(visible);
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +177,8 @@ bool vtkDirectionFieldRepresentation::AddToView(vtkView* view)
   auto* const renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
-    renderView->GetRenderer()->AddActor(this->GlyphActor);
+    renderView->GetRenderer()->AddActor(this->Glyphs.Actor);
+    renderView->GetRenderer()->AddActor(this->Lines.Actor);
   }
   return renderView && this->Superclass::AddToView(view);
 }
@@ -166,7 +189,8 @@ bool vtkDirectionFieldRepresentation::RemoveFromView(vtkView* view)
   auto* const renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
-    renderView->GetRenderer()->RemoveActor(this->GlyphActor);
+    renderView->GetRenderer()->RemoveActor(this->Glyphs.Actor);
+    renderView->GetRenderer()->RemoveActor(this->Lines.Actor);
   }
   return renderView && this->Superclass::RemoveFromView(view);
 }

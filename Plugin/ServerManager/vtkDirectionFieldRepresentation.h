@@ -5,8 +5,10 @@
  * @brief shows a surface together with the directions of its field
  *
  * Beside the surface it draws the glyphs that vtkDirectionFieldGlyphs makes of it with its defaults,
- * in a colour of their own. They are made where the data are, of each block and of each process's
- * piece, and only while the representation is shown. Data without a field look as a surface does.
+ * in a colour of their own, and as orange lines the edges that the field was made to follow: sharp
+ * edges, boundaries, edges of more than two triangles. They are made where the data are, of each
+ * block and of each process's piece, and only while the representation is shown. Data without a
+ * field look as a surface does.
  */
 
 #ifndef vtkDirectionFieldRepresentation_h
@@ -14,13 +16,14 @@
 
 #include "vtkDirectionFieldsServerManagerModule.h" // For export macro
 #include "vtkGeometryRepresentationWithFaces.h"
-#include "vtkNew.h"          // For the actor
+#include "vtkNew.h"          // For the actors
 #include "vtkSmartPointer.h" // For the filters
 
 #include <cstddef>
 #include <vector>
 
 class vtkActor;
+class vtkAppendPolyData;
 class vtkDirectionFieldGlyphs;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -47,14 +50,22 @@ protected:
   bool RemoveFromView(vtkView* view) override;
 
 private:
-  /// The glyphs of a block; null where it has no directions.
-  vtkPolyData* GlyphsOf(vtkPolyData* block, std::size_t number);
+  /// What is drawn beside the surface.
+  struct Part
+  {
+    vtkNew<vtkPolyData> Data;
+    vtkNew<vtkPolyDataMapper> Mapper;
+    vtkNew<vtkActor> Actor;
+  };
+
+  /// Makes what is drawn of a block; false where it has no directions.
+  bool AddBlock(
+    vtkPolyData* block, std::size_t number, vtkAppendPolyData* glyphs, vtkAppendPolyData* lines);
 
   /// One for each block that has directions; they keep their places while the directions change.
   std::vector<vtkSmartPointer<vtkDirectionFieldGlyphs>> Filters;
-  vtkNew<vtkPolyData> Glyphs;
-  vtkNew<vtkPolyDataMapper> GlyphMapper;
-  vtkNew<vtkActor> GlyphActor;
+  Part Glyphs;
+  Part Lines;
 
   vtkDirectionFieldRepresentation(const vtkDirectionFieldRepresentation&) = delete;
   void operator=(const vtkDirectionFieldRepresentation&) = delete;

@@ -78,6 +78,7 @@ const std::vector<Settings> Changes = {
   {
     filter->ConstrainSharpEdgesOn();
     filter->SetFeatureAngle(6.0);
+    filter->SetMinimumFeatureLength(0.1);
   },
   [](vtkDirectionField* filter) { filter->SetFeatureAngle(8.0); },
   [](vtkDirectionField* filter)

@@ -7,7 +7,9 @@
 #include "Fields.h"
 #include "PipelineChecks.h"
 
+#include "vtkDirectionField.h"
 #include "vtkDirectionFieldGlyphs.h"
+#include "vtkFieldAlignedRemesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -24,8 +26,11 @@ void TestParameters()
   vtkNew<vtkDirectionFieldWriter> writer;
   CHECK(writer->GetFileName() == nullptr);
   CHECK(writer->GetFieldOn() == vtkDirectionFieldWriter::CELLS);
-  CHECK(writer->GetFeatureAngle() == 30.0);
-  CHECK(writer->GetMinimumFeatureLength() == 0.1);
+  CHECK(writer->GetFeatureAngle() == 40.0);
+  // What is sharp for one filter is for all.
+  CHECK(vtkNew<vtkDirectionField>()->GetFeatureAngle() == writer->GetFeatureAngle());
+  CHECK(vtkNew<vtkFieldAlignedRemesh>()->GetFeatureAngle() == writer->GetFeatureAngle());
+  CHECK(writer->GetMinimumFeatureLength() == 0.5);
   writer->SetFileName("a.rosy");
   writer->SetFieldOn(7);
   writer->SetFeatureAngle(200.0);

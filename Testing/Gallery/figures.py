@@ -149,7 +149,8 @@ def noisy_part(_):
     that are no noise."""
     source = producer(meshes.noisy_part())
     panels = [Panel(source, 4, OBLIQUE_BOX, glyphs=700, **properties) for properties in (
-        {}, {"ConstrainSharpEdges": 1, "MinimumFeatureLength": 0.0, "ConstraintSolver": "Least Squares"},
+        {}, {"ConstrainSharpEdges": 1, "FeatureAngle": 30.0, "MinimumFeatureLength": 0.0,
+             "ConstraintSolver": "Least Squares"},
         {"ConstrainSharpEdges": 1})]
     for panel in panels:
         panel.field.check_sum()

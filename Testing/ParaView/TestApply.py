@@ -125,6 +125,31 @@ def test_directions():
     simple.ResetSession()
 
 
+def test_constraint_lines():
+    """The edges that a field follows are drawn: those of a cube; on the bunny's scan they are so few
+    that the field has no more singularities than the smoothest one."""
+    view = new_view()
+    cube = simple.Subdivide(Input=simple.Triangulate(Input=simple.Box()), NumberofSubdivisions=2)
+    for constrain, least, most in ((1, 3000, 8000), (0, 0, 0)):
+        field = DirectionField(Input=cube, ConstrainSharpEdges=constrain)
+        _, balls = apply(view, field)
+        balls.Visibility = 0
+        view.CameraPosition, view.CameraFocalPoint = [2.0, 1.5, 2.5], [0.0, 0.0, 0.0]
+        simple.ResetCamera(view)
+        count = pixels(picture_of(view, f"ApplyLines{constrain}.png"), orange)
+        assert least <= count <= most, (constrain, count)
+        simple.Hide(field, view)
+    bunny = simple.PLYReader(FileNames=[mesh])
+    found = []
+    for constrain in (0, 1):
+        field = DirectionField(Input=bunny, ConstrainSharpEdges=constrain)
+        field.UpdatePipeline()
+        found.append(field.GetDataInformation(1).GetNumberOfPoints())
+    kinds = field.GetDataInformation(0).GetPointDataInformation().GetArrayInformation("ConstraintKind")
+    assert kinds.GetComponentRange(0) == (0.0, 2.0) and found[1] <= found[0], found
+    simple.ResetSession()
+
+
 def half_of(red, half):
     import numpy
     columns = numpy.tile(numpy.arange(SIZE[0]), SIZE[1])
@@ -323,6 +348,7 @@ def test_user():
 
 test_field()
 test_directions()
+test_constraint_lines()
 test_others_hide_directions()
 test_stripes()
 test_remesh()

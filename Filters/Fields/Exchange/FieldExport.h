@@ -8,6 +8,7 @@
 #include "Exchange/FieldFile.h"
 #include "Exchange/FieldImport.h"
 #include "Interpolation/GivenField.h"
+#include "Options.h"
 
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ struct ExportOptions
   /// Rows for the triangles (Cells, as which Automatic counts) or the points.
   FieldOn On = FieldOn::Cells;
   /// As Options::FeatureAngle and Options::MinimumFeatureLength, for the .sharp file.
-  double FeatureAngle = 30.0;
-  double MinimumFeatureLength = 0.1;
+  double FeatureAngle = DefaultFeatureAngle;
+  double MinimumFeatureLength = DefaultMinimumFeatureLength;
 };
 
 /// A file by the end of its name and its text.

@@ -465,7 +465,7 @@ public:
   /**
    * Constrain the points on sharp edges to the sharpest of their edges. Default off. An edge is
    * sharp where the normals of its two triangles differ by more than FeatureAngle, in degrees:
-   * range 0 to 180, default 30.
+   * range 0 to 180, default 40.
    */
   vtkSetMacro(ConstrainSharpEdges, bool);
   vtkGetMacro(ConstrainSharpEdges, bool);
@@ -478,7 +478,7 @@ public:
   /**
    * Chains of sharp edges that are shorter than this, in parts of the square root of the
    * component's area, count as noise unless they are much sharper than the edges around, or lead
-   * from boundary to boundary. Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.1.
+   * from boundary to boundary. Range 0, which keeps all of them, to VTK_DOUBLE_MAX, default 0.5.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumFeatureLength, double);

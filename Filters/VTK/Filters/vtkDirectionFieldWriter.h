@@ -76,7 +76,7 @@ public:
   ///@{
   /**
    * Angle between the normals of two triangles, in degrees, above which their edge is sharp, for
-   * the .sharp file. The same as vtkDirectionField::SetFeatureAngle. Range 0 to 180, default 30.
+   * the .sharp file. The same as vtkDirectionField::SetFeatureAngle. Range 0 to 180, default 40.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -86,7 +86,7 @@ public:
   /**
    * Chains of sharp edges that are shorter count as noise, unless they stand out, in parts of the
    * square root of the area. The same as vtkDirectionField::SetMinimumFeatureLength. Range 0 to
-   * VTK_DOUBLE_MAX, default 0.1.
+   * VTK_DOUBLE_MAX, default 0.5.
    */
   vtkSetClampMacro(MinimumFeatureLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumFeatureLength, double);

@@ -203,7 +203,7 @@ TEST(Constraints, SharpEdgesAreFollowedExactly)
       std::map<Index, double> best;
       for (const auto& [edge, sides] : normals)
       {
-        if (sides[0].dot(sides[1]) < std::cos(31.0 * Pi / 180.0))
+        if (sides[0].dot(sides[1]) < std::cos(options.FeatureAngle * Pi / 180.0))
         {
           for (const auto& [from, to] :
             { std::pair(edge.first, edge.second), std::pair(edge.second, edge.first) })
