@@ -60,8 +60,10 @@ struct GlyphOptions
   /// Least distance between glyphs that are spread evenly, in the unit of the surface, 0 or more; 0
   /// is as small as MaximumNumber allows. It is at most the diagonal of the box around the surface.
   double Spacing = 0.0;
-  /// Greatest number of glyphs, 1 to 1000000.
-  Index MaximumNumber = 2000;
+  /// Greatest number of glyphs, 1 to 1000000. 0 is automatic: 2000, or where they are spread evenly
+  /// and Spacing is 0, too, 500, the arms of which are told apart where the surface fills a view of
+  /// 530 pixels.
+  Index MaximumNumber = 0;
   /// Diameter of a glyph as a part of the spacing, 0.01 to 10.
   double Scale = 1.0;
   /// Height above the surface, on the side of the glyph, as a part of the spacing, -1 to 1.

@@ -16,10 +16,10 @@ from directionfields.restore import Pipeline
 
 SURFACE_COLOR = [0.93, 0.91, 0.87]
 DARK, LIGHT = [0.15, 0.15, 0.17], [1.0, 1.0, 1.0]
-# The summaries and, below them, the warnings of all blocks. It is evaluated where the data are: a
-# server does not know this module.
+# The summaries and, below them, the warnings of all blocks, in lines that end before the legend begins
+# in a view of 600 pixels. It is evaluated where the data are: a server does not know this module.
 CAPTION = (
-    "'\\n'.join([__import__('textwrap').fill(prefix + array.GetValue(k), 96)"
+    "'\\n'.join([__import__('textwrap').fill(prefix + array.GetValue(k), 64)"
     " for data in (inputs[0] if inputs[0].IsA('vtkCompositeDataSet') else [inputs[0]])"
     " for name, prefix in (('Summary', ''), ('Warnings', 'Warning: '))"
     " for array in [data.VTKObject.GetFieldData().GetAbstractArray(name)] if array"
@@ -216,5 +216,6 @@ def show_legend(field, balls, view):
     display = simple.Show(words, view)
     display.Color = text_color(view)
     display.WindowLocation = "Lower Left Corner"
+    display.Justification = "Left"
     display.FontSize = 14
     return bar, words

@@ -74,7 +74,7 @@ def test_glyphs():
     for degree in (1, 2, 4, 6):
         _, glyphs = make(degree)
         data = servermanager.Fetch(glyphs)
-        assert 1700 < field_data(data, "NumberOfGlyphs") <= 2000
+        assert 425 < field_data(data, "NumberOfGlyphs") <= 500
         names = [data.GetCellData().GetArrayName(i)
                  for i in range(data.GetCellData().GetNumberOfArrays())]
         assert sorted(names) == [

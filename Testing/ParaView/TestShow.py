@@ -4,7 +4,10 @@
 import os
 import sys
 
+import numpy as np
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 from Figures import blue, figures, pixels, red
 
@@ -168,7 +171,7 @@ def test_active():
     other.field.ConstrainBoundary = 1
     other.field.GetClientSideObject().AddObserver("WarningEvent", lambda *_: None)
     lines = servermanager.Fetch(other.caption).GetColumn(0).GetValue(0).split("\n")
-    assert len(lines) == 2 and lines[1].startswith("Warning: Turn Constrain Boundary off"), lines
+    assert lines[1].startswith("Warning: Turn Constrain Boundary off"), lines
     simple.ResetSession()
 
 
@@ -228,6 +231,84 @@ def test_legend():
     simple.ResetSession()
 
 
+def arms(view, glyphs):
+    """How far each glyph that faces the camera reaches from its middle, in pixels."""
+    mesh, camera = servermanager.Fetch(glyphs), view.GetActiveCamera()
+    width, height = view.ViewSize
+    matrix = camera.GetCompositeProjectionTransformMatrix(width / height, -1.0, 1.0)
+    matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    seen = np.c_[points, np.ones(len(points))] @ matrix.T
+    seen = 0.5 * seen[:, :2] / seen[:, 3:] * [width, height]
+    offsets, corners = (vtk_to_numpy(array()) for array in (
+        mesh.GetPolys().GetOffsetsArray, mesh.GetPolys().GetConnectivityArray))
+    glyph = np.zeros(len(points), int)
+    glyph[corners] = np.repeat(
+        vtk_to_numpy(mesh.GetCellData().GetArray("Location")), np.diff(offsets))
+    number = np.maximum(np.bincount(glyph), 1)[:, None]
+
+    def mean(values):
+        return np.stack([np.bincount(glyph, value) for value in values.T], axis=1) / number
+    reach = np.zeros(len(number))
+    np.maximum.at(reach, glyph, np.linalg.norm(seen - mean(seen)[glyph], axis=1))
+    normals = mean(vtk_to_numpy(mesh.GetPointData().GetNormals()).astype(float))
+    # On both sides of an open surface the normals of a glyph cancel each other out.
+    towards = -normals @ camera.GetDirectionOfProjection()
+    return reach[(towards > 0.8) | (np.linalg.norm(normals, axis=1) < 0.1)]
+
+
+def test_glyph_size():
+    """In the view of a laptop's window the arms of glyphs as they come are long enough to be told
+    apart."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [850, 530]
+    for name, make in (("Plane", simple.Plane), ("Sphere", simple.Sphere),
+                       ("bunny", lambda: simple.PLYReader(FileNames=[mesh]))):
+        view.CameraPosition, view.CameraFocalPoint = [0.0, 0.0, 5.0], [0.0, 0.0, 0.0]
+        view.CameraViewUp = [0.0, 1.0, 0.0]
+        shown = directionfields.show(make(), 1, view)
+        for degree in (4, 6):
+            shown.field.Degree = degree
+            simple.Render(view)
+            found = np.median(arms(view, shown.glyphs))
+            print(f"{name}, degree {degree}: arms of {found:.1f} pixels")
+            assert 7.5 < found < 20.0, (name, degree, found)
+        for source in reversed(directionfields.pipeline.sources()):
+            simple.Delete(source)
+    simple.ResetSession()
+
+
+def columns(view, name):
+    """The first and the last column of a picture with a pixel that is not the white background."""
+    width, _ = view.ViewSize
+    reader = vtkPNGReader()
+    reader.SetFileName(os.path.join(output, name))
+    simple.SaveScreenshot(reader.GetFileName(), view)
+    reader.Update()
+    colors = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    where = np.flatnonzero((colors[:, :3].min(axis=1) < 200).reshape(-1, width).any(axis=0))
+    return where[0], where[-1]
+
+
+def test_caption():
+    """The longest caption ends before the legend begins, in a small window, too."""
+    view = directionfields.picture.white_view()
+    view.ViewSize = [600, 400]
+    shown = directionfields.show(mesh, 4, view, ConstrainBoundary=1, ConstrainSharpEdges=1,
+                                 ConstrainCurvature=1, UnitLength=1, FeatureAngle=175.0)
+    for source in directionfields.pipeline.sources():
+        for port in range(source.SMProxy.GetNumberOfOutputPorts()):
+            if source.GetXMLName() != "PythonAnnotation":
+                simple.Hide(simple.OutputPort(source, port), view)
+    shown.legend.Visibility = 0
+    _, end = columns(view, "ShowCaption.png")
+    simple.Hide(shown.caption, view)
+    shown.legend.Visibility = 1
+    begin, _ = columns(view, "ShowLegend.png")
+    assert 300 < end < begin - 10, (end, begin)
+    simple.ResetSession()
+
+
 def test_state():
     """A saved state brings the whole picture back."""
     shown = directionfields.show(mesh)
@@ -251,6 +332,8 @@ test_file()
 test_options()
 test_active()
 test_camera()
+test_glyph_size()
 test_legend()
+test_caption()
 test_state()
 print("passed")

@@ -33,6 +33,18 @@ int ExponentOf(const Surface& surface)
   std::frexp(largest, &exponent);
   return exponent;
 }
+
+/// The greatest number of glyphs, with 0 resolved.
+Index MaximumNumberOf(const GlyphOptions& options)
+{
+  constexpr Index distinct = 500;
+  constexpr Index most = 2000;
+  if (options.MaximumNumber > 0)
+  {
+    return options.MaximumNumber;
+  }
+  return options.Mode == GlyphMode::SpreadEvenly && options.Spacing == 0.0 ? distinct : most;
+}
 }
 
 double TimesPower(double number, int exponent)
@@ -65,7 +77,8 @@ GlyphSurfaceData::GlyphSurfaceData(std::shared_ptr<const Surface> surface,
 const SurfaceSamples& GlyphSurfaceData::GetPlaces(
   const GlyphOptions& options, const Progress& progress)
 {
-  const Key key = { options.Mode, options.Spacing, options.MaximumNumber };
+  const Index maximumNumber = MaximumNumberOf(options);
+  const Key key = { options.Mode, options.Spacing, maximumNumber };
   if (this->PlacesKey == key)
   {
     return this->Places;
@@ -74,13 +87,13 @@ const SurfaceSamples& GlyphSurfaceData::GetPlaces(
   if (options.Mode == GlyphMode::AllPoints)
   {
     this->Places =
-      SamplePoints(*this->Incidence, this->ExcludedPoints, options.MaximumNumber, progress);
+      SamplePoints(*this->Incidence, this->ExcludedPoints, maximumNumber, progress);
   }
   else
   {
     SamplingOptions sampling;
     sampling.Spacing = TimesPower(options.Spacing, -this->Exponent);
-    sampling.MaximumNumber = options.MaximumNumber;
+    sampling.MaximumNumber = maximumNumber;
     this->Places = SampleSurface(*this->Incidence, this->ExcludedTriangles, sampling, progress);
   }
   this->PlacesKey = key;

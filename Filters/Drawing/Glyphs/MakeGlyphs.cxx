@@ -356,8 +356,8 @@ void Check(const GlyphOptions& options)
     }
   };
   require(options.Spacing >= 0.0, "Spacing must be 0 or more.");
-  require(options.MaximumNumber >= 1 && options.MaximumNumber <= 1000000,
-    "Maximum Number Of Glyphs must be 1 to 1000000.");
+  require(options.MaximumNumber >= 0 && options.MaximumNumber <= 1000000,
+    "Maximum Number Of Glyphs must be 0, which is automatic, to 1000000.");
   require(options.Scale >= 0.01 && options.Scale <= 10.0, "Scale must be 0.01 to 10.");
   require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
 }

@@ -155,9 +155,11 @@ public:
 
   ///@{
   /**
-   * Most glyphs; those on both sides of a place count once. Range 1 to 1000000, default 2000.
+   * Most glyphs; those on both sides of a place count once. Range 0 to 1000000. 0, the default, is
+   * automatic: 500 where Spacing is 0, too, and they are spread evenly, so that their arms are told
+   * apart in a view of 530 pixels; else 2000.
    */
-  vtkSetClampMacro(MaximumNumberOfGlyphs, int, 1, 1000000);
+  vtkSetClampMacro(MaximumNumberOfGlyphs, int, 0, 1000000);
   vtkGetMacro(MaximumNumberOfGlyphs, int);
   ///@}
 

@@ -423,7 +423,7 @@ TEST(Glyphs, RefuseOptionsOutOfRange)
     }
   }
   GlyphOptions none;
-  none.MaximumNumber = 0;
+  none.MaximumNumber = -1;
   EXPECT_THROW(MakeGlyphs(surface, Of(result), {}, {}, none), std::invalid_argument);
 }
 
@@ -433,8 +433,10 @@ namespace
 double TimeOfGlyphs(const Surface& surface, int degree)
 {
   const PointDirections field = PlanarField(surface, degree, [](const Vector3&) { return 0.3; });
+  GlyphOptions options;
+  options.MaximumNumber = 2000;
   const std::clock_t begin = std::clock();
-  const Glyphs glyphs = MakeGlyphs(surface, field, {}, {}, {});
+  const Glyphs glyphs = MakeGlyphs(surface, field, {}, {}, options);
   EXPECT_GT(glyphs.Point.size(), 1000u);
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
