@@ -6,6 +6,7 @@ import sys
 
 from paraview import servermanager, simple
 from paraview.modules.vtkRemotingServerManager import vtkSMSettings
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from Figures import blue, pixels, red, teal
 
@@ -189,6 +190,34 @@ def test_stripes():
     simple.ResetSession()
 
 
+def test_no_stripes():
+    """A cross field has no stripes: it is shown as it is, with a sentence in the picture that goes when
+    there are stripes."""
+    view = new_view()
+    field = DirectionField(Input=simple.PLYReader(FileNames=[mesh]))
+    apply(view, field)
+    # The message that says the same is a warning.
+    window = vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+    _, bands, _ = apply(view, StripePattern(Input=field))
+    assert "Set Directions Per Point" in vtkOutputWindow.GetInstance().GetOutput()
+    vtkOutputWindow.SetInstance(window)
+    simple.Hide(simple.OutputPort(field, 1), view)
+    simple.ResetCamera(view)
+
+    def white(path):
+        return pixels(path, lambda r, g, b: (r > 250) & (g > 250) & (b > 250))
+    path = picture_of(view, "ApplyNoStripes.png")
+    assert pixels(path, teal) > 0.02 * SIZE[0] * SIZE[1] and white(path) > 500, white(path)
+    bands.Visibility = 0
+    assert white(picture_of(view, "ApplyNoStripesHidden.png")) == 0
+    bands.Visibility = 1
+    field.Degree = 2
+    assert white(picture_of(view, "ApplySomeStripes.png")) < 500
+    assert bands.ColorArrayName[:] == ["CELLS", "Stripe"]
+    simple.ResetSession()
+
+
 def test_remesh():
     """Irregular vertices are balls, red and blue, of the size of the faces."""
     view = new_view()
@@ -351,6 +380,7 @@ test_directions()
 test_constraint_lines()
 test_others_hide_directions()
 test_stripes()
+test_no_stripes()
 test_remesh()
 test_guidance()
 test_menus()

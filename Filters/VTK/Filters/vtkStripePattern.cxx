@@ -12,9 +12,12 @@
 
 #include <DirectionFields/Reports/DrawingReports.h>
 
+#include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <functional>
 #include <string>
@@ -80,7 +83,18 @@ void vtkStripePattern::Execute(
     this->Warn({ "Stripes follow a field of one or two directions per point, and this one is of "
                  "degree " +
       number + ". Set Directions Per Point (Degree) of Direction Field to 2." });
+    // What is to be covered stays to be seen, with its directions.
+    vtkPolyData* const bands = vtkPolyData::SafeDownCast(outputs[1]);
+    if (this->Bands)
+    {
+      bands->ShallowCopy(input);
+    }
     Summarize("no stripes, for the field has " + number + " directions per point", outputs);
+    vtkNew<vtkStringArray> note;
+    note->SetName("Note");
+    note->InsertNextValue("No stripes: they follow one or two directions per point, here are " +
+      number + ".\nSet Directions Per Point of Direction Field to 2.");
+    bands->GetFieldData()->AddArray(note);
     return;
   }
   const std::vector<double> spacings =

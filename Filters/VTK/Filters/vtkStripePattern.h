@@ -18,7 +18,7 @@
  * @section Input Input
  * A vtkPolyData like output port 0 of vtkDirectionField, triangles, polygons or triangle strips
  * with the point array `Direction0` (degree 1), or `Direction0` and `Direction1` (degree 2), of 3
- * components; no more directions. Points at the same place with the same directions are one. An
+ * components. Points at the same place with the same directions are one. An
  * input without polygons and strips gives empty outputs. Cells that vtkGhostType marks as
  * duplicates count for the phases, but have no stripes; hidden cells are as if they were not there.
  * On surfaces that cannot be oriented stripes go on over both sides.
@@ -41,6 +41,10 @@
  * - point data `Normals`: 3-component float, active normals.
  * - with TextureCoordinates point data `StripePhase`: 2-component float, active texture
  *   coordinates: the phase in cycles, 0 on lines, and 0. Polygons share no points then.
+ *
+ * A field of more directions has no stripes, which a warning says: then this is the input as it is,
+ * with the field data `Note`: string, what ParaView writes into the picture. The other ports are
+ * empty.
  *
  * Port 2, "Branch Points": points (vertex cells) in the middles of the triangles that stripes do
  * not run straight through: `StripeIndex`, int, the number of lines that end there, of degree 1
