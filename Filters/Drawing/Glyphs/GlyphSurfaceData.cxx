@@ -86,8 +86,7 @@ const SurfaceSamples& GlyphSurfaceData::GetPlaces(
   ++this->NumberOfSamplings;
   if (options.Mode == GlyphMode::AllPoints)
   {
-    this->Places =
-      SamplePoints(*this->Incidence, this->ExcludedPoints, maximumNumber, progress);
+    this->Places = SamplePoints(*this->Incidence, this->ExcludedPoints, maximumNumber, progress);
   }
   else
   {
