@@ -27,12 +27,12 @@ release=$(debian_release)
 # find_package(ParaView) asks for the development files of every library that ParaView was built
 # with; paraview-dev depends on a few of them only. What these packages depend on is not repeated.
 # Python's development files are for the filters' Python package, dpkg-dev and file for the Debian
-# packages.
+# packages, locales for the tests of users whose numbers have a decimal comma.
 # shellcheck disable=SC2034
 plugin_packages=(
   g++ make cmake libeigen3-dev libgtest-dev
   paraview paraview-dev python3-paraview python3-numpy libpython3-dev xvfb xauth libgl1-mesa-dri
-  dpkg-dev file)
+  dpkg-dev file locales)
 paraview_packages=(
   libopenmpi-dev libgdal-dev libglew-dev libgl2ps-dev libfreetype-dev libtheora-dev libavformat-dev
   libswscale-dev libutfcpp-dev libdouble-conversion-dev)

@@ -4,8 +4,8 @@
 #include "Options.h"
 
 #include "OptionTable.h"
+#include "Support/Sentences.h"
 
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -24,7 +24,7 @@ void Require(bool valid, const char* sentence)
 /// "1 to 16", "at least 0", as sentences have it.
 std::string Words(double least, double most)
 {
-  std::ostringstream words;
+  Internal::Sentence words;
   if (most >= AnyFinite)
   {
     words << "at least " << least;

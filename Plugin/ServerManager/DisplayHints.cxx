@@ -9,6 +9,7 @@
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMVectorProperty.h"
 
+#include <locale>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -38,6 +39,16 @@ std::pair<vtkPVXMLElement*, int> HintsOf(vtkSMProxy* display)
   vtkSMProxy* filter = input.GetNumberOfElements() == 1 ? input.GetAsProxy() : nullptr;
   return { filter ? filter->GetHints() : nullptr,
     filter ? static_cast<int>(input.GetOutputPort()) : 0 };
+}
+
+/// Numbers of the XML have a decimal point, whatever the user's numbers have.
+double Number(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  stream >> number;
+  return number;
 }
 }
 
@@ -98,7 +109,7 @@ void SetProperties(vtkSMProxy* proxy, vtkPVXMLElement* element,
         }
         else
         {
-          helper.Set(i, std::stod(values[i]));
+          helper.Set(i, Number(values[i]));
         }
       }
       // Else a value that is the default as it stands would give way to that of the domains.

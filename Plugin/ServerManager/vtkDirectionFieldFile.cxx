@@ -18,12 +18,37 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <locale.h> // For uselocale, which C++ does not have
+
 #include <string>
 
 vtkStandardNewMacro(vtkDirectionFieldFile);
 
 namespace
 {
+/// Lets this thread read numbers with a decimal point, which files have: VTK's readers of meshes
+/// take them as the user's locale writes them.
+class DecimalPoint
+{
+public:
+  DecimalPoint()
+    : Own(newlocale(LC_NUMERIC_MASK, "C", duplocale(uselocale(nullptr))))
+    , Before(uselocale(Own))
+  {
+  }
+  ~DecimalPoint()
+  {
+    uselocale(this->Before);
+    freelocale(this->Own);
+  }
+  DecimalPoint(const DecimalPoint&) = delete;
+  DecimalPoint& operator=(const DecimalPoint&) = delete;
+
+private:
+  locale_t Own;
+  locale_t Before;
+};
+
 template <typename ReaderT>
 vtkSmartPointer<vtkAlgorithm> Reader(const std::string& path)
 {
@@ -81,6 +106,7 @@ int vtkDirectionFieldFile::RequestData(
     // With a failure the pipeline would add words of its own.
     return 1;
   }
+  const DecimalPoint point;
   vtkNew<vtkDirectionFieldReader> reader;
   reader->SetInputConnection(mesh->GetOutputPort());
   reader->SetFileName(path.c_str());

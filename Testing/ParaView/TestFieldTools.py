@@ -3,6 +3,7 @@
 """Files, guidance from curves and comparison in Python: TestFieldTools.py PLUGIN PRINT_PROPERTIES DIRECTORY
 
 PRINT_PROPERTIES is the program that prints the defaults and ranges of the C++ classes."""
+import locale
 import math
 import os
 import sys
@@ -93,6 +94,28 @@ def test_save_data():
     SaveData(os.path.join(FOLDER, "points.rawfield"), proxy=field, FieldOn="Points")
     with open(os.path.join(FOLDER, "points.rawfield"), encoding="ascii") as file:
         assert file.readline() == "4 706\n"
+
+
+def test_decimal_comma():
+    """Fields are written, opened and shown as ever where numbers have a decimal comma."""
+    try:
+        locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+    except locale.Error:
+        print("skipped: this machine has no de_DE.UTF-8 (package locales)")
+        return
+    try:
+        assert locale.localeconv()["decimal_point"] == ","
+        field = DirectionField(Input=mesh())
+        clean("comma")
+        SaveData(os.path.join(FOLDER, "comma.rosy"), proxy=field)
+        opened = OpenDataFile(os.path.join(FOLDER, "comma.rosy"))
+        opened.UpdatePipeline()
+        found, wanted = (proxy.GetDataInformation().GetBounds() for proxy in (opened, field))
+        assert all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(found, wanted)), (found, wanted)
+        display = Show(opened, CreateRenderView())
+        assert list(display.AmbientColor) == [0.93, 0.91, 0.87], display.AmbientColor
+    finally:
+        locale.setlocale(locale.LC_ALL, "C")
 
 
 def test_time_steps():
@@ -199,6 +222,7 @@ def test_state():
 test_properties()
 test_labels()
 test_save_data()
+test_decimal_comma()
 test_time_steps()
 test_round_trip()
 test_curves()

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <sstream>
 
 namespace DirectionFields
 {
@@ -76,7 +75,7 @@ std::vector<std::string> Warnings(const StripePattern& pattern, const StripeOpti
   std::vector<std::string> warnings;
   if (pattern.LineOffset != options.LineOffset)
   {
-    std::ostringstream text;
+    Internal::Sentence text;
     text << "Stripes of a line field (degree 2) have no left and right side: Line Offset "
          << pattern.LineOffset << " is taken. Choose a multiple of 0.5.";
     warnings.push_back(text.str());

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 namespace DirectionFields
@@ -59,7 +58,7 @@ std::string DescribeConvergence(
   {
     return {};
   }
-  std::ostringstream text;
+  Internal::Sentence text;
   text << ", ";
   if (components.size() > 1)
   {
@@ -109,7 +108,7 @@ std::string DescribeUnitLength(
   }
   // Fewer singularities may have been worth some bending.
   const double percent = before > 0.0 ? 100.0 * (before - after) / before : 0.0;
-  std::ostringstream text;
+  Internal::Sentence text;
   text << ", unit length";
   // On a plane the smoothest field has unit length as it is.
   if (const long change = std::lround(percent))

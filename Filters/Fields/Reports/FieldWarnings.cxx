@@ -3,8 +3,9 @@
 
 #include "Reports/FieldWarnings.h"
 
+#include "Support/Sentences.h"
+
 #include <algorithm>
-#include <sstream>
 
 namespace DirectionFields
 {
@@ -13,7 +14,7 @@ namespace
 /// The repairs of the input; empty if there were none.
 std::string Describe(const Repairs& repaired)
 {
-  std::ostringstream text;
+  Internal::Sentence text;
   const auto count = [&text](Index number, const char* one, const char* many, const char* remedy)
   {
     if (number > 0)
@@ -68,7 +69,7 @@ std::string DescribeUnsolvedSystems(const Result& field, const Options& options)
   {
     return {};
   }
-  std::ostringstream text;
+  Internal::Sentence text;
   text << (options.Solver == Solver::Multigrid ? "Set Solver to Automatic"
                                                : "Remesh the surface more evenly")
        << ": the aligned or constrained system of " << systems.Number << " of "
@@ -96,7 +97,7 @@ std::string DescribeUnsolvedEigenvalues(const Result& field, const Options& opti
   {
     return {};
   }
-  std::ostringstream text;
+  Internal::Sentence text;
   if (exhausted)
   {
     text << "Raise Maximum Iterations";

@@ -3,11 +3,16 @@
 
 #include "Support/Sentences.h"
 
+#include <locale>
 #include <numeric>
-#include <sstream>
 
 namespace DirectionFields::Internal
 {
+Sentence::Sentence()
+{
+  this->imbue(std::locale::classic());
+}
+
 std::string Count(std::size_t number, const std::string& noun, const std::string& several)
 {
   return std::to_string(number) + ' ' +
@@ -16,7 +21,7 @@ std::string Count(std::size_t number, const std::string& noun, const std::string
 
 std::string Figure(double value)
 {
-  std::ostringstream text;
+  Sentence text;
   text.precision(3);
   text << value;
   return text.str();

@@ -5,11 +5,20 @@
 #define DirectionFields_Sentences_h
 
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
+/// A sentence for the user that is being written. Its numbers have a decimal point and no marks
+/// between thousands in any locale, as all other words are English, too.
+class Sentence : public std::ostringstream
+{
+public:
+  Sentence();
+};
+
 /// A number with its noun, as sentences for the user have it.
 /// @param several the plural, where it is not the noun with an s
 std::string Count(std::size_t number, const std::string& noun, const std::string& several = "");

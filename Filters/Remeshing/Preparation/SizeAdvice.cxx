@@ -3,9 +3,10 @@
 
 #include "Preparation/SizeAdvice.h"
 
+#include "Support/Sentences.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace DirectionFields::Internal
 {
@@ -19,14 +20,6 @@ constexpr double MostKept = 0.01;
 /// Edges shorter than this part of the wanted length were shortened by smoothing, and say nothing
 /// about the surface.
 constexpr double LeastEdge = 0.1;
-
-std::string Text(double number)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
 }
 
 void SizeAdvice::AddComponent(const SurfaceGeometry& geometry,
@@ -81,8 +74,8 @@ std::vector<std::string> SizeAdvice::GetSentences(double unit) const
     sentences.push_back(
       "Where the surface is thinner than a face, the length of its boundary decides how many faces there are: for the number "
       "asked for edges are " +
-      Text(unit * this->EdgeLength) + " long, where its area would give " +
-      Text(unit * this->LengthOfArea) + ".");
+      Figure(unit * this->EdgeLength) + " long, where its area would give " +
+      Figure(unit * this->LengthOfArea) + ".");
   }
   if (this->SmallComponents > 0)
   {
@@ -90,7 +83,7 @@ std::vector<std::string> SizeAdvice::GetSentences(double unit) const
       (this->SmallComponents == 1 ? " component is" : " components are") +
       " too small for faces of the size asked for: triangles of the surface are left there. An edge "
       "length of " +
-      Text(unit * this->EdgeLength * std::sqrt(this->LeastFaces / FewestFaces)) +
+      Figure(unit * this->EdgeLength * std::sqrt(this->LeastFaces / FewestFaces)) +
       " would do for all.");
   }
   if (this->Kept > 0)
@@ -98,7 +91,7 @@ std::vector<std::string> SizeAdvice::GetSentences(double unit) const
     sentences.push_back(std::to_string(this->Kept) +
       " vertices are no points of a grid: the surface is thinner there than three edges, or has features "
       "that are closer than one. An edge length of " +
-      Text(unit * this->ShortestEdge) + " would do.");
+      Figure(unit * this->ShortestEdge) + " would do.");
   }
   return sentences;
 }

@@ -22,8 +22,10 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <locale>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -64,7 +66,10 @@ void RequireSame(const DirectionFields::Surface& one, const DirectionFields::Sur
   }
   if (farthest > SamePlace * box.diagonal().norm())
   {
-    throw std::invalid_argument("Points of the two inputs are up to " + std::to_string(farthest) +
+    std::ostringstream distance;
+    distance.imbue(std::locale::classic());
+    distance << farthest;
+    throw std::invalid_argument("Points of the two inputs are up to " + distance.str() +
       " apart. Compare two fields on the same surface.");
   }
 }
