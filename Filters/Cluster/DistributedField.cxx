@@ -15,12 +15,14 @@
 #include "Solver/ComponentSolution.h"
 #include "Solver/DistributedGuide.h"
 #include "Solver/PetscObjects.h"
+#include "Solver/PreviousPhase.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace DirectionFields::Parallel
@@ -182,9 +184,20 @@ SurfaceFigures AddUpFigures(const Messages& messages, const SurfaceFigures& own)
   return sum;
 }
 
+/// @param components how many have several smoothest fields
+std::string DescribeAmbiguous(int components)
+{
+  return std::string(
+           components == 1 ? "A component has" : std::to_string(components) + " components have") +
+    " several smoothest fields, as symmetric surfaces do: one process, or another number of them, "
+    "may choose another one. Set Distribution to Gather for that of one process, or guide the "
+    "field.";
+}
+
 void Compute(Processes& processes, const Messages& messages, const Surface& surface,
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
-  const std::function<bool(double)>& goOn, DistributedField& field)
+  const std::vector<Vector3>& previous, const std::function<bool(double)>& goOn,
+  DistributedField& field)
 {
   const SharedPoints shared = MatchBorders(processes, messages, piece);
   field.Reason = shared.Reason;
@@ -213,13 +226,17 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   {
     return;
   }
-  std::vector<ComponentReport> reports;
-  const std::vector<Complex> section =
-    SolveDistributed(processes, messages, mesh, guide, options, goOn, reports);
+  DistributedSolution solution = SolveDistributed(processes, messages, mesh, guide, options, goOn);
+  std::vector<Complex>& section = solution.Section;
+  FollowPrevious(messages, mesh, around, guide, previous, options.Degree, section);
   processes.Together(
     [&]
     {
       field.Field.Degree = options.Degree;
+      if (solution.Ambiguous > 0)
+      {
+        field.Field.Notes.push_back(DescribeAmbiguous(solution.Ambiguous));
+      }
       const OutputPoints points(mesh.GetMesh(), around.Surface, {});
       AddSection(mesh.GetGeometry(), around.Surface, points, section, field.Field);
       if (guide.IsConstrained)
@@ -230,7 +247,7 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
           points.Spread(DirectionsOf(guide.Value, mesh.GetGeometry().Frames, options.Degree), zero);
       }
     });
-  AddUpCounts(messages, mesh, field.Field, reports);
+  AddUpCounts(messages, mesh, field.Field, solution.Reports);
   AddUpRepairs(messages, around, mesh, field.Field.Repaired);
   field.Field.Repaired.ReversedTriangles = reversed;
   SurfaceFigures own;
@@ -252,7 +269,7 @@ bool CanDistribute()
 
 DistributedField ComputeDistributed(Processes& processes, const Surface& surface,
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
-  const std::function<bool(double)>& goOn)
+  const std::vector<Vector3>& previous, const std::function<bool(double)>& goOn)
 {
   DistributedField field;
   const OwnCommunicator communicator(processes.GetController());
@@ -265,7 +282,7 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   const Threads::Scope scope(threads);
   const Messages messages(communicator.Handle);
   StartPetsc(communicator.Handle);
-  Compute(processes, messages, surface, piece, options, guidance, goOn, field);
+  Compute(processes, messages, surface, piece, options, guidance, previous, goOn, field);
   return field;
 }
 }

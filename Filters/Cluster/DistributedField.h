@@ -11,11 +11,13 @@
 #include <DirectionFields/Computation/SurfaceFigures.h>
 #include <DirectionFields/Options.h>
 #include <DirectionFields/Result.h>
+#include <DirectionFields/Types.h>
 
 #include "vtkType.h"
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace DirectionFields::Parallel
 {
@@ -38,10 +40,12 @@ bool CanDistribute();
 /// Computes the field. All processes call it; throws ProcessesError.
 /// @param surface the triangles of the piece, over all points of its polydata
 /// @param guidance of the surface's points
+/// @param previous the first directions of the time step before, of the surface's points, where
+///                 this one is to follow it
 /// @param goOn    is called now and then with the part that is done; false on any process stops all
 DistributedField ComputeDistributed(Processes& processes, const Surface& surface,
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
-  const std::function<bool(double)>& goOn);
+  const std::vector<Vector3>& previous, const std::function<bool(double)>& goOn);
 }
 
 #endif

@@ -61,6 +61,12 @@ void DirectionField::SetPhaseReference(std::vector<Vector3> directions, int degr
   this->PhaseReferenceDegree = degree;
 }
 
+std::vector<Vector3> DirectionField::GetPhaseReference(int degree) const
+{
+  return this->PhaseReferenceDegree == degree ? this->PhaseReference.Vectors
+                                              : std::vector<Vector3>();
+}
+
 std::vector<Complex> DirectionField::PhaseReferenceSection(int degree) const
 {
   if (this->PhaseReferenceDegree != degree ||

@@ -60,6 +60,8 @@ public:
   ///                   a field, in space. Ignored where they are not one a point.
   /// @param degree     of that field; fields of other degrees ignore it
   void SetPhaseReference(std::vector<Vector3> directions, int degree);
+  /// These directions, where they are those of a field of that degree; else none.
+  std::vector<Vector3> GetPhaseReference(int degree) const;
 
 private:
   Result ComputeField(const Options& options, const Guidance& guidance,

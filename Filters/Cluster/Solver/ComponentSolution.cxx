@@ -170,7 +170,8 @@ DistributedSystem::Solution SolveAt(const Problem& problem, double gap, Componen
 }
 
 /// The field of the component, and its figures in the report.
-OwnedVec SolveProblem(const Problem& problem, ComponentReport& report)
+/// @param isSmoothest becomes whether nothing guides the field
+OwnedVec SolveProblem(const Problem& problem, ComponentReport& report, bool& isSmoothest)
 {
   const DistributedMatrices& matrices = problem.Matrices;
   const DistributedEigenpair& smallest = problem.Smallest;
@@ -186,7 +187,8 @@ OwnedVec SolveProblem(const Problem& problem, ComponentReport& report)
     solution = SolveAt(problem, gap, report);
     Require(VecNorm(solution.Vector, NORM_INFINITY, &length));
   }
-  if (length == 0.0)
+  isSmoothest = length == 0.0;
+  if (isSmoothest)
   {
     Require(VecDuplicate(smallest.Vector, solution.Vector.New()));
     Require(VecCopy(smallest.Vector, solution.Vector));
@@ -219,7 +221,8 @@ void FixPhase(const Messages& messages, const DistributedMesh& mesh, int compone
 
 /// Solves for a component that lies across processes.
 /// @param rowOf as in AssembleMatrices
-void SolveAcross(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
+/// @return whether other fields are as smooth as this one, and nothing has chosen among them
+bool SolveAcross(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
   int component, const DistributedGuide& guide, const Options& options,
   const std::function<bool(double)>& goOn, std::vector<PetscInt>& rowOf,
   std::vector<Complex>& section, ComponentReport& report)
@@ -235,7 +238,9 @@ void SolveAcross(Processes& processes, const Messages& messages, const Distribut
   const DistributedEigenpair pair = FindSmallestPair(matrices, hierarchy, settings);
   FixPhase(messages, mesh, component, options.Degree, matrices, section, pair.Vector);
   const DistributedSystem system(messages, mesh, matrices, guide);
-  const OwnedVec field = SolveProblem({ matrices, system, hierarchy, pair, options, goOn }, report);
+  bool isSmoothest = false;
+  const OwnedVec field =
+    SolveProblem({ matrices, system, hierarchy, pair, options, goOn }, report, isSmoothest);
   TakeRows(matrices, field, section);
   report.Eigenvalue = PerSquare(pair.Value, matrices.Unit);
   report.Residual = pair.Residual;
@@ -245,6 +250,7 @@ void SolveAcross(Processes& processes, const Messages& messages, const Distribut
   report.Constraints = system.CountGiven();
   report.Converged =
     pair.Residual <= pair.RequiredResidual && report.SystemResidual <= SystemTolerance(options);
+  return isSmoothest && pair.IsRepeated;
 }
 
 /// Which components of the whole surface are solved for in which way.
@@ -361,11 +367,13 @@ void ShareReports(
 }
 }
 
-std::vector<Complex> SolveDistributed(Processes& processes, const Messages& messages,
+DistributedSolution SolveDistributed(Processes& processes, const Messages& messages,
   const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
-  const std::function<bool(double)>& goOn, std::vector<ComponentReport>& reports)
+  const std::function<bool(double)>& goOn)
 {
-  std::vector<Complex> section;
+  DistributedSolution solution;
+  std::vector<Complex>& section = solution.Section;
+  std::vector<ComponentReport>& reports = solution.Reports;
   std::vector<PetscInt> rowOf;
   processes.Together(
     [&]
@@ -389,8 +397,9 @@ std::vector<Complex> SolveDistributed(Processes& processes, const Messages& mess
     const int component = shares.Across[k];
     try
     {
-      SolveAcross(processes, messages, mesh, component, guide, options, part, rowOf, section,
-        reports[component]);
+      const bool isAmbiguous = SolveAcross(processes, messages, mesh, component, guide, options,
+        part, rowOf, section, reports[component]);
+      solution.Ambiguous += isAmbiguous ? 1 : 0;
     }
     catch (const std::bad_alloc&)
     {
@@ -398,6 +407,6 @@ std::vector<Complex> SolveDistributed(Processes& processes, const Messages& mess
     }
   }
   mesh.Complete(section);
-  return section;
+  return solution;
 }
 }

@@ -16,14 +16,23 @@
 
 namespace DirectionFields::Parallel
 {
-/// The fields of all components of the whole surface. All processes call it; throws ProcessesError.
+/// The fields of all components of the whole surface.
+struct DistributedSolution
+{
+  /// Over the vertices of the mesh; right at vertices that belong to the piece or are next to it.
+  std::vector<Complex> Section;
+  /// One for each component, without the counts; the same on all processes.
+  std::vector<ComponentReport> Reports;
+  /// How many components across processes have several fields as smooth as theirs, which nothing
+  /// but the smoothness has chosen.
+  int Ambiguous = 0;
+};
+
+/// All processes call it; throws ProcessesError.
 /// @param goOn    as in ComputeDistributed
-/// @param reports one for each component, without the counts
-/// @return the section, over the vertices of the mesh; right at vertices that belong to the piece
-/// or are next to it
-std::vector<Complex> SolveDistributed(Processes& processes, const Messages& messages,
+DistributedSolution SolveDistributed(Processes& processes, const Messages& messages,
   const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
-  const std::function<bool(double)>& goOn, std::vector<ComponentReport>& reports);
+  const std::function<bool(double)>& goOn);
 }
 
 #endif

@@ -30,6 +30,11 @@ constexpr int StepsBetween = 2;
 constexpr int MostSlowCycles = 100;
 /// As for one process: the residual that tells the smallest pair from others.
 constexpr double TellingResidual = 1e-5;
+/// Eigenvalues that differ by less than this part are the same one, repeated; those that differ by
+/// more than the second part are not. In between as many steps towards the second pair tell.
+constexpr double SameValue = 1e-4;
+constexpr double OtherValue = 0.1;
+constexpr int StepsToSecond = 8;
 
 /// ‖|A| |u|‖
 double SumOfMagnitudes(Mat matrix, Vec u)
@@ -135,11 +140,16 @@ Vectors AnySections(const DistributedHierarchy::Level& level)
 {
   PetscInt rows = 0;
   Require(MatGetSize(level.Energy, &rows, nullptr));
+  // One generator for all: PETSc's own begins anew with each vector, which would be the same one.
+  OwnedRandom random;
+  Require(PetscRandomCreate(
+    PetscObjectComm(reinterpret_cast<PetscObject>(Mat(level.Energy))), random.New()));
+  Require(PetscRandomSetType(random, PETSCRAND48));
   Vectors vectors;
   for (PetscInt k = 0; k < std::min(2 * Width, rows); ++k)
   {
     vectors.push_back(NewVector(level.Energy));
-    Require(VecSetRandom(vectors.back(), nullptr));
+    Require(VecSetRandom(vectors.back(), random));
   }
   return vectors;
 }
@@ -306,6 +316,41 @@ private:
   SmallMatrix Energy;
   SmallMatrix Mass;
 };
+
+/// Adds the correction of a Ritz pair to the space.
+void Expand(DistributedHierarchy& hierarchy, int which, ProductSpace& space, RitzPairs& ritz)
+{
+  if (space.Size() >= LargestSpace)
+  {
+    space.Keep(ritz);
+    ritz = space.Ritz(KeptVectors);
+  }
+  const OwnedVec residual = space.Residual(ritz.Vectors.col(which), ritz.Values[which]);
+  OwnedVec correction;
+  Require(VecDuplicate(residual, correction.New()));
+  hierarchy.Apply(residual, correction);
+  space.Add(std::move(correction));
+  ritz = space.Ritz(KeptVectors);
+}
+
+/// Whether the smallest eigenvalue is repeated, where its pair has been found.
+bool IsRepeated(DistributedHierarchy& hierarchy, double scale, ProductSpace& space, RitzPairs& ritz)
+{
+  for (int step = 0;; ++step)
+  {
+    if (ritz.Values.size() < 2)
+    {
+      return false;
+    }
+    // Eigenvalues near zero are told by the order of magnitude of those of other surfaces.
+    const double part = (ritz.Values[1] - ritz.Values[0]) / std::max(ritz.Values[1], 1e-3 * scale);
+    if (part <= SameValue || part > OtherValue || step == StepsToSecond)
+    {
+      return part <= SameValue;
+    }
+    Expand(hierarchy, 1, space, ritz);
+  }
+}
 }
 
 DistributedEigenpair FindSmallestPair(const DistributedMatrices& matrices,
@@ -347,18 +392,10 @@ DistributedEigenpair FindSmallestPair(const DistributedMatrices& matrices,
     if (pair.Residual <= pair.RequiredResidual || pair.Iterations >= settings.MaximumIterations ||
       pair.Iterations - best >= MostSlowCycles)
     {
+      pair.IsRepeated = IsRepeated(hierarchy, settings.Scale, space, ritz);
       return pair;
     }
-    if (space.Size() >= LargestSpace)
-    {
-      space.Keep(ritz);
-      ritz = space.Ritz(KeptVectors);
-    }
-    const OwnedVec residual = space.Residual(ritz.Vectors.col(0), ritz.Values[0]);
-    OwnedVec correction = NewVector(matrices.Energy);
-    hierarchy.Apply(residual, correction);
-    space.Add(std::move(correction));
-    ritz = space.Ritz(KeptVectors);
+    Expand(hierarchy, 0, space, ritz);
   }
 }
 }

@@ -23,6 +23,9 @@ struct DistributedEigenpair
   double RequiredResidual = 0.0;
   /// V-cycles on the finest level.
   int Iterations = 0;
+  /// Whether the next eigenvalue is the same up to 1e-4 of it, so that the solver, not the surface,
+  /// decides on the section.
+  bool IsRepeated = false;
 };
 
 /// Limits of the solver, as in Options.

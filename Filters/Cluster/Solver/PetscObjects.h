@@ -61,6 +61,7 @@ using OwnedVec = Owned<Vec, VecDestroy>;
 using OwnedKsp = Owned<KSP, KSPDestroy>;
 using OwnedIndices = Owned<IS, ISDestroy>;
 using OwnedScatter = Owned<VecScatter, VecScatterDestroy>;
+using OwnedRandom = Owned<PetscRandom, PetscRandomDestroy>;
 
 /// Starts PETSc on the processes of a communicator that have not started it; all of them call it.
 /// It is ended with the program, by the system: whoever has started MPI ends it, and may have done

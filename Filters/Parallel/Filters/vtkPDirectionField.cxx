@@ -290,8 +290,12 @@ DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
   }
   if (this->Reason.empty())
   {
+    const bool isNextStep = processes.Largest(this->IsNextStep() ? 1 : 0) > 0;
+    DirectionFields::Guidance previous;
+    processes.Together([&] { previous = this->PreviousField(isNextStep, options.Degree); });
     DirectionFields::Parallel::DistributedField distributed =
       DirectionFields::Parallel::ComputeDistributed(processes, surface, piece, options, guidance,
+        previous.Vectors,
         [this](double done)
         {
           this->UpdateProgress(0.05 + 0.85 * done);

@@ -8,7 +8,10 @@
 #include "PieceMatching.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -368,6 +371,13 @@ GatheredSurface GatherSurface(
       if (processes.Own() == gathered.Process)
       {
         travel->Arrive(gathered);
+        // The phase of a field follows the time step before.
+        vtkInformation* const information = polyData->GetInformation();
+        if (information->Has(vtkDataObject::DATA_TIME_STEP()))
+        {
+          gathered.Surface->GetInformation()->Set(
+            vtkDataObject::DATA_TIME_STEP(), information->Get(vtkDataObject::DATA_TIME_STEP()));
+        }
       }
     });
   return gathered;

@@ -20,7 +20,7 @@ std::string WhyNotDistributed(const Options&)
 }
 
 DistributedField ComputeDistributed(Processes&, const Surface&, const SurfacePiece&, const Options&,
-  const Guidance&, const std::function<bool(double)>&)
+  const Guidance&, const std::vector<Vector3>&, const std::function<bool(double)>&)
 {
   throw std::logic_error("This build has no PETSc.");
 }

@@ -153,6 +153,20 @@ DirectionFields::Result vtkDirectionField::ComputeField(vtkPolyData* input,
 }
 
 //------------------------------------------------------------------------------
+bool vtkDirectionField::IsNextStep() const
+{
+  return this->Last->IsNextStep();
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::Guidance vtkDirectionField::PreviousField(bool isNextStep, int degree)
+{
+  DirectionFields::Guidance previous;
+  previous.Vectors = this->Last->GetPrevious(isNextStep, degree);
+  return previous;
+}
+
+//------------------------------------------------------------------------------
 void vtkDirectionField::Execute(
   const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {

@@ -568,7 +568,9 @@ protected:
    * the guidance is read from the input's arrays, empty where no option uses it. IsSpeaker is false
    * where another process gives the warnings. ReadTogether does the reading of the input, which
    * comes before ComputeField. TypeOfArrays is VTK_DOUBLE where arrays and points of the field are
-   * to be double, by default as the input's points are.
+   * to be double, by default as the input's points are. IsNextStep tells whether the surface is
+   * that of the next time step; PreviousField has the directions that the phase of the field
+   * follows, as Vectors, where it is the next step for any process.
    */
   virtual DirectionFields::Result ComputeField(vtkPolyData* input,
     const DirectionFields::Surface& surface, const DirectionFields::Options& options,
@@ -578,6 +580,8 @@ protected:
   virtual int TypeOfArrays(vtkPolyData* input) const;
   DirectionFields::Options MakeOptions() const;
   DirectionFields::Guidance ReadGuidance(vtkPolyData* input);
+  bool IsNextStep() const;
+  DirectionFields::Guidance PreviousField(bool isNextStep, int degree);
   ///@}
 
 private:

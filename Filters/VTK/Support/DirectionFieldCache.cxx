@@ -12,6 +12,7 @@ namespace DirectionFields
 void DirectionFieldCache::SetInput(
   vtkPolyData* input, const std::optional<double>& time, const Progress& progress)
 {
+  this->Follows = false;
   if (this->Solver && IsSurfaceOf(input, *this->Surface))
   {
     return;
@@ -24,7 +25,7 @@ void DirectionFieldCache::SetInput(
     return;
   }
   // Polygons may be cut otherwise than before; that the points stay the same ones is enough.
-  const bool follows = this->Solver && time && this->Time && *time != *this->Time &&
+  this->Follows = this->Solver && time && this->Time && *time != *this->Time &&
     surface->Mesh.Points.size() == this->Surface->Mesh.Points.size() &&
     surface->CellOfTriangle == this->Surface->CellOfTriangle &&
     surface->FirstCell == this->Surface->FirstCell;
@@ -33,12 +34,21 @@ void DirectionFieldCache::SetInput(
   this->Surface = std::move(surface);
   this->Solver.emplace(
     std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh));
-  if (follows)
+  if (this->Follows)
   {
     this->Solver->SetPhaseReference(std::move(this->Directions), this->Degree);
   }
   this->Time = time;
   this->Directions.clear();
+}
+
+std::vector<Vector3> DirectionFieldCache::GetPrevious(bool isNextStep, int degree)
+{
+  if (isNextStep && !this->Follows && !this->Directions.empty())
+  {
+    this->Solver->SetPhaseReference(this->Directions, this->Degree);
+  }
+  return this->Solver->GetPhaseReference(degree);
 }
 
 void DirectionFieldCache::SetField(const Result& field)

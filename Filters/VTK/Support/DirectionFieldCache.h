@@ -35,6 +35,14 @@ public:
   /// Remembers the field that was computed of the input, which the next time step's follows.
   void SetField(const Result& field);
 
+  ///@{
+  /// For pieces of a surface: whether the last input is the next time step of the one before; and
+  /// the directions, of a field of that degree, that this one's phase follows. Where the surface is
+  /// at its next step elsewhere, but this piece of it has stayed the same, that is the last field.
+  bool IsNextStep() const { return this->Follows; }
+  std::vector<Vector3> GetPrevious(bool isNextStep, int degree);
+  ///@}
+
   const TriangulatedPolyData& GetSurface() const { return *this->Surface; }
   DirectionField& GetSolver() { return *this->Solver; }
 
@@ -44,6 +52,7 @@ private:
   std::optional<DirectionField> Solver;
   /// The time of the last input, if it is one of a series.
   std::optional<double> Time;
+  bool Follows = false;
   /// The first directions of the last field, as long as |u|, and its degree.
   std::vector<Vector3> Directions;
   int Degree = 0;
