@@ -4,12 +4,12 @@
 #include "Finishing/MeshAdvice.h"
 
 #include "Soup/JoinedSets.h"
+#include "Support/Sentences.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace DirectionFields::Internal
 {
@@ -28,14 +28,6 @@ constexpr double MostPerLength = 1.0 / 3.0;
 constexpr double MostMissed = 1.3;
 /// Sizes are judged by this part of the faces, those that are to be the smallest or the largest.
 constexpr double Extremes = 0.1;
-
-std::string Text(double number)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << number;
-  return text.str();
-}
 
 bool IsMissed(double ratio)
 {
@@ -66,7 +58,7 @@ std::string AboutQuality(
     return {};
   }
   return std::to_string(bad) + (bad == 1 ? " face has" : " faces have") +
-    " a scaled Jacobian below " + Text(LeastQuality) +
+    " a scaled Jacobian below " + Figure(LeastQuality) +
     ", as the array ScaledJacobian shows: nearly flat or folded. " +
     (wishes.IsSmoothed
         ? "A tenth fewer or more faces may avoid that, unless the surface itself is as pointed or "
@@ -82,15 +74,15 @@ std::string AboutDistance(const MeshWishes& wishes)
     return {};
   }
   const std::string shorter =
-    ". An edge length of " + Text(0.5 * wishes.EdgeLength) + " would come closer.";
+    ". An edge length of " + Figure(0.5 * wishes.EdgeLength) + " would come closer.";
   const auto percent = [&](double distance)
-  { return Text(100.0 * distance / wishes.Extent) + " % of the diagonal"; };
+  { return Figure(100.0 * distance / wishes.Extent) + " % of the diagonal"; };
   return wishes.ToMesh > most
-    ? "Parts of the surface are up to " + Text(wishes.ToMesh) + " (" + percent(wishes.ToMesh) +
+    ? "Parts of the surface are up to " + Figure(wishes.ToMesh) + " (" + percent(wishes.ToMesh) +
       ") away from the mesh, since they are thinner or more bent than its "
       "faces can show" +
       shorter
-    : "The mesh is up to " + Text(wishes.ToSurface) + " (" + percent(wishes.ToSurface) +
+    : "The mesh is up to " + Figure(wishes.ToSurface) + " (" + percent(wishes.ToSurface) +
       ") away from the surface, since its faces span bends" + shorter;
 }
 
@@ -155,7 +147,7 @@ double MiddleRatio(const std::vector<SizedFace>& faces, double part)
 
 std::string TimesWanted(double ratio)
 {
-  return Text(ratio < 1.0 ? 1.0 / ratio : ratio) +
+  return Figure(ratio < 1.0 ? 1.0 / ratio : ratio) +
     (ratio < 1.0 ? " times shorter than wanted" : " times as long as wanted");
 }
 
@@ -225,7 +217,7 @@ std::vector<std::string> TopologyAdvice(Index touching, int before, int after, d
     sentences.push_back("The mesh has other holes or handles than the surface: its Euler "
                         "characteristic is " +
       std::to_string(after) + " in place of " + std::to_string(before) + ". An edge length of " +
-      Text(0.5 * edgeLength) + " would keep more of them.");
+      Figure(0.5 * edgeLength) + " would keep more of them.");
   }
   return sentences;
 }
