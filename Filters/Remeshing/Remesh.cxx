@@ -259,6 +259,14 @@ void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& 
       " triangles are left among the quads, since the faces between features there are too few to "
       "be joined. More faces, or a larger Feature Angle, would do.");
   }
+  if (request.Field.GetNeedless() > 0)
+  {
+    result.Notes.push_back("The surface is rough: a field on it has " +
+      std::to_string(request.Field.GetNeedless()) +
+      " singularities that its shape does not need, too many for the number of faces. Faces follow a "
+      "smoothed copy, and their points lie on the surface that came in. Where they are to be "
+      "regular, smooth the surface before.");
+  }
   const WantedSizes& sizes = request.Sizes;
   SizeAdvice advice(sizes.EdgeLength, DegreeOf(request.Options.Element));
   if (sizes.EdgeLength > Noticeably * sizes.LengthForArea)
@@ -330,7 +338,7 @@ void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
   result.FaceSource = std::move(faces.Triangle);
   result.MaximumDistance = faces.LargestDistance;
   result.MaximumDistanceToMesh =
-    LargestDistance(field.GetGeometry().Positions, result.Points, result.Faces);
+    LargestDistance(field.GetSurface().GetGivenPositions(), result.Points, result.Faces);
   result.EdgeLength = request.Sizes.EdgeLength;
   result.EulerCharacteristicBefore = field.GetSeams().GetEulerCharacteristic();
   result.EulerCharacteristicAfter =
@@ -421,12 +429,19 @@ WantedSizes Remesh::Prepare(
   {
     // Fields and sizes that are given have their values at the points that there are.
     lengths.Split.clear();
+    lengths.MostNeedless = None;
   }
   if (!this->Cache || !this->Cache->IsFor(degree, features, lengths, directions, alignment))
   {
     this->Cache.reset();
     this->Cache = std::make_unique<PreparedField>(
       *this->Input, degree, features, lengths, directions, alignment, progress);
+  }
+  if (!options.UseEdgeLength)
+  {
+    const double factor = std::sqrt(this->Cache->GetAreaLeft());
+    sizes.EdgeLength *= factor;
+    sizes.MapLength *= factor;
   }
   const SurfaceGeometry& geometry = this->Cache->GetGeometry();
   const std::vector<double> continued = this->Cache->GetSurface().Continued(sizes.AtPoints);

@@ -4,11 +4,16 @@
 // Memory and time of a mesh grow with the surface and the faces, whatever the surface is: numbers
 // that they are proportional to.
 
+#include "Meshes/Remeshed.h"
 #include "Meshes/Surfaces.h"
 #include "Parametrization/ParametrizationVariables.h"
+#include "Remesh.h"
 #include "Remeshing/CutExample.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
 
 using namespace DirectionFields;
 using Meshes::CutExample;
@@ -81,4 +86,39 @@ TEST(Bounded, HandlesAndLoopsOfTheBoundaryHaveFewVariablesToo)
   const CutExample open = CutExample::Random(Meshes::PlateWithHole(48, 12, 0.5, true), 4, 2);
   ASSERT_GT(open.Mesh.Cones.size(), 100U);
   EXPECT_LT(Counts(open.Mesh).PerCoordinate, 12.0);
+}
+
+TEST(Bounded, NoiseOfOneEdgeLeavesTheConesOfTheShape)
+{
+  const auto surface = std::make_shared<Surface>(Meshes::Roughened(Meshes::Icosphere(4), 1.0, 7));
+  Remesh remesh(surface);
+  for (const Index faces : { 10, 300 })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = faces;
+    const RemeshResult mesh = remesh.Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "") << faces;
+    // Those of a sphere are eight, those of the noise hundreds.
+    EXPECT_LE(mesh.IrregularVertices, 30) << faces;
+    EXPECT_LE(mesh.Triangles, static_cast<Index>(mesh.Faces.size() / 50)) << faces;
+    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), faces, 4.0 + 0.2 * faces);
+    const auto isSaid = [](const std::string& note) { return note.find("rough") < 20; };
+    EXPECT_TRUE(std::any_of(mesh.Notes.begin(), mesh.Notes.end(), isSaid)) << faces;
+    // Its points lie on the rough surface, not on the smooth one.
+    for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+    {
+      Vector3 place = Vector3::Zero();
+      for (int c = 0; c < 3; ++c)
+      {
+        place +=
+          mesh.SourceWeights[v][c] * surface->Points[surface->Triangles[mesh.SourceTriangle[v]][c]];
+      }
+      ASSERT_LT((place - mesh.Points[v]).norm(), 1e-9);
+    }
+  }
+  RemeshOptions options;
+  options.NumberOfFaces = 300;
+  const RemeshResult again = remesh.Compute(options);
+  options.NumberOfThreads = 3;
+  EXPECT_EQ(again.Points, Remesh(surface).Compute(options).Points);
 }

@@ -5,6 +5,8 @@
 
 #include "Guidance/Guidance.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -28,7 +30,84 @@ PreparedField::PreparedField(const Surface& input, int degree, const FeatureSett
   , Joints(this->GetGeometry().Mesh, this->Prepared.GetOriginals())
   , Caches(this->GetGeometry().Mesh.GetComponents().size())
 {
+  if (given.empty() && this->Lengths.MostNeedless != None)
+  {
+    this->SmoothForField(settings, progress.Part(0.95, 1.0));
+  }
   progress.Report(1.0);
+}
+
+namespace
+{
+double AreaOf(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
+{
+  double area = 0.0;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const Vector3& p = positions[mesh.Tail(3 * t)];
+    area +=
+      0.5 * (positions[mesh.Tail(3 * t + 1)] - p).cross(positions[mesh.Tail(3 * t + 2)] - p).norm();
+  }
+  return area;
+}
+}
+
+double PreparedField::GetAreaLeft() const
+{
+  if (this->Needless == 0)
+  {
+    return 1.0;
+  }
+  const TriangleMesh& mesh = this->GetGeometry().Mesh;
+  const double before = AreaOf(mesh, this->Prepared.GetGivenPositions());
+  return before > 0.0 ? AreaOf(mesh, this->GetGeometry().Positions) / before : 1.0;
+}
+
+Index PreparedField::CountNeedless() const
+{
+  const TriangleMesh& mesh = this->GetGeometry().Mesh;
+  std::vector<char> isOnFeature(mesh.GetNumberOfVertices(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    if (this->IsFeature[e] != 0)
+    {
+      isOnFeature[mesh.Tail(mesh.HalfEdge(e))] = isOnFeature[mesh.Head(mesh.HalfEdge(e))] = 1;
+    }
+  }
+  Index sum = 0;
+  Index all = 0;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const bool isApart = isOnFeature[mesh.Tail(3 * t)] == 0 &&
+      isOnFeature[mesh.Tail(3 * t + 1)] == 0 && isOnFeature[mesh.Tail(3 * t + 2)] == 0;
+    sum += isApart ? this->Matching.SingularityIndex[t] : 0;
+    all += isApart ? std::abs(this->Matching.SingularityIndex[t]) : 0;
+  }
+  return all - std::abs(sum);
+}
+
+void PreparedField::SmoothForField(const FeatureSettings& settings, const Progress& progress)
+{
+  constexpr int firstSteps = 4;
+  constexpr int mostRounds = 6;
+  int steps = firstSteps;
+  for (int k = 0; k < mostRounds; ++k)
+  {
+    const Index needless = this->CountNeedless();
+    if (needless <= this->Lengths.MostNeedless)
+    {
+      return;
+    }
+    this->Needless = std::max(this->Needless, needless);
+    this->Prepared.Smooth(this->IsFeature, steps);
+    steps *= 4;
+    this->IsFeature = this->Prepared.FindFeatures(settings);
+    this->IsFrameless = FramelessVertices(this->GetGeometry(), this->Degree, this->IsFeature);
+    this->Section = OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
+      { this->Degree, settings.AreKept, this->Alignment },
+      progress.Part(static_cast<double>(k) / mostRounds, (k + 1.0) / mostRounds));
+    this->Matching = FieldMatching(this->GetGeometry(), this->Degree, this->Section);
+  }
 }
 
 bool PreparedField::IsFor(int degree, const FeatureSettings& settings,

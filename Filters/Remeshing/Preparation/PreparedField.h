@@ -51,8 +51,18 @@ public:
   /// One for each component.
   std::vector<ParametrizationCache>& GetCaches() { return this->Caches; }
 
+  /// Singularities that the surface did not need before it was smoothed; 0 where it was not.
+  Index GetNeedless() const { return this->Needless; }
+  /// The area of the prepared surface as part of what it was before it was smoothed.
+  double GetAreaLeft() const;
+
 private:
   std::vector<Complex> GivenField() const;
+  /// Smooths the surface, more and more, until its field has few singularities that it does not
+  /// need: those of noise are no shape that the faces could show.
+  void SmoothForField(const FeatureSettings& settings, const Progress& progress);
+  /// By how much there are more singularities, away from features, than all together make up.
+  Index CountNeedless() const;
 
   int Degree;
   WorkingLengths Lengths;
@@ -66,6 +76,7 @@ private:
   FieldMatching Matching;
   Seams Joints;
   std::vector<ParametrizationCache> Caches;
+  Index Needless = 0;
 };
 }
 

@@ -8,6 +8,7 @@
 #include "MeshError.h"
 #include "Refinement/FlatFlips.h"
 #include "Refinement/LongEdges.h"
+#include "Refinement/SmoothedPoints.h"
 
 #include <algorithm>
 #include <map>
@@ -148,6 +149,28 @@ void PreparedSurface::Refine(
     }
     room -= static_cast<Index>(surface.Points.size()) - before;
   }
+}
+
+std::vector<Vector3> PreparedSurface::GetGivenPositions() const
+{
+  std::vector<Vector3> positions = this->Geometry->Positions;
+  for (std::size_t v = 0; !this->GivenPoints.empty() && v < positions.size(); ++v)
+  {
+    positions[v] = this->GivenPoints[this->Geometry->Mesh.Point(static_cast<Index>(v))];
+  }
+  return positions;
+}
+
+void PreparedSurface::Smooth(const std::vector<char>& isFeature, int steps)
+{
+  if (this->GivenPoints.empty())
+  {
+    this->GivenPoints = this->Prepared->Points;
+  }
+  const auto smooth = std::make_shared<Surface>(*this->Prepared);
+  smooth->Points = SmoothedPoints(*this->Geometry, std::move(smooth->Points), isFeature, steps);
+  this->Geometry = std::make_unique<const SurfaceGeometry>(*smooth);
+  this->Prepared = smooth;
 }
 
 Surface PreparedSurface::CutOpen(const Surface& input, const MergedMesh& merged)

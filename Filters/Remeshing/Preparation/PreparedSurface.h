@@ -30,11 +30,14 @@ struct WorkingLengths
   std::vector<double> Split;
   /// How many points splitting may add.
   Index MostMiddles = 0;
+  /// How many singularities a field may have that the surface does not need, before the surface is
+  /// smoothed for it; None where it never is.
+  Index MostNeedless = None;
 
   bool operator==(const WorkingLengths& other) const
   {
     return this->Decimated == other.Decimated && this->Split == other.Split &&
-      this->MostMiddles == other.MostMiddles;
+      this->MostMiddles == other.MostMiddles && this->MostNeedless == other.MostNeedless;
   }
 };
 
@@ -53,6 +56,10 @@ public:
   /// then the middles of edges.
   const std::shared_ptr<const Surface>& GetSurface() const { return this->Prepared; }
   const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
+  /// The places of its vertices before any smoothing.
+  std::vector<Vector3> GetGivenPositions() const;
+  /// Smooths it, but for its boundary and features.
+  void Smooth(const std::vector<char>& isFeature, int steps);
   /// Of each of its points the one that it is a copy of, or itself.
   std::vector<Index> GetOriginals() const;
   const Repairs& GetRepairs() const { return this->Repaired; }
@@ -143,6 +150,8 @@ private:
   std::vector<std::array<Index, 2>> Middles;
   std::shared_ptr<const Surface> Prepared;
   std::unique_ptr<const SurfaceGeometry> Geometry;
+  /// Its points before it was smoothed; empty where it was not.
+  std::vector<Vector3> GivenPoints;
   Repairs Repaired;
 };
 }

@@ -79,6 +79,8 @@ WorkingLengths LengthsFor(
   constexpr double split = 1.4;
   constexpr double mostMiddlesPerFace = 4.0;
   constexpr double fewestAcross = 4.0;
+  constexpr double mostPerFaces = 0.25;
+  constexpr double fewestNeedless = 64.0;
   // There is no map of more cells than this.
   constexpr double mostCells = 1e8;
   const double squares = area / (edgeLength * edgeLength);
@@ -106,6 +108,10 @@ WorkingLengths LengthsFor(
   {
     lengths.Split = times(split);
     lengths.MostMiddles = static_cast<Index>(1000.0 + mostMiddlesPerFace * usual);
+  }
+  if (squares < mostCells)
+  {
+    lengths.MostNeedless = static_cast<Index>(std::max(fewestNeedless, mostPerFaces * usual));
   }
   return lengths;
 }
