@@ -71,6 +71,15 @@ them, stripes, meshes of quads, edited singularities, and files of other
 programs. PyVista's surfaces have them as mesh.directions.")
 
 set(debian "${PROJECT_BINARY_DIR}/Debian")
+function (write_prerm component module)
+  configure_file(
+    "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/Debian/prerm.in" "${debian}/${component}/prerm" @ONLY
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+      GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+endfunction ()
+write_prerm(runtime directionfields_vtk)
+write_prerm(numpy direction_fields)
+set(CPACK_DEBIAN_NUMPY_PACKAGE_CONTROL_EXTRA "${debian}/numpy/prerm")
 if (runtime IN_LIST CPACK_COMPONENTS_ALL)
   include(PackagePlugin)
 endif ()

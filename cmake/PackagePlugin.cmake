@@ -32,7 +32,7 @@ libvtkDirectionFieldsFiltersParallel ${soversion} direction-fields (= ${version}
 libvtkDirectionFieldsServerManager ${soversion} direction-fields (= ${version})
 ")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
-  ${scripts} "${CMAKE_CURRENT_LIST_DIR}/Debian/prerm" "${debian}/shlibs"
+  ${scripts} "${debian}/runtime/prerm" "${debian}/shlibs"
   "${CMAKE_CURRENT_LIST_DIR}/Debian/triggers")
 install(FILES "${CMAKE_CURRENT_LIST_DIR}/Debian/lintian-overrides"
   DESTINATION share/lintian/overrides RENAME "${CPACK_DEBIAN_RUNTIME_PACKAGE_NAME}"
