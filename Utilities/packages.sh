@@ -70,9 +70,13 @@ benchmark_packages=(libbenchmark-dev)
 # shellcheck disable=SC2034
 distributed_packages=(libpetsc-complex-dev)
 
-# For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY), and its test with pip.
+# For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY), its test with pip, and the one with
+# PyVista, which Debian 12 has not.
 # shellcheck disable=SC2034
 numpy_packages=(pybind11-dev python3-venv)
+if [[ $release != 12 ]]; then
+  numpy_packages+=(python3-pyvista)
+fi
 
 # For the checks of the sources' style; clang-format 14 has come with Debian 12 only.
 # shellcheck disable=SC2034

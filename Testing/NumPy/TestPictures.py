@@ -18,8 +18,10 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
 
 WHITE, DARK, RED, BLUE = (0.93, 0.93, 0.9), (0.15, 0.2, 0.35), (0.75, 0.1, 0.15), (0.1, 0.35, 0.7)
-# As for the pictures of the filters.
-MOST_DIFFERENCE = 15.0
+# By how much a picture may differ from the baseline, as a share of how much it does without its lines. With
+# another compiler, rounding decides otherwise between starts of lines that are equally good on symmetric
+# surfaces: 5 % have been seen.
+MOST_DIFFERENCE = 0.1
 
 
 def cells(offsets, corners):
@@ -149,9 +151,9 @@ def main(page, baseline, output):
             writer.SetFileName(output)
             writer.SetInputConnection(grab.GetOutputPort())
             writer.Write()
-        errors.append(compare(grab.GetOutput(), baseline) if os.path.exists(baseline) else np.inf)
+        errors.append(compare(grab.GetOutput(), baseline) if os.path.exists(baseline) else np.nan)
     print(f"difference {errors[0]:.2f}, without the lines {errors[1]:.2f}")
-    sys.exit(not errors[0] <= MOST_DIFFERENCE < errors[1])
+    sys.exit(not errors[0] <= MOST_DIFFERENCE * errors[1])
 
 
 if __name__ == "__main__":
