@@ -159,23 +159,23 @@ def half_of(red, half):
 
 def test_others_hide_directions():
     """What is drawn along a field does not lie among its glyphs."""
-    for name in ("DirectionFieldStreamlines", "StripePattern", "DirectionFieldGlyphs"):
-        view = new_view()
-        field = DirectionField(Input=simple.Sphere(ThetaResolution=48, PhiResolution=32), Degree=2)
-        surface, _ = apply(view, field)
-        glyphs = DirectionFieldGlyphs(Input=field)
-        [marks] = apply(view, glyphs)
-        assert (surface.Representation, marks.Visibility) == ("Surface", 1)
-        if name != "DirectionFieldGlyphs":
-            surface.Representation = "Direction Field"
-            apply(view, globals()[name](Input=field))
-            assert (surface.Representation, marks.Visibility) == ("Surface", 0), name
-            # The user's choice stays.
-            marks.Visibility = 1
-            simple.Render(view)
-            assert marks.Visibility == 1
-        picture_of(view, f"Apply{name}.png")
-        simple.ResetSession()
+    view = new_view()
+    field = DirectionField(Input=simple.Sphere(ThetaResolution=48, PhiResolution=32), Degree=2)
+    surface, _ = apply(view, field)
+    glyphs = DirectionFieldGlyphs(Input=field)
+    [marks] = apply(view, glyphs)
+    assert (surface.Representation, marks.Visibility) == ("Surface", 1)
+    for name in ("DirectionFieldStreamlines", "StripePattern"):
+        surface.Representation = "Direction Field"
+        other = globals()[name](Input=field)
+        apply(view, other)
+        assert (surface.Representation, marks.Visibility) == ("Surface", 0), name
+        # The user's choice stays.
+        marks.Visibility = 1
+        simple.Render(view)
+        assert marks.Visibility == 1
+        simple.Delete(other)
+    simple.ResetSession()
 
 
 def test_stripes():
@@ -307,29 +307,28 @@ def sphere(inside_out=False):
     return turned(Input=source, FlipNormals=1, Splitting=0)
 
 
-def glyph_pixels(source, direction, name):
+def glyph_pixels(source, sides):
+    """How many pixels glyphs take, seen from above and from below."""
     view = new_view()
     field, _, balls = shown_field(view, source)
     balls.Visibility = 0
     simple.Show(DirectionFieldGlyphs(Input=field), view)
-    view.CameraFocalPoint = [0.0, 0.0, 0.0]
-    view.CameraPosition = direction
-    view.CameraViewUp = [0.0, 1.0, 0.0]
-    simple.ResetCamera(view)
-    count = pixels(picture_of(view, name), teal)
+    view.CameraFocalPoint, view.CameraViewUp = [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]
+    counts = []
+    for side in sides:
+        view.CameraPosition = [0.0, 0.0, side]
+        simple.ResetCamera(view)
+        counts.append(pixels(picture_of(view, f"ApplySide{side}.png"), teal))
     simple.ResetSession()
-    return count
+    return counts
 
 
 def test_sides():
     """Glyphs are seen on surfaces wound inside out as on others, and on open ones from both
     sides."""
-    plain = glyph_pixels(sphere(), [0, 0, 5], "ApplySphere.png")
-    turned = glyph_pixels(sphere(inside_out=True), [0, 0, 5], "ApplyInsideOut.png")
+    [plain], [turned] = glyph_pixels(sphere(), [5]), glyph_pixels(sphere(inside_out=True), [5])
     assert plain > 10000 and abs(turned - plain) < 0.15 * plain, (plain, turned)
-    plane = dict(XResolution=20, YResolution=20)
-    front = glyph_pixels(simple.Plane(**plane), [0, 0, 5], "ApplyFront.png")
-    back = glyph_pixels(simple.Plane(**plane), [0, 0, -5], "ApplyBack.png")
+    front, back = glyph_pixels(simple.Plane(XResolution=20, YResolution=20), [5, -5])
     assert front > 10000 and abs(back - front) < 0.15 * front, (front, back)
 
 
