@@ -104,6 +104,10 @@ void vtkSMDirectionFieldDisplay::PostInitializeProxy(
     {
       representation->HideDirections();
     }
+    if (display_hints::HasHint(proxy, "ReplaceField"))
+    {
+      representation->ReplaceField();
+    }
   }
   proxy->UpdateVTKObjects();
 }

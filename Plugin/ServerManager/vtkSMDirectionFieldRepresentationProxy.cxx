@@ -55,6 +55,19 @@ bool ShowsColorsOf(vtkSMProxy* map, vtkSMProxy* view)
   }
   return false;
 }
+
+/// Hides the legend of a display if no other one shows points with its colors.
+void HideUnusedLegend(vtkSMProxy* display, vtkSMProxy* view)
+{
+  vtkSMProxy* const map = vtkSMPropertyHelper(display, "LookupTable", /*quiet=*/true).GetAsProxy();
+  vtkSMProxy* const legend =
+    map ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(map, view) : nullptr;
+  if (legend && !ShowsColorsOf(map, view))
+  {
+    vtkSMPropertyHelper(legend, "Visibility").Set(0);
+    legend->UpdateVTKObjects();
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -181,11 +194,13 @@ void vtkSMDirectionFieldRepresentationProxy::HideDirectionsIn(vtkSMProxy* view)
   {
     vtkSMProxy* const display = shown.GetAsProxy(i);
     vtkSMProxy* const source = InputOf(display);
-    const char* const name = source ? source->GetXMLName() : nullptr;
-    if (source != own && name && std::strcmp(name, "DirectionFieldGlyphs") == 0 &&
-      InputOf(source) == field)
+    const std::string name = source ? source->GetXMLName() : "";
+    const bool isOfField = source && source != own && InputOf(source) == field;
+    if ((isOfField && name == "DirectionFieldGlyphs") ||
+      (this->ReplacesField && (source == field || (isOfField && name == "PythonAnnotation"))))
     {
       vtkSMPropertyHelper(display, "Visibility").Set(0);
+      HideUnusedLegend(display, view);
     }
     else if (source == field &&
       std::string(DirectionFieldType) ==

@@ -45,6 +45,12 @@ public:
   void HideDirections() { this->HidesDirections = true; }
 
   /**
+   * The same for a filter that shows another field in place of that: its singularities and the line
+   * that sums it up are hidden, too.
+   */
+  void ReplaceField() { this->HidesDirections = this->ReplacesField = true; }
+
+  /**
    * Called by a view after its data are up to date, before it draws. A legend of the filter's hints
    * is hidden where nothing is left that has its colors, as where a field has become one without
    * singularities, and comes back when they do.
@@ -78,6 +84,7 @@ private:
   std::string AwaitedArray;
   int AwaitedAssociation = 0;
   bool HidesDirections = false;
+  bool ReplacesField = false;
   bool HasHiddenLegend = false;
 
   vtkSMDirectionFieldRepresentationProxy(const vtkSMDirectionFieldRepresentationProxy&) = delete;

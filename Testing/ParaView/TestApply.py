@@ -12,6 +12,8 @@ from Figures import blue, pixels, red, teal
 
 plugin, mesh, output = sys.argv[1:4]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
+import directionfields
+
 SIZE = [800, 600]
 
 
@@ -165,16 +167,30 @@ def test_others_hide_directions():
     glyphs = DirectionFieldGlyphs(Input=field)
     [marks] = apply(view, glyphs)
     assert (surface.Representation, marks.Visibility) == ("Surface", 1)
-    for name in ("DirectionFieldStreamlines", "StripePattern"):
-        surface.Representation = "Direction Field"
-        other = globals()[name](Input=field)
-        apply(view, other)
-        assert (surface.Representation, marks.Visibility) == ("Surface", 0), name
-        # The user's choice stays.
-        marks.Visibility = 1
-        simple.Render(view)
-        assert marks.Visibility == 1
-        simple.Delete(other)
+    surface.Representation = "Direction Field"
+    apply(view, DirectionFieldStreamlines(Input=field))
+    assert (surface.Representation, marks.Visibility) == ("Surface", 0)
+    # The user's choice stays.
+    marks.Visibility = 1
+    simple.Render(view)
+    assert marks.Visibility == 1
+    simple.ResetSession()
+
+
+def test_replaced():
+    """Nothing of the field before lies among what stripes, an edit and a remesh show."""
+    view = new_view()
+    shown = directionfields.show(simple.Sphere(ThetaResolution=24, PhiResolution=16), 2, view)
+    for name, properties in (("EditSingularities", {}), ("StripePattern", {}),
+                             ("FieldAlignedRemesh", {"NumberOfFaces": 200})):
+        made = globals()[name](Input=shown.field, **properties)
+        apply(view, made)
+        seen = {display.Input.GetXMLName() for display in view.Representations
+                if display.Visibility and display.GetProperty("Input")}
+        assert seen == {name}, seen
+        assert shown.legend.Visibility == (name == "EditSingularities"), name
+        simple.Delete(made)
+        directionfields.show(shown.field, view=view)
     simple.ResetSession()
 
 
@@ -380,6 +396,7 @@ test_field()
 test_directions()
 test_constraint_lines()
 test_others_hide_directions()
+test_replaced()
 test_stripes()
 test_no_stripes()
 test_remesh()
