@@ -4,13 +4,44 @@
 #include "DirectionFieldToolBar.h"
 
 #include "ShowDirectionFieldActions.h"
+#include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqProxyGroupMenuManager.h"
+#include "pqSettings.h"
 
 #include <QAction>
 #include <QMainWindow>
 #include <QMetaObject>
 #include <QToolBar>
+
+namespace
+{
+/// The toolbar of the filters' category; ParaView 5.12 and newer put the group before its name.
+QToolBar* FindBar(const QWidget* window)
+{
+  for (const char* name : { "Direction Fields", "filters.Direction Fields" })
+  {
+    if (auto* const bar = window->findChild<QToolBar*>(name))
+    {
+      return bar;
+    }
+  }
+  return nullptr;
+}
+
+/// Puts the toolbar at the end of the last row, unless ParaView restores the places that its user
+/// has left. It adds the toolbars of plugins that it loads early in front of the row of its own
+/// filters, after many others, where most buttons would be cut off.
+void PlaceBar(QMainWindow* window, QToolBar* bar)
+{
+  if (window && !pqApplicationCore::instance()->settings()->contains("MainWindow/Layout"))
+  {
+    const bool isShown = !bar->isHidden();
+    window->addToolBar(bar);
+    bar->setVisible(isShown);
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 DirectionFieldToolBar::DirectionFieldToolBar(QObject* parent)
@@ -46,11 +77,17 @@ void DirectionFieldToolBar::startup()
 void DirectionFieldToolBar::insertButton()
 {
   QWidget* const window = pqCoreUtilities::mainWidget();
-  auto* const bar = window ? window->findChild<QToolBar*>("Direction Fields") : nullptr;
+  QToolBar* const bar = window ? FindBar(window) : nullptr;
   QAction* const first = bar ? bar->actions().value(0) : nullptr;
-  if (bar && first != this->Button)
+  if (!bar || first == this->Button)
   {
-    bar->insertAction(first, this->Button);
-    bar->insertAction(first, this->Separator);
+    return;
+  }
+  bar->insertAction(first, this->Button);
+  bar->insertAction(first, this->Separator);
+  if (!this->IsPlaced)
+  {
+    this->IsPlaced = true;
+    PlaceBar(qobject_cast<QMainWindow*>(window), bar);
   }
 }

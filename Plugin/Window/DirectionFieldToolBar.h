@@ -31,6 +31,7 @@ private slots:
 private:
   QAction* Button = nullptr;
   QAction* Separator = nullptr;
+  bool IsPlaced = false;
 };
 
 #endif

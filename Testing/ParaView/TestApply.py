@@ -104,9 +104,11 @@ def test_directions():
     simple.ResetCamera(view)
     count = pixels(picture_of(view, "ApplyDirections.png"), teal)
     assert count > 0.02 * SIZE[0] * SIZE[1], count
-    surface.Position = [1000.0, 0.0, 0.0]
+    # ParaView 5.13 has given the property another name.
+    place = surface.GetProperty("Translation") or surface.GetProperty("Position")
+    place.SetData([1000.0, 0.0, 0.0])
     assert pixels(picture_of(view, "ApplyMoved.png"), teal) == 0
-    surface.Position = [0.0, 0.0, 0.0]
+    place.SetData([0.0, 0.0, 0.0])
     surface.Representation = "Surface"
     assert pixels(picture_of(view, "ApplyPlain.png"), teal) == 0
     surface.Representation = "Direction Field"
