@@ -122,10 +122,16 @@ def hide_others(field, parts, view):
                     view.FindRepresentation(source.SMProxy, port)):
                 simple.Hide(simple.OutputPort(source, port), view)
         # The captions of all pictures are at the same place.
-        if (source.GetXMLName() == "PythonAnnotation" and not belongs and
-                source.Expression == CAPTION and view.FindRepresentation(source.SMProxy, 0)):
+        if (not belongs and is_caption(source) and
+                view.FindRepresentation(source.SMProxy, 0)):
             simple.Hide(source, view)
     simple.HideUnusedScalarBars(view)
+
+
+def is_caption(source):
+    """Whether show() has made an annotation; states of other versions have other expressions."""
+    return source.GetXMLName() == "PythonAnnotation" and any(
+        part in source.Expression for part in ("'Summary'", "negative singularities' %"))
 
 
 def is_render_view(view):
@@ -211,8 +217,10 @@ def show_legend(field, balls, view):
         bar.Position = [0.87, 0.03]
         bar.TitleFontSize = bar.LabelFontSize = 13
         bar.TitleColor = bar.LabelColor = text_color(view)
-    words = follower(field, "PythonAnnotation") or simple.PythonAnnotation(
-        registrationName=part_name("Summary", field), Input=field, Expression=CAPTION)
+    words = follower(field, "PythonAnnotation")
+    if words is None or not is_caption(words):
+        words = simple.PythonAnnotation(registrationName=part_name("Summary", field), Input=field)
+    words.Expression = CAPTION
     display = simple.Show(words, view)
     display.Color = text_color(view)
     display.WindowLocation = "Lower Left Corner"

@@ -56,6 +56,14 @@ def check(directory):
     simple.SaveScreenshot(path, view, ImageResolution=[800, 600])
     counts = pixels(path, red), pixels(path, blue)
     assert max(counts) > 100, counts
+    # A new picture takes the place of the old one's caption, too.
+    for mesh in (simple.Cone(), field):
+        directionfields.show(mesh, view=view)
+        captions = [name for (name, _), source in simple.GetSources().items()
+                    if source.GetXMLName() == "PythonAnnotation" and
+                    view.FindRepresentation(source.SMProxy, 0) and
+                    simple.GetRepresentation(source, view).Visibility]
+        assert len(captions) == 1, captions
 
 
 if os.path.exists(state):
