@@ -36,9 +36,8 @@ void PlaceBar(QMainWindow* window, QToolBar* bar)
 {
   if (window && !pqApplicationCore::instance()->settings()->contains("MainWindow/Layout"))
   {
-    const bool isShown = !bar->isHidden();
     window->addToolBar(bar);
-    bar->setVisible(isShown);
+    bar->show();
   }
 }
 }
