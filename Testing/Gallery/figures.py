@@ -14,7 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import meshes
-from gallery import Field, Panel, producer
+from gallery import Panel, producer
 from remeshed import RemeshedPanel
 from shown import ComparisonPanel, GivenPanel, LinesPanel
 from striped import EigenStripesPanel, StripePanel
