@@ -56,6 +56,14 @@ bool ShowsColorsOf(vtkSMProxy* map, vtkSMProxy* view)
   return false;
 }
 
+/// Whether the picture of a field has a filter of this name: the line that sums the field up, and its
+/// smooth surface, whose filter has had several names.
+bool IsOfPicture(const std::string& name)
+{
+  return name == "PythonAnnotation" || name == "PPolyDataNormals" || name == "PolyDataNormals" ||
+    name == "SurfaceNormals";
+}
+
 /// Hides the legend of a display if no other one shows points with its colors.
 void HideUnusedLegend(vtkSMProxy* display, vtkSMProxy* view)
 {
@@ -197,7 +205,7 @@ void vtkSMDirectionFieldRepresentationProxy::HideDirectionsIn(vtkSMProxy* view)
     const std::string name = source ? source->GetXMLName() : "";
     const bool isOfField = source && source != own && InputOf(source) == field;
     if ((isOfField && name == "DirectionFieldGlyphs") ||
-      (this->ReplacesField && (source == field || (isOfField && name == "PythonAnnotation"))))
+      (this->ReplacesField && (source == field || (isOfField && IsOfPicture(name)))))
     {
       vtkSMPropertyHelper(display, "Visibility").Set(0);
       HideUnusedLegend(display, view);

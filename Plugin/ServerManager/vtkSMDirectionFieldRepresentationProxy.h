@@ -45,8 +45,8 @@ public:
   void HideDirections() { this->HidesDirections = true; }
 
   /**
-   * The same for a filter that shows another field in place of that: its singularities and the line
-   * that sums it up are hidden, too.
+   * The same for a filter that shows something else in place of that: the field's surface, its
+   * singularities and the line that sums it up are hidden, too.
    */
   void ReplaceField() { this->HidesDirections = this->ReplacesField = true; }
 

@@ -182,7 +182,9 @@ def test_others_hide_directions():
 def test_replaced():
     """Nothing of the field before lies among what stripes, an edit and a remesh show."""
     view = new_view()
-    shown = directionfields.show(simple.Sphere(ThetaResolution=24, PhiResolution=16), 2, view)
+    # A cone has no normals, hence its picture has a surface of its own.
+    shown = directionfields.show(simple.Cone(Resolution=24), 2, view)
+    assert shown.surface.SMProxy != shown.field.SMProxy
     for name, properties in (("EditSingularities", {}), ("StripePattern", {}),
                              ("FieldAlignedRemesh", {"NumberOfFaces": 200})):
         made = globals()[name](Input=shown.field, **properties)
