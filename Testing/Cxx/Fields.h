@@ -6,6 +6,8 @@
 #ifndef Fields_h
 #define Fields_h
 
+#include "Checks.h"
+
 #include "vtkDirectionField.h"
 
 #include "vtkNew.h"
@@ -19,6 +21,19 @@ inline vtkSmartPointer<vtkPolyData> Field(vtkPolyData* mesh, int degree)
   filter->SetInputData(mesh);
   filter->SetDegree(degree);
   filter->Update();
+  return filter->GetOutput();
+}
+
+/// The same of a mesh that nothing is to be said of.
+inline vtkSmartPointer<vtkPolyData> QuietField(vtkPolyData* mesh, int degree = 4)
+{
+  vtkNew<vtkDirectionField> filter;
+  vtkNew<Checks::Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(mesh);
+  filter->SetDegree(degree);
+  filter->Update();
+  CHECK(messages->IsEmpty());
   return filter->GetOutput();
 }
 
