@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 using namespace DirectionFields;
 
@@ -29,11 +30,12 @@ int main()
     stress.Values.insert(
       stress.Values.end(), { t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2) });
   }
-  const TensorGuidance guidance = GuideByTensors(sphere, stress);
+  DirectionField field(sphere);
+  field.FollowTensors(stress, {});
   Options options;
   options.Degree = 2;
-  options.ConstrainGuidance = true;
-  const Result lines = DirectionField(sphere).Compute(options, guidance.Guidance);
+  options.AlignmentStrength = 1.0;
+  const Result lines = field.Compute(options);
 
   double off = 0.0;
   for (Index i = 0; i < static_cast<Index>(sphere.Points.size()); ++i)
@@ -48,7 +50,8 @@ int main()
   {
     sum += index;
   }
-  const double most = *std::max_element(guidance.MajorValue.begin(), guidance.MajorValue.end());
+  const std::vector<double>& major = field.GetTensorGuidance()->MajorValue;
+  const double most = *std::max_element(major.begin(), major.end());
   std::printf(
     "stress up to %.1f, lines at most %.2f degrees off, sum of indices %d\n", most, off, sum);
   return off < 1.0 && sum == 4 && std::abs(most - 70.0) < 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;

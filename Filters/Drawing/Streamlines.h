@@ -122,6 +122,10 @@ struct Streamlines
   /// k of the direction there that is nearest to the line's.
   std::vector<Index> Point;
   std::vector<int> Branch;
+  /// Over the points: the triangle of the surface that each is in, and the weights of its corners,
+  /// with which values at the points of the surface are carried to the lines.
+  std::vector<Index> Triangle;
+  std::vector<std::array<double, 3>> Weights;
   /// Line i has the points Offsets[i] ... Offsets[i + 1] - 1. A closed line repeats its first point
   /// at its end.
   std::vector<std::int64_t> Offsets = { 0 };

@@ -8,8 +8,10 @@
 #include "Computation/Guide.h"
 #include "Computation/Stages.h"
 #include "Guidance/Guidance.h"
+#include "Guidance/TensorSection.h"
 #include "Support/Threads.h"
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -77,6 +79,47 @@ std::vector<Complex> DirectionField::PhaseReferenceSection(int degree) const
   return GuidanceSection(this->Cache->GetGeometry(), this->PhaseReference, degree);
 }
 
+void DirectionField::FollowTensors(SurfaceTensors tensors, const TensorGuidanceOptions& options)
+{
+  Internal::Check(*this->Input, tensors, options);
+  const bool areSame = this->Followed && this->Followed->Tensors->Values == tensors.Values &&
+    this->Followed->Tensors->Components == tensors.Components &&
+    this->Followed->Tensors->AtTriangles == tensors.AtTriangles;
+  if (!areSame)
+  {
+    this->Followed = std::make_unique<FollowedTensors>();
+    this->Followed->Tensors = std::make_shared<const SurfaceTensors>(std::move(tensors));
+  }
+  this->Followed->Options = options;
+}
+
+void DirectionField::FollowNoTensors()
+{
+  this->Followed.reset();
+}
+
+std::shared_ptr<const TensorGuidance> DirectionField::GetTensorGuidance() const
+{
+  return this->AtTensors;
+}
+
+Options DirectionField::WithTensors(const Options& options) const
+{
+  Options used = options;
+  if (this->Followed)
+  {
+    used.Alignment = Alignment::None;
+    used.ConstraintSolver =
+      FollowsExactly(options) ? ConstraintSolver::Energy : options.ConstraintSolver;
+    if (options.Degree != 2 && options.Degree != 4)
+    {
+      throw std::invalid_argument("Set Directions per point (Degree) to 2 or 4: a tensor gives a "
+                                  "line or a cross field.");
+    }
+  }
+  return used;
+}
+
 Stages& DirectionField::StagesFor(const Options& options)
 {
   if (!this->Cache || this->Cache->GetMergePoints() != options.MergePoints)
@@ -99,9 +142,10 @@ Result DirectionField::Compute(
   return this->ComputeField(options, guidance, progress, false);
 }
 
-Result DirectionField::ComputeField(const Options& options, const Guidance& guidance,
+Result DirectionField::ComputeField(const Options& given, const Guidance& guidance,
   const ProgressFunction& progressFunction, bool othersFollow)
 {
+  const Options options = this->WithTensors(given);
   Check(options);
   Check(guidance, options, this->Input->Points.size());
   Threads threads(options.NumberOfThreads);
@@ -113,7 +157,8 @@ Result DirectionField::ComputeField(const Options& options, const Guidance& guid
     Stages& stages = this->StagesFor(options);
     progress.RequireToGoOn();
     std::vector<std::string> notes = Hints(stages, options);
-    const Guide guide(stages, options, guidance, notes);
+    const Guide guide(stages, options, guidance, notes, this->Followed.get());
+    this->AtTensors = guide.TensorsAtPoints(stages);
     progress.RequireToGoOn();
     // The linear systems take about as long as half of the eigenvalue problem does.
     const double energyPart = guide.Any() || options.UnitLength ? 0.65 : 1.0;

@@ -14,9 +14,14 @@
 
 namespace DirectionFields
 {
+struct SurfaceTensors;
+struct TensorGuidance;
+struct TensorGuidanceOptions;
+
 namespace Internal
 {
 class Stages;
+struct FollowedTensors;
 }
 
 /// The globally optimal direction field of a triangle mesh: for every connected component the
@@ -63,9 +68,27 @@ public:
   /// These directions, where they are those of a field of that degree; else none.
   std::vector<Vector3> GetPhaseReference(int degree) const;
 
+  /// From the next call of Compute on, fields follow the principal directions of these tensors, for
+  /// degrees 2 and 4, and Options::Alignment counts no more. Where AlignmentStrength is 1, and
+  /// UseShift off, they have these directions themselves, but for constrained vertices and their
+  /// neighbours, and where the tensors are isotropic within noise: there is the smoothest field,
+  /// always of least energy, in between. Below that they are drawn to the directions. Weights are
+  /// those of GuideByTensors, with points merged as Options::MergePoints has it.
+  ///
+  /// Throws std::invalid_argument as GuideByTensors; Compute does for values that are not finite,
+  /// and for other degrees.
+  void FollowTensors(SurfaceTensors tensors, const TensorGuidanceOptions& options);
+  /// From the next call of Compute on, fields follow no tensors.
+  void FollowNoTensors();
+  /// What the tensors of the last field that was computed ask for, at its output points
+  /// (Result::OriginalPoint); null where it followed none.
+  std::shared_ptr<const TensorGuidance> GetTensorGuidance() const;
+
 private:
   Result ComputeField(const Options& options, const Guidance& guidance,
     const ProgressFunction& progress, bool othersFollow);
+  /// The options as they count where tensors are followed.
+  Options WithTensors(const Options& options) const;
   /// The stages of the surface with points merged or not, made anew where that has changed.
   Internal::Stages& StagesFor(const Options& options);
   /// The phase reference as a section over the vertices; empty where there is none of that degree.
@@ -75,6 +98,8 @@ private:
   std::unique_ptr<Internal::Stages> Cache;
   Guidance PhaseReference;
   int PhaseReferenceDegree = 0;
+  std::unique_ptr<Internal::FollowedTensors> Followed;
+  std::shared_ptr<const TensorGuidance> AtTensors;
 };
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the pictures of the help pages: pvbatch pictures.py PLUGIN MESH [NAME.png ...]
 
-remesh.png alone is not among them: it is three parts of the gallery's figure Remeshed."""
+remesh.png and tensors.png are not among them: they are parts of the gallery's figures Remeshed and Stress."""
 import os
 import sys
 import tempfile

@@ -99,6 +99,9 @@ void PrintDirectionField()
   VALUE(CellDirections);
   VALUE(GuidanceVectors);
   VALUE(GuidanceWeights);
+  RANGE(TensorDirection);
+  RANGE(TensorStrength);
+  RANGE(TensorScale);
 }
 
 void PrintGlyphs()

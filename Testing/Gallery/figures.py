@@ -380,6 +380,41 @@ def lines(directory):
     return panels
 
 
+class StressPanel(LinesPanel):
+    """Lines along both principal directions of the array Stress, red where it pulls and blue where it presses."""
+
+    def __init__(self, mesh, camera, most, **properties):
+        super().__init__(producer(mesh), 4, camera,
+                         {"Alignment": "Tensor", "TensorArray": ["POINTS", "Stress"]}, **properties)
+        display = simple.GetRepresentation(self.lines, self.view)
+        display.LineWidth = 3.0
+        simple.ColorBy(display, ("POINTS", "PrincipalValue"), separate=True)
+        display.UseSeparateColorMap = 1
+        colors = simple.GetColorTransferFunction("PrincipalValue", display, separate=True)
+        colors.ColorSpace = "RGB"
+        colors.RGBPoints = [-most, 0.05, 0.2, 0.75, 0.0, 0.6, 0.6, 0.6, most, 0.8, 0.05, 0.05]
+        display.SetScalarBarVisibility(self.view, False)
+        surface = simple.GetRepresentation(self.proxy, self.view)
+        surface.AmbientColor = surface.DiffuseColor = [0.95, 0.94, 0.92]
+
+    def along(self):
+        return vtk_to_numpy(self.traced.GetPointData().GetArray("PrincipalValue"))
+
+
+def stress(_):
+    """Where forces run: in a plate with a hole that is pulled sideways, and in a torus under pressure."""
+    panels = [StressPanel(meshes.stressed_plate(), FROM_ABOVE, 1.5),
+              StressPanel(meshes.pressurized_torus(), OBLIQUE, 0.5)]
+    plate, torus = panels
+    assert plate.field.count() == torus.field.count() == 0
+    assert plate.along().min() < -0.7 and plate.along().max() > 2.5, plate.along()
+    # A torus under pressure is pulled everywhere, the least along its circles.
+    assert torus.along().min() > 0.19, torus.along().min()
+    x, y, _ = torus.field.points.T
+    assert torus.field.deviation(np.stack([-y, x, 0.0 * x], axis=1)).max() < 1.0
+    return panels
+
+
 def graph(directory):
     """The lines out of the singularities of a cross field, and its graph: they end where they meet."""
     mesh = bunny(directory)
@@ -458,4 +493,5 @@ FIGURES = {
     "Singularities": singularities,
     "Lines": lines,
     "Graph": graph,
+    "Stress": stress,
 }

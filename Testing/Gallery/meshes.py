@@ -92,6 +92,45 @@ def annulus(around=108, across=10):
     return mesh
 
 
+def with_stress(mesh, stress):
+    """The mesh with n x 6 tensors at its points, XX, YY, ZZ, XY, YZ, XZ."""
+    array = numpy_to_vtk(stress, deep=True)
+    array.SetName("Stress")
+    mesh.GetPointData().AddArray(array)
+    return mesh
+
+
+def stressed_plate(around=192, across=60):
+    """A plate with a hole of radius 1 that is pulled along x (G. Kirsch 1898), finer near the hole."""
+    t = 2.0 * np.pi * np.arange(around) / around
+    end = 4.0 / np.maximum(np.abs(np.cos(t)), np.abs(np.sin(t)))
+    radius = end ** np.linspace(0.0, 1.0, across + 1)[:, None]
+    points = np.stack([radius * np.cos(t), radius * np.sin(t), 0.0 * radius], axis=-1).reshape(-1, 3)
+    s = 1.0 / np.maximum(1.0, radius**2)
+    mean = 0.5 - s * np.cos(2.0 * t)
+    polar = (-s + (1.0 - 2.0 * s + 3.0 * s**2) * np.cos(2.0 * t)
+             - 1j * (1.0 + 2.0 * s - 3.0 * s**2) * np.sin(2.0 * t)) / 2.0
+    q, zero = polar * np.exp(2j * t), 0.0 * s
+    stress = np.stack([mean + q.real, mean - q.real, zero, q.imag, zero, zero], axis=-1)
+    triangles = grid_triangles(around, across + 1, wrap_columns=True)
+    return with_stress(polydata(points, triangles[:, ::-1]), stress.reshape(-1, 6))
+
+
+def pressurized_torus(around=120, across=60, minor=0.4):
+    """A shell of radii 1 and minor under pressure 1, of thickness 1."""
+    b, a = np.meshgrid(2.0 * np.pi * np.arange(across) / across,
+                       2.0 * np.pi * np.arange(around) / around, indexing="ij")
+    ring = 1.0 + minor * np.cos(b)
+    points = np.stack([ring * np.cos(a), ring * np.sin(a), minor * np.sin(b)], axis=-1)
+    along = np.stack([-np.sin(a), np.cos(a), 0.0 * a], axis=-1)
+    tube = np.stack([-np.sin(b) * np.cos(a), -np.sin(b) * np.sin(a), np.cos(b)], axis=-1)
+    pull = 0.5 * minor * (1.0 + ring) / ring
+    stress = [pull * tube[..., i] * tube[..., j] + 0.5 * minor * along[..., i] * along[..., j]
+              for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))]
+    return with_stress(polydata(points.reshape(-1, 3), grid_triangles(around, across, True, True)),
+                       np.stack(stress, axis=-1).reshape(-1, 6))
+
+
 def disk(cells=24):
     """The unit disk, of squares bent to circles; a quarter turn maps it to itself."""
     i, j = np.meshgrid(np.arange(-cells, cells + 1), np.arange(-cells, cells + 1))

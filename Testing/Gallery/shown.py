@@ -56,13 +56,13 @@ class GivenPanel(Panel):
 class LinesPanel(Panel):
     """Lines along a field, as ParaView shows them on its own, on the surface that they follow."""
 
-    def __init__(self, source, degree, camera, **properties):
+    def __init__(self, source, degree, camera, options=None, **properties):
         self.view = simple.CreateRenderView()
         self.view.ViewSize = PANEL
         self.view.UseColorPaletteForBackground = 0
         self.view.Background = [1.0, 1.0, 1.0]
         self.view.OrientationAxesVisibility = 0
-        self.proxy = simple.DirectionField(Input=source, Degree=degree, Diagnostics=1)
+        self.proxy = simple.DirectionField(Input=source, Degree=degree, Diagnostics=1, **(options or {}))
         self.field = Field(self.proxy)
         self.camera = camera
         for port in (0, 1):

@@ -44,15 +44,16 @@ def source(points, cells, **arrays):
 
 
 def cylinder(around=48, along=24):
-    """A cylinder of radius 1 and height 3 with helical vectors of slope 1/2 and with weights on the
-    upper half."""
+    """A cylinder of radius 1 and height 3 with helical vectors of slope 1/2, with weights on the
+    upper half, and with a stress of 2 around it and -1 along it."""
     angles = [2.0 * math.pi * i / around for i in range(around)]
     points = [(math.cos(a), math.sin(a), 3.0 * j / along) for j in range(along + 1) for a in angles]
     cells = [(j * around + i, j * around + (i + 1) % around, (j + 1) * around + (i + 1) % around,
               (j + 1) * around + i) for j in range(along) for i in range(around)]
     helix = [(-y, x, 0.5) for x, y, z in points]
-    return source(points, cells, Helix=helix, Upper=[(1.0 if z > 1.5 else 0.0,)
-                                                     for x, y, z in points])
+    stress = [(2.0 * y * y, 2.0 * x * x, -1.0, -2.0 * x * y, 0.0, 0.0) for x, y, z in points]
+    return source(points, cells, Helix=helix, Stress=stress,
+                  Upper=[(1.0 if z > 1.5 else 0.0,) for x, y, z in points])
 
 
 def disk(cells=12):
@@ -170,6 +171,41 @@ def test_vectors():
         Delete(proxy)
 
 
+def test_tensor():
+    """Tension around a cylinder, compression along it: which array, which direction, which values."""
+    mesh = cylinder()
+    cells = PointDatatoCellData(Input=mesh, ProcessAllArrays=1)
+    cells.UpdatePipeline()
+    for proxy, association in ((mesh, "POINTS"), (cells, "CELLS")):
+        # As in the window, where the input is the active source.
+        SetActiveSource(proxy)
+        field = DirectionField(Input=proxy, Alignment="Tensor", Degree=2)
+        # The panel starts with the array that there is.
+        assert field.TensorArray.GetAssociation() == association, field.TensorArray
+        assert field.TensorArray.GetArrayName() == "Stress"
+        assert largest_angle(servermanager.Fetch(field), 2, around) < 0.1
+        field.TensorDirection = "Minor"
+        assert largest_angle(servermanager.Fetch(field), 2, lambda p: (0, 0, 1)) < 0.1
+        field.Degree = 4
+        surface = servermanager.Fetch(field)
+        assert largest_angle(surface, 4, around) < 0.1
+        values = [surface.GetPointData().GetArray(name).GetRange() for name in (
+            "MajorValue", "MinorValue", "TensorAnisotropy")]
+        # Means over cells lose a little of what is bent.
+        assert all(abs(value - wanted) < 0.03 for pair, wanted in zip(values, (2.0, -1.0, 1.5))
+                   for value in pair), values
+        lines = DirectionFieldStreamlines(Input=field)
+        low, high = servermanager.Fetch(lines).GetPointData().GetArray("PrincipalValue").GetRange()
+        assert abs(low + 1.0) < 0.03 and abs(high - 2.0) < 0.05, (low, high)
+        for made in (lines, field):
+            Delete(made)
+    field = DirectionField(Input=mesh, Alignment="Tensor", TensorArray=["POINTS", "Stress"], Degree=2)
+    field.TensorStrength = 0.5
+    assert value(servermanager.Fetch(field), "Lambda") < value(servermanager.Fetch(field), "Eigenvalue")
+    for proxy in (field, cells, mesh):
+        Delete(proxy)
+
+
 def test_boundary():
     mesh = disk()
     field = DirectionField(Input=mesh)
@@ -202,5 +238,6 @@ def test_boundary():
 
 test_curvature()
 test_vectors()
+test_tensor()
 test_boundary()
 print("passed")

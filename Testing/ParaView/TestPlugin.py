@@ -26,14 +26,15 @@ def total(array):
 # Shift is not one of them, because it takes the place of the strength where UseShift is on.
 ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
             "Distribution", "GatherLimit",
-            "IntrinsicDelaunay", "CellDirections", "UseShift", "CurvatureScale")
+            "IntrinsicDelaunay", "CellDirections", "UseShift", "CurvatureScale", "TensorScale")
 ENUMERATIONS = {
-    "Alignment": ["None", "Principal Curvature", "Point Vectors"],
+    "Alignment": ["None", "Principal Curvature", "Point Vectors", "Tensor"],
     "CurvatureDirection": ["Maximum", "Minimum", "Least Bent", "Most Bent"],
     "ConstraintSolver": ["Least Squares", "Energy"],
     "Distribution": ["Automatic", "Gather", "Distributed"],
     "MergePoints": ["Off", "On", "Automatic"],
     "Solver": ["Automatic", "Multigrid", "Direct"],
+    "TensorDirection": ["Major", "Minor", "Larger Magnitude"],
 }
 
 
@@ -41,7 +42,8 @@ def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
     field = DirectionField(Input=Sphere())
     [expected] = printed(sys.argv[2], "DirectionField")
-    check_properties(field, expected, ENUMERATIONS, ADVANCED)
+    # The array of tensors is one of the algorithm's own settings.
+    check_properties(field, expected, ENUMERATIONS, ADVANCED, ("Input", "TensorArray"))
     Delete(field)
 
 
@@ -154,6 +156,7 @@ def test_panel():
     scale = {"CurvatureScale"}
     strength = {"AlignmentStrength", "UseShift"}
     guidance = {"GuidanceVectors", "GuidanceWeights"}
+    tensor = {"TensorArray", "TensorScale", "TensorStrength", "UseShift"}
     solver = {"ConstraintSolver"}
     consistency = {"CurvatureTolerance", "ConsistencyAngle", "DropConstraintsAtSingularities"}
     for settings, expected in (
@@ -167,6 +170,11 @@ def test_panel():
             ({"UseShift": 1}, curvature),
             ({"Alignment": 2, "Degree": 2}, curvature | strength | guidance),
             ({"Alignment": 2, "Degree": 3}, strength | guidance),
+            ({"Alignment": 3}, curvature | tensor),
+            ({"Alignment": 3, "Degree": 2}, curvature | tensor | {"TensorDirection"}),
+            ({"Alignment": 3, "Degree": 3}, tensor),
+            ({"Alignment": 3, "UseShift": 1},
+             curvature | tensor - {"TensorStrength"} | {"Shift"}),
             ({"ConstrainGuidance": 1, "Degree": 3}, guidance | solver),
             ({"ConstrainBoundary": 1, "Degree": 3}, solver),
             ({"ConstrainSharpEdges": 1, "Degree": 3}, {"FeatureAngle", "MinimumFeatureLength"} | solver),

@@ -26,7 +26,7 @@ def make(kind, options, mesh):
     field = kind()
     field.SetTolerance(1e-10)
     for name, value in options.items():
-        getattr(field, "Set" + name)(value)
+        getattr(field, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
     field.SetInputData(mesh)
     field.Update()
     return field

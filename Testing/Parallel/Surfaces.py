@@ -130,7 +130,7 @@ def owners(points, triangles, way, count):
     return order * used // len(triangles)
 
 
-def piece(points, triangles, arrays, owner, rank, ghosts=False, ids=False, noise=0.0):
+def piece(points, triangles, arrays, owner, rank, ghosts=False, ids=False, noise=0.0, cell_arrays=None):
     """The piece of one process, with where its points and cells are from.
 
     ghosts adds the triangles around the piece, marked as copies; ids adds global ids; noise moves points
@@ -154,6 +154,8 @@ def piece(points, triangles, arrays, owner, rank, ghosts=False, ids=False, noise
     wrapped.CellData.append(cells.astype(np.int64), "From")
     for name, values in arrays.items():
         wrapped.PointData.append(values[used], name)
+    for name, values in (cell_arrays or {}).items():
+        wrapped.CellData.append(values[cells], name)
     if ghosts:
         marks = numpy_to_vtk(mark[cells], deep=True, array_type=VTK_UNSIGNED_CHAR)
         marks.SetName(vtkDataSetAttributes.GhostArrayName())

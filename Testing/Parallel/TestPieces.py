@@ -29,7 +29,9 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
           "boundary": {"ConstrainBoundary": 1},
           "given": {**GUIDED, "GuidanceWeights": "Few", "ConstrainGuidance": 1},
           "bounded by": {**GUIDED, "ConstrainBoundary": 1, "AlignmentStrength": 0.8},
-          "unmerged": {"MergePoints": 0}, "multigrid": {"Solver": 1, "Tolerance": 1e-10}}
+          "unmerged": {"MergePoints": 0}, "multigrid": {"Solver": 1, "Tolerance": 1e-10},
+          "stress": {"Alignment": vtkDirectionField.ALIGN_TENSOR, "TensorArray": (0, "Stress")},
+          "stress of cells": {"Alignment": vtkDirectionField.ALIGN_TENSOR, "TensorArray": (1, "Stress")}}
 
 
 # What can be had without gathering.
@@ -46,8 +48,13 @@ def run(surface, way, field, distribute):
     vectors = np.stack([points[:, 1], -points[:, 0], 0.3 + points[:, 2] ** 2], axis=1)
     arrays = {"Wanted": vectors, "Weight": 1.0 + points[:, 2] ** 2,
               "Few": (points[:, 1] > 0.6) * 1.5}
+    # Tensors that turn along the surface, and no less where it is level.
+    turn = np.stack([np.cos(points[:, 2]), np.sin(points[:, 2]), points[:, 0]], axis=1)
+    tensors = np.stack([turn[:, a] * turn[:, b] for a, b in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))], axis=1)
+    arrays["Stress"] = tensors
+    kind = {**kind, "cell_arrays": {"Stress": tensors[triangles].mean(axis=1)}}
     owner = Surfaces.owners(points, triangles, way.split()[0], count)
-    mesh = Surfaces.piece(points, triangles, arrays, owner * 0, 0)
+    mesh = Surfaces.piece(points, triangles, arrays, owner * 0, 0, cell_arrays=kind["cell_arrays"])
     whole = make(vtkDirectionField, options, mesh)
     options["Distribution"] = (vtkPDirectionField.GATHER, vtkPDirectionField.DISTRIBUTED)[distribute]
     part = make(vtkPDirectionField, options, Surfaces.piece(points, triangles, arrays, owner, rank, **kind))

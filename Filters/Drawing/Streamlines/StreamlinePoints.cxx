@@ -140,6 +140,11 @@ private:
     const auto corner =
       static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
     const Index point = this->Field.PointAt(triangle, corner);
+    this->Result.Triangle[at] = geometry.Mesh.InputTriangle(triangle);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Result.Weights[at][c] = weights[this->Field.MeshCorner(triangle, c)];
+    }
     this->Result.Point[at] = point;
     this->Result.Branch[at] =
       this->BranchAt(in, corner, point, place, static_cast<double>(line.Sense) * direction);
@@ -252,6 +257,8 @@ Streamlines ToStreamlines(const GivenField& field, const PointDirections& direct
   result.Magnitude.resize(points);
   result.Point.resize(points);
   result.Branch.resize(points);
+  result.Triangle.resize(points);
+  result.Weights.resize(points);
   const Writer writer(field, directions, height, result);
   ParallelFor(static_cast<Index>(lines.size()), FewLines,
     [&](Index begin, Index end)

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -122,14 +124,68 @@ std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
   }
   return drawn;
 }
+
+std::string Percent(double part)
+{
+  return part < 0.01 ? "less than 1 %" : std::to_string(std::lround(100.0 * part)) + " %";
 }
 
-Guide::Guide(
-  Stages& stages, const Options& options, const Guidance& guidance, std::vector<std::string>& notes)
+/// Says what the user may not expect of tensors.
+/// @param section the guidance that they make
+void NoteTensors(const TriangleMesh& mesh, const VertexTensors& tensors,
+  const std::vector<Complex>& section, std::vector<std::string>& notes)
+{
+  // Above the rounding of single precision.
+  constexpr double asymmetric = 1e-5;
+  constexpr double across = 0.3;
+  const auto& components = mesh.GetComponents();
+  const auto empty = std::count_if(components.begin(), components.end(),
+    [&](const TriangleMesh::Component& component)
+    {
+      return std::all_of(section.begin() + component.FirstVertex,
+        section.begin() + component.EndVertex, [](const Complex& q) { return q == 0.0; });
+    });
+  if (empty == static_cast<std::ptrdiff_t>(components.size()))
+  {
+    notes.emplace_back(
+      "Choose another Tensor Array: this one changes nothing, since its tensors are the same in all "
+      "directions of the surface, up to noise and rounding.");
+  }
+  else if (empty > 0)
+  {
+    notes.push_back(
+      "Check the tensors if that is unexpected: they are the same in all directions of "
+      "the surface, up to noise and rounding, on " +
+      std::to_string(empty) + " of " + std::to_string(components.size()) +
+      " connected components, which have the smoothest field.");
+  }
+  if (tensors.AsymmetricPart > asymmetric)
+  {
+    notes.push_back("Check the tensors if that is unexpected: their part that is not symmetric, up "
+                    "to " +
+      Percent(tensors.AsymmetricPart) + " of the largest component, does not count.");
+  }
+  if (tensors.AcrossPart > across)
+  {
+    notes.push_back(
+      "Check that the tensors are in the axes of space, not of the elements: the shear "
+      "across the surface is more than " +
+      Percent(tensors.AcrossPart) + " of them at half of the points.");
+  }
+}
+}
+
+Guide::Guide(Stages& stages, const Options& options, const Guidance& guidance,
+  std::vector<std::string>& notes, const FollowedTensors* tensors)
   : Given(GivenSection(stages, options, guidance))
   , Constrained(ConstraintsOf(stages, options, this->Given, notes))
   , Drawn(DrawnSection(stages, options, this->Given, notes))
+  , Tensors(tensors)
 {
+  if (tensors)
+  {
+    this->Follow(stages, options, notes);
+  }
   if (!this->Drawn.empty() && options.Alignment == Alignment::PrincipalCurvature)
   {
     this->Shares =
@@ -137,10 +193,75 @@ Guide::Guide(
   }
 }
 
+void Guide::Follow(Stages& stages, const Options& options, std::vector<std::string>& notes)
+{
+  const VertexTensors& tensors =
+    stages.GetTensors(this->Tensors->Tensors, this->Tensors->Options.Scale);
+  std::vector<Complex> section =
+    TensorSection(stages.GetGeometry(), tensors, options.Degree, this->Tensors->Options.Direction);
+  NoteTensors(stages.GetMesh(), tensors, section, notes);
+  if (std::all_of(section.begin(), section.end(), [](const Complex& q) { return q == 0.0; }))
+  {
+    return;
+  }
+  if (FollowsExactly(options))
+  {
+    this->Constrain(stages.GetMesh(), section);
+  }
+  else
+  {
+    this->Drawn = std::move(section);
+  }
+}
+
+/// The constraints have priority, and their neighbours are free, as they are of any other guidance.
+void Guide::Constrain(const TriangleMesh& mesh, const std::vector<Complex>& section)
+{
+  const bool isFree = !this->Constrained.Any();
+  const auto isConstrained = [&](Index v)
+  { return !isFree && this->Constrained.Kind[v] != ConstraintKind::None; };
+  std::vector<char> isNear(section.size(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges() && !isFree; ++e)
+  {
+    const Index i = mesh.Tail(mesh.HalfEdge(e));
+    const Index j = mesh.Head(mesh.HalfEdge(e));
+    isNear[i] |= isConstrained(j) ? 1 : 0;
+    isNear[j] |= isConstrained(i) ? 1 : 0;
+  }
+  this->ExactKind.assign(section.size(), ConstraintKind::None);
+  this->ExactValue.assign(section.size(), 0.0);
+  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
+  {
+    const double weight = std::abs(section[v]);
+    if (isConstrained(v))
+    {
+      this->ExactKind[v] = this->Constrained.Kind[v];
+      this->ExactValue[v] = this->Constrained.Value[v];
+    }
+    else if (weight > 0.0 && isNear[v] == 0)
+    {
+      this->ExactKind[v] = ConstraintKind::Given;
+      this->ExactValue[v] = section[v] / weight;
+    }
+  }
+}
+
+std::shared_ptr<const TensorGuidance> Guide::TensorsAtPoints(Stages& stages) const
+{
+  if (!this->Tensors)
+  {
+    return {};
+  }
+  return std::make_shared<const TensorGuidance>(AtPoints(stages.GetGeometry(),
+    stages.GetTensors(this->Tensors->Tensors, this->Tensors->Options.Scale),
+    this->Tensors->Options.Direction, stages.GetOutputPoints().Vertex));
+}
+
 ComponentGuide Guide::Of(const TriangleMesh& mesh, std::size_t c) const
 {
-  ComponentGuide part =
-    GuideOf(mesh, c, this->Drawn, this->Constrained.Kind, this->Constrained.Value);
+  ComponentGuide part = this->ExactKind.empty()
+    ? GuideOf(mesh, c, this->Drawn, this->Constrained.Kind, this->Constrained.Value)
+    : GuideOf(mesh, c, this->Drawn, this->ExactKind, this->ExactValue);
   part.Share = this->Shares.empty() ? 1.0 : this->Shares[c];
   return part;
 }
@@ -167,6 +288,11 @@ ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t c, const std::vecto
   part.Given.Values =
     Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
   return part;
+}
+
+bool FollowsExactly(const Options& options)
+{
+  return options.AlignmentStrength >= 1.0 && !options.UseShift;
 }
 
 bool UsesCurvature(const Options& options)

@@ -6,14 +6,23 @@
 
 #include "Guidance/Constraints.h"
 #include "Guidance/GuidanceTerms.h"
+#include "Guidance/SurfaceTensors.h"
 #include "Options.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
 class Stages;
+
+/// The tensors that fields follow.
+struct FollowedTensors
+{
+  std::shared_ptr<const SurfaceTensors> Tensors;
+  TensorGuidanceOptions Options;
+};
 
 /// The guidance that the options draw a field to, and its constraints. All arrays are over the
 /// vertices of the mesh.
@@ -22,21 +31,35 @@ class Guide
 public:
   /// @param guidance of the input's points
   /// @param notes    gets a sentence for each option that changes nothing
+  /// @param tensors  null where the field follows none
   Guide(Stages& stages, const Options& options, const Guidance& guidance,
-    std::vector<std::string>& notes);
+    std::vector<std::string>& notes, const FollowedTensors* tensors = nullptr);
 
   /// Whether there is anything to follow.
-  bool Any() const { return this->Constrained.Any() || !this->Drawn.empty(); }
+  bool Any() const
+  {
+    return this->Constrained.Any() || !this->Drawn.empty() || !this->ExactKind.empty();
+  }
   const Constraints& GetConstraints() const { return this->Constrained; }
   /// The part of one component.
   ComponentGuide Of(const TriangleMesh& mesh, std::size_t component) const;
+  /// What the tensors ask for at the output points; null without tensors.
+  std::shared_ptr<const TensorGuidance> TensorsAtPoints(Stages& stages) const;
 
 private:
+  void Follow(Stages& stages, const Options& options, std::vector<std::string>& notes);
+  void Constrain(const TriangleMesh& mesh, const std::vector<Complex>& section);
+
   /// The user's vectors as a section of the field's degree; empty where no option asks for them.
   std::vector<Complex> Given;
   Constraints Constrained;
   /// The guidance that the field is drawn to; empty for none.
   std::vector<Complex> Drawn;
+  /// The constraints together with the directions of tensors, where the field has these themselves;
+  /// else empty.
+  std::vector<ConstraintKind> ExactKind;
+  std::vector<Complex> ExactValue;
+  const FollowedTensors* Tensors;
   /// The share of the strength of each component; empty for all of it.
   std::vector<double> Shares;
 };
@@ -48,6 +71,9 @@ private:
 ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t component,
   const std::vector<Complex>& drawn, const std::vector<ConstraintKind>& kind,
   const std::vector<Complex>& value);
+
+/// Whether a field that follows tensors has their directions themselves.
+bool FollowsExactly(const Options& options);
 
 /// Whether the options need the curvature of the surface.
 bool UsesCurvature(const Options& options);

@@ -88,6 +88,18 @@ const Curvature& Stages::GetCurvature(double scale)
   return *this->Curved;
 }
 
+const VertexTensors& Stages::GetTensors(
+  const std::shared_ptr<const SurfaceTensors>& tensors, double scale)
+{
+  if (!this->Tensors || this->TensorsGiven != tensors || this->TensorScale != scale)
+  {
+    this->Tensors.emplace(this->Geometry, *tensors, scale, Progress());
+    this->TensorsGiven = tensors;
+    this->TensorScale = scale;
+  }
+  return *this->Tensors;
+}
+
 const OutputPoints& Stages::GetOutputPoints()
 {
   if (!this->Points)

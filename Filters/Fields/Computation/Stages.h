@@ -9,6 +9,7 @@
 #include "Curvature/Curvature.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "Guidance/TensorSection.h"
 #include "Mesh/MergePoints.h"
 #include "Mesh/OutputPoints.h"
 #include "Progress.h"
@@ -60,6 +61,9 @@ public:
   const std::vector<double>& GetDihedralAngles();
   /// @param scale as Options::CurvatureScale
   const Curvature& GetCurvature(double scale = 0.0);
+  /// The averaged tensors of the surface, kept for the last ones and their scale.
+  const VertexTensors& GetTensors(
+    const std::shared_ptr<const SurfaceTensors>& tensors, double scale);
   const OutputPoints& GetOutputPoints();
   /// The curvature at the output points, in the units of the input. All results of one scale share
   /// it.
@@ -77,6 +81,9 @@ private:
   std::optional<std::vector<double>> Dihedral;
   std::optional<Curvature> Curved;
   double CurvatureScale = 0.0;
+  std::optional<VertexTensors> Tensors;
+  std::shared_ptr<const SurfaceTensors> TensorsGiven;
+  double TensorScale = 0.0;
   std::optional<OutputPoints> Points;
   std::shared_ptr<const CurvatureReport> CurvatureAtPoints;
 };

@@ -208,4 +208,27 @@ std::string SummaryOfEdit(
   }
   return text;
 }
+
+std::string DescribeTensors(
+  const TensorGuidance& tensors, const std::string& name, const SurfaceFigures& figures, int degree)
+{
+  const double percent = 100.0 * tensors.IsotropicShare;
+  std::ostringstream text;
+  text << ", along " << name << ": ";
+  if (degree == 2)
+  {
+    text << Count(static_cast<std::size_t>(figures.Positive), "wedge") << ", "
+         << Count(static_cast<std::size_t>(figures.Negative), "trisector") << ", ";
+  }
+  if (percent > 0.0 && percent < 1.0)
+  {
+    text << "less than 1";
+  }
+  else
+  {
+    text << std::lround(percent);
+  }
+  text << " % isotropic";
+  return text.str();
+}
 }

@@ -7,6 +7,7 @@
 #include "Comparison/FieldDifference.h"
 #include "Computation/SurfaceFigures.h"
 #include "Guidance/CurveGuidance.h"
+#include "Guidance/SurfaceTensors.h"
 #include "Options.h"
 #include "PrescribedSingularities/EditOptions.h"
 #include "PrescribedSingularities/SingularityEditor.h"
@@ -26,6 +27,14 @@ namespace DirectionFields
 /// The documentation of vtkDirectionField lists the other parts.
 /// @param figures of the whole surface
 std::string Summary(const SurfaceFigures& figures, const Result& field, const Options& options);
+
+/// The part of that line about the tensors that a field follows, for instance
+///
+///     , along Stress: 2 wedges, 2 trisectors, 3 % isotropic
+///
+/// @param name of the array
+std::string DescribeTensors(const TensorGuidance& tensors, const std::string& name,
+  const SurfaceFigures& figures, int degree);
 
 /// The same of what else there is of fields. Angles are in degrees, with three digits.
 /// @param curves number of the curves

@@ -284,6 +284,10 @@ DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
       }
     });
   this->Reason = DirectionFields::Parallel::WhyNotDistributed(options);
+  if (this->Reason.empty() && this->GetAlignment() == ALIGN_TENSOR)
+  {
+    this->Reason = "Alignment Tensor needs the whole surface";
+  }
   if (this->Reason.empty() && this->GetCellDirections())
   {
     this->Reason = "Cell Directions needs the whole surface";
@@ -361,8 +365,13 @@ void vtkPDirectionField::ComputeGathered(Processes& processes, vtkPolyData* inpu
       arrays.emplace_back(name);
     }
   }
+  std::vector<std::string> cellArrays;
+  if (this->GetAlignment() == ALIGN_TENSOR)
+  {
+    (this->AreTensorsOfCells() ? cellArrays : arrays).push_back(this->GetTensorArrayName());
+  }
   const GatheredSurface gathered =
-    DirectionFields::Parallel::GatherSurface(processes, input, arrays);
+    DirectionFields::Parallel::GatherSurface(processes, input, arrays, cellArrays);
   const bool isThere = gathered.Surface != nullptr;
   std::vector<std::string> warnings;
   if (isThere && !warning.empty())

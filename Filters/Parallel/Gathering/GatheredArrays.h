@@ -7,6 +7,7 @@
 #include "Processes.h"
 #include "SurfacePiece.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -143,31 +144,43 @@ private:
   bool SomeHaveSizes = false;
 };
 
-/// The values of an array at points, as doubles.
-inline std::vector<double> ReadValues(vtkDataArray* array, const std::vector<vtkIdType>& points)
+/// The values of an array at points or cells, as doubles.
+inline std::vector<double> ReadValues(vtkDataArray* array, const std::vector<vtkIdType>& places)
 {
   const int components = array->GetNumberOfComponents();
-  std::vector<double> values(points.size() * components);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<double> values(places.size() * components);
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    array->GetTuple(points[i], values.data() + i * components);
+    array->GetTuple(places[i], values.data() + i * components);
   }
   return values;
 }
 
-/// A point array on its way, which is left behind unless all pieces with points have it alike.
+/// An array on its way, which is left behind unless all pieces with points have it alike.
 struct TravellingArray
 {
-  TravellingArray(
-    vtkPolyData* polyData, const SurfacePiece& piece, std::string name, Announcements& announced)
+  static TravellingArray OfPoints(vtkPolyData* polyData, const SurfacePiece& piece,
+    const std::string& name, Announcements& announced)
+  {
+    return { polyData->GetPointData()->GetArray(name.c_str()), piece, piece.Own.Points, name,
+      announced };
+  }
+  static TravellingArray OfCells(vtkPolyData* polyData, const SurfacePiece& piece,
+    const PieceCells& cells, const std::string& name, Announcements& announced)
+  {
+    return { polyData->GetCellData()->GetArray(name.c_str()), piece, cells.Cells, name, announced };
+  }
+
+  /// @param places the points or cells whose values travel
+  TravellingArray(vtkDataArray* array, const SurfacePiece& piece,
+    const std::vector<vtkIdType>& places, std::string name, Announcements& announced)
     : Name(std::move(name))
     , TakesPart(piece.HasPoints)
   {
-    vtkDataArray* const array = polyData->GetPointData()->GetArray(this->Name.c_str());
     const int components = this->TakesPart && array ? array->GetNumberOfComponents() : 0;
     if (components > 0)
     {
-      this->Own = ReadValues(array, piece.Own.Points);
+      this->Own = ReadValues(array, places);
     }
     this->Components = announced.Add(components);
     this->Missing = announced.Add(this->TakesPart && components == 0 ? 1 : 0);
@@ -214,6 +227,27 @@ struct TravellingArray
         values->GetPointer(static_cast<vtkIdType>(i) * this->Width));
     }
     surface->GetPointData()->AddArray(values);
+  }
+
+  /// Adds an array of cells: its values on polygons, then those on strips, each one process after
+  /// another.
+  friend void AddCells(
+    const TravellingArray& polys, const TravellingArray& strips, vtkPolyData* surface)
+  {
+    if (polys.Width == 0)
+    {
+      return;
+    }
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(polys.Name.c_str());
+    values->SetNumberOfComponents(static_cast<int>(polys.Width));
+    const std::size_t polyValues = polys.All.Values.size();
+    values->SetNumberOfTuples(
+      static_cast<vtkIdType>(polyValues + strips.All.Values.size()) / polys.Width);
+    std::copy(polys.All.Values.begin(), polys.All.Values.end(), values->GetPointer(0));
+    std::copy(strips.All.Values.begin(), strips.All.Values.end(),
+      values->GetPointer(static_cast<vtkIdType>(polyValues)));
+    surface->GetCellData()->AddArray(values);
   }
 
 private:

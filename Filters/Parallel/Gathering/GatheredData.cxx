@@ -274,7 +274,7 @@ WholeSurface GatherWhole(Processes& processes, vtkPolyData* piece, int to)
     return InPlace(processes, piece, largest);
   }
   WholeSurface whole;
-  whole.Gathered = GatherSurface(processes, piece, {}, to);
+  whole.Gathered = GatherSurface(processes, piece, {}, {}, to);
   const GatheredSurface& gathered = whole.Gathered;
   const SurfacePiece& own = gathered.Piece;
   vtkPolyData* const surface = gathered.Surface;

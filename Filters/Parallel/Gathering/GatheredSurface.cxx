@@ -169,7 +169,8 @@ std::vector<vtkIdType> PerPoint(std::vector<vtkIdType> first)
 class Travel
 {
 public:
-  Travel(vtkPolyData* polyData, const SurfacePiece& piece, const std::vector<std::string>& arrays)
+  Travel(vtkPolyData* polyData, const SurfacePiece& piece, const std::vector<std::string>& arrays,
+    const std::vector<std::string>& cellArrays)
     : Piece(piece)
     , Polys(piece.Polys, Announced)
     , Strips(piece.Strips, Announced)
@@ -189,7 +190,15 @@ public:
     this->BorderNumbers = add(piece.BorderEdges.size());
     for (const std::string& name : arrays)
     {
-      this->Arrays.emplace_back(polyData, piece, name, this->Announced);
+      this->Arrays.push_back(TravellingArray::OfPoints(polyData, piece, name, this->Announced));
+    }
+    for (const std::string& name : cellArrays)
+    {
+      for (const PieceCells* const cells : { &piece.Polys, &piece.Strips })
+      {
+        this->CellArrays.push_back(
+          TravellingArray::OfCells(polyData, piece, *cells, name, this->Announced));
+      }
     }
   }
 
@@ -220,9 +229,12 @@ public:
     {
       cells->Gather(processes, to);
     }
-    for (TravellingArray& array : this->Arrays)
+    for (std::vector<TravellingArray>* const arrays : { &this->Arrays, &this->CellArrays })
     {
-      array.Gather(processes, to);
+      for (TravellingArray& array : *arrays)
+      {
+        array.Gather(processes, to);
+      }
     }
   }
 
@@ -288,6 +300,10 @@ public:
     {
       array.AddTo(gathered.Surface, first);
     }
+    for (std::size_t k = 0; k < this->CellArrays.size(); k += 2)
+    {
+      AddCells(this->CellArrays[k], this->CellArrays[k + 1], gathered.Surface);
+    }
   }
 
 private:
@@ -308,6 +324,10 @@ private:
       cells->Expect(announced, isThere);
     }
     for (TravellingArray& array : this->Arrays)
+    {
+      array.Expect(announced, isThere);
+    }
+    for (TravellingArray& array : this->CellArrays)
     {
       array.Expect(announced, isThere);
     }
@@ -333,6 +353,8 @@ private:
   TravellingCells Strips;
   TravellingCells Ghosts;
   std::vector<TravellingArray> Arrays;
+  /// For each cell array its values on polygons, then those on strips.
+  std::vector<TravellingArray> CellArrays;
   Gathered<double> Coordinates;
   Gathered<double> CopiedCoordinates;
   Gathered<vtkIdType> GlobalIds;
@@ -353,8 +375,8 @@ private:
 };
 }
 
-GatheredSurface GatherSurface(
-  Processes& processes, vtkPolyData* polyData, const std::vector<std::string>& arrays, int to)
+GatheredSurface GatherSurface(Processes& processes, vtkPolyData* polyData,
+  const std::vector<std::string>& arrays, const std::vector<std::string>& cells, int to)
 {
   GatheredSurface gathered;
   std::unique_ptr<Travel> travel;
@@ -362,7 +384,7 @@ GatheredSurface GatherSurface(
     [&]
     {
       gathered.Piece = ReadPiece(polyData);
-      travel = std::make_unique<Travel>(polyData, gathered.Piece, arrays);
+      travel = std::make_unique<Travel>(polyData, gathered.Piece, arrays, cells);
     });
   travel->Gather(processes, to, gathered);
   processes.Together(

@@ -56,9 +56,10 @@ struct GatheredSurface
 /// @param polyData the piece, which ReadPiece takes
 /// @param arrays   names of point arrays of numbers that the surface is to have; one that a piece
 ///                 with points lacks, or has with another number of components, is left out
+/// @param cells    the same for cell arrays
 /// @param to       the process that gets the surface; -1 for that with the largest piece
-GatheredSurface GatherSurface(
-  Processes& processes, vtkPolyData* polyData, const std::vector<std::string>& arrays, int to = -1);
+GatheredSurface GatherSurface(Processes& processes, vtkPolyData* polyData,
+  const std::vector<std::string>& arrays, const std::vector<std::string>& cells = {}, int to = -1);
 }
 
 #endif

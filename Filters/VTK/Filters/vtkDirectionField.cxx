@@ -9,9 +9,11 @@
 #include "Conversion/Output/CellDirections.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/SingularityPoints.h"
+#include "Conversion/Tensors/TensorArrays.h"
 #include "Support/AlgorithmProgress.h"
 #include "Support/DirectionFieldCache.h"
 
+#include <DirectionFields/Guidance/SurfaceTensors.h>
 #include <DirectionFields/OptionTable.h>
 #include <DirectionFields/Reports/FieldSummary.h>
 #include <DirectionFields/Reports/FieldWarnings.h>
@@ -115,6 +117,12 @@ DirectionFields::Options vtkDirectionField::MakeOptions() const
   DIRECTIONFIELDS_OPTIONS(HAND_ON, HAND_ON, HAND_ON)
 #undef HAND_ON
   options.NumberOfThreads = this->ThreadsToUse();
+  if (this->Alignment == ALIGN_TENSOR)
+  {
+    // Tensors are no guidance of the options: DirectionField::FollowTensors takes them.
+    options.Alignment = DirectionFields::Alignment::None;
+    options.AlignmentStrength = this->TensorStrength;
+  }
   return options;
 }
 
@@ -140,6 +148,15 @@ DirectionFields::Result vtkDirectionField::ComputeField(vtkPolyData* input,
   }
   const DirectionFields::Guidance guidance = this->ReadGuidance(input);
   DirectionFields::DirectionField& solver = this->Last->GetSolver();
+  if (this->Alignment == ALIGN_TENSOR)
+  {
+    solver.FollowTensors(
+      this->ReadTensors(input, this->Last->GetSurface()), this->MakeTensorOptions());
+  }
+  else
+  {
+    solver.FollowNoTensors();
+  }
   const DirectionFields::ProgressFunction progress =
     DirectionFields::ReportTo(this, ProgressRead, ProgressSolved);
   DirectionFields::Result field = this->KeepStages
@@ -196,6 +213,12 @@ void vtkDirectionField::Execute(
   DirectionFields::CopyWithoutReports(input, output);
   const int type = this->TypeOfArrays(input);
   DirectionFields::AddFieldArrays(surface, field, type, output, progress.Part(ProgressSolved, 1.0));
+  const bool hasTensors = this->Alignment == ALIGN_TENSOR && !surface.Mesh.Triangles.empty();
+  const auto tensors = hasTensors ? this->Last->GetSolver().GetTensorGuidance() : nullptr;
+  if (tensors)
+  {
+    DirectionFields::AddTensorArrays(*tensors, type, output);
+  }
   if (this->CellDirections)
   {
     DirectionFields::AddCellDirections(output);
@@ -203,6 +226,11 @@ void vtkDirectionField::Execute(
   DirectionFields::AddReport(field.Repaired, warnings, output->GetFieldData());
   DirectionFields::MakeSingularPoints(surface, field, figures, type, singularities);
   std::string summary = DirectionFields::Summary(figures, field, options);
+  if (tensors)
+  {
+    summary += DirectionFields::DescribeTensors(
+      *tensors, this->GetTensorArrayName(), figures, options.Degree);
+  }
   if (this->Alignment != ALIGN_POINT_VECTORS && !this->ConstrainGuidance &&
     input->GetPointData()->HasArray(DirectionFields::ArrayNames::GuidanceVectors))
   {

@@ -22,10 +22,10 @@
  * ACM Transactions on Graphics 32(4), Article 59, 2013. https://doi.org/10.1145/2461912.2462005
  *
  * With Alignment the field is drawn to the principal curvature directions (the Hopf differential
- * of the surface) or to given vectors q: it solves (A - lambda_t M) u = M q, where lambda_t below
- * the smallest eigenvalue follows from AlignmentStrength. Constraints fix the directions of some
- * vertices: on the boundary, on sharp edges, where the surface is curved, or where the user gives
- * them. They follow
+ * of the surface), to given vectors or to tensors q: it solves (A - lambda_t M) u = M q, where
+ * lambda_t below the smallest eigenvalue follows from AlignmentStrength. Constraints fix the
+ * directions of some vertices: on the boundary, on sharp edges, where the surface is curved, or
+ * where the user gives them. They follow
  *
  * B. Pellenard, G. Orbay, J. Chen, S. Sohan, W. Kwok, J. R. Tristano: QMCF: QMorph Cross
  * Field-driven Quad-dominant Meshing Algorithm. Procedia Engineering 82, 338-350, 2014.
@@ -99,8 +99,10 @@
  *   several. Where the solver did not reach its tolerance it says "not converged (residual 2e-05)"
  *   or "1 of 3 components not converged (residual 2e-05)", with the largest residual. There follow,
  *   where they apply, "aligned", "120 points constrained", "unit length with 31 % less energy",
- *   from the sums of `UnitEnergy`, and that an array GuidanceVectors is there which is not used. An
- *   input without triangles has "no field, for there are no triangles".
+ *   from the sums of `UnitEnergy`, and that an array GuidanceVectors is there which is not used. A
+ *   field that follows tensors has "along Stress: 2 wedges, 2 trisectors, 3 % isotropic", with the
+ *   part of the area where they have no direction. An input without triangles has "no field, for
+ *   there are no triangles".
  *
  * Where there are any, also
  * - field data `Warnings`: string. The warnings of this run, one a tuple.
@@ -114,6 +116,11 @@
  * - point data `MeanCurvature`, `GaussianCurvature`: type as above, in 1 / length and 1 / length^2.
  *   The mean curvature is positive where the surface is convex. On sharp edges, where the surface
  *   is bent and not curved, they follow the size of the triangles.
+ * - point data `MajorValue`, `MinorValue`, `TensorAnisotropy`: type as above, in the unit of the
+ *   tensors. With ALIGN_TENSOR: the larger and the smaller principal value in the surface, with
+ *   their signs, and half of their difference, of the averaged tensors.
+ * - point data `SurfaceTensor`: 6 components XX, YY, ZZ, XY, YZ, XZ, type and unit as above. These
+ *   tensors themselves, without what is not along the surface.
  * - point data `OriginalPointIds`: vtkIdType, only where the surface was split because it is no
  *   manifold. The input's point of each point; the points that were split off come last, with the
  *   point data of their originals, and the polygons and strips use them.
@@ -178,7 +185,7 @@
 #ifndef vtkDirectionField_h
 #define vtkDirectionField_h
 
-#include "vtkDirectionFieldAlgorithm.h"
+#include "vtkDirectionFieldTensors.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 
 #include <functional> // For std::function
@@ -195,11 +202,11 @@ struct Surface;
 struct SurfaceFigures;
 }
 
-class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionField : public vtkDirectionFieldAlgorithm
+class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkDirectionField : public vtkDirectionFieldTensors
 {
 public:
   static vtkDirectionField* New();
-  vtkTypeMacro(vtkDirectionField, vtkDirectionFieldAlgorithm);
+  vtkTypeMacro(vtkDirectionField, vtkDirectionFieldTensors);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -363,15 +370,18 @@ public:
   {
     ALIGN_NONE = 0,
     ALIGN_PRINCIPAL_CURVATURE = 1,
-    ALIGN_POINT_VECTORS = 2
+    ALIGN_POINT_VECTORS = 2,
+    ALIGN_TENSOR = 3
   };
 
   ///@{
   /**
    * The guidance that the field is drawn to: none (0, default), the principal curvature directions
-   * (1; degrees 2 and 4 only, else an error), or GuidanceVectors (2).
+   * (1; degrees 2 and 4 only, else an error), GuidanceVectors (2), or the principal directions of
+   * the tensors of SetTensorArray (3; degrees 2 and 4 only), which it follows as the properties of
+   * vtkDirectionFieldTensors say.
    */
-  vtkSetClampMacro(Alignment, int, ALIGN_NONE, ALIGN_POINT_VECTORS);
+  vtkSetClampMacro(Alignment, int, ALIGN_NONE, ALIGN_TENSOR);
   vtkGetMacro(Alignment, int);
   ///@}
 
@@ -539,7 +549,7 @@ public:
    * How the free points follow the constrained ones: by the least energy (1, default), or by the
    * least squares of the residual over all points, as Pellenard et al. have it (0), which takes
    * longer, mostly makes more singularities, and is refused for components of more than
-   * 250 000 points.
+   * 250 000 points. Where the field has the directions of tensors it is by energy always.
    */
   vtkSetClampMacro(ConstraintSolver, int, LEAST_SQUARES, ENERGY);
   vtkGetMacro(ConstraintSolver, int);

@@ -127,7 +127,7 @@ void vtkDirectionFieldGlyphs::Execute(
     this->MakeOptions(), DirectionFields::ReportTo(this, ProgressRead, ProgressDrawn));
   this->ThrowIfStopped(glyphs.Aborted);
   DirectionFields::AddGlyphs(
-    glyphs, input->GetPoints()->GetDataType(), vtkPolyData::SafeDownCast(outputs[0]));
+    glyphs, input->GetPoints()->GetDataType(), input, vtkPolyData::SafeDownCast(outputs[0]));
   Summarize(DirectionFields::Summary(glyphs), outputs);
 }
 

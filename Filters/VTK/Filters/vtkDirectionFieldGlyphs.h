@@ -45,6 +45,8 @@
  * - cell data `RepresentationMagnitude`: float. |u| of the interpolated field: small near
  *   singularities, where directions are the less certain.
  * - cell data `Direction`: 3-component float. The unit tangent vector that the cell shows.
+ * - cell data `PrincipalValue`: float, where the input has `SurfaceTensor` (vtkDirectionField along
+ *   tensors). The tensor's value in this direction at the point PointId, above 0 for tension.
  *
  * None of the arrays is the active scalars or vectors, so that viewers draw the glyphs in one color
  * until they are told to color by one. Beside them there are

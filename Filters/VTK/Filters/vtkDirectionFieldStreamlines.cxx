@@ -128,6 +128,7 @@ void vtkDirectionFieldStreamlines::Execute(
   this->Warn(DirectionFields::Warnings(traced, options));
   const int type = input->GetPoints()->GetDataType();
   DirectionFields::AddLines(traced, type, this->Diagnostics, vtkPolyData::SafeDownCast(outputs[0]));
+  DirectionFields::AddTensorValues(traced, surface, input, vtkPolyData::SafeDownCast(outputs[0]));
   DirectionFields::AddNodes(
     traced, field.GetDegree(), surface, type, vtkPolyData::SafeDownCast(outputs[1]));
   const std::string summary = DirectionFields::Summary(traced, options.Seeds);

@@ -33,6 +33,8 @@
  *   on closed surfaces.
  * - point data `Direction`: 3-component float, active vectors: unit vectors along the line.
  * - point data `ArcLength`: double, the length of the line from its begin.
+ * - point data `PrincipalValue`: float, where the input has `SurfaceTensor` (vtkDirectionField
+ *   along tensors): the tensor's value along the line, interpolated, above 0 for tension.
  * - point data `RepresentationMagnitude`: float, |u| of the interpolated field.
  * - point data `PointId`: vtkIdType, the corner of the triangle that is nearest.
  * - point data `Branch`: int, k where Direction{k} of that point is the one that the line follows.

@@ -5,6 +5,7 @@
 
 #include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/SplitPolyData.h"
+#include "Conversion/Tensors/TensorArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -285,6 +286,7 @@ void AddGivenField(const TriangulatedPolyData& input, const Result& field, vtkPo
 void AddFieldArrays(const TriangulatedPolyData& input, const Result& field, int type,
   vtkPolyData* output, const Progress& progress)
 {
+  RemoveTensorArrays(output->GetPointData());
   AddFieldOfType(input, field, type, output, progress);
   AddComponentArrays(field, output->GetFieldData());
 }
@@ -304,6 +306,7 @@ void RemoveFieldArrays(vtkPolyData* output)
   {
     output->GetPointData()->RemoveArray(name);
   }
+  RemoveTensorArrays(output->GetPointData());
   output->GetCellData()->RemoveArray(ArrayNames::SingularityIndex);
   for (const char* name :
     { "Eigenvalue", "Residual", "Iterations", "SolverUsed", "EulerCharacteristic", "IndexSum",

@@ -4,6 +4,7 @@
 #include "Conversion/Output/GlyphsToPolyData.h"
 
 #include "Conversion/Input/FieldArrays.h"
+#include "Conversion/Tensors/TensorArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -71,6 +72,23 @@ void AddCellArrays(const Glyphs& glyphs, vtkCellData* data)
   }
 }
 
+void AddTensorValues(const Glyphs& glyphs, vtkPolyData* field, vtkCellData* data)
+{
+  const TensorsAlong tensors(field);
+  if (!tensors.AreThere())
+  {
+    return;
+  }
+  data->AddArray(MakeValues<vtkFloatArray>(ArrayNames::PrincipalValue, glyphs.Mesh.Glyph.size(),
+    [&](std::size_t i)
+    {
+      const Index glyph = glyphs.Mesh.Glyph[i];
+      const std::size_t direction =
+        static_cast<std::size_t>(glyph) * glyphs.Degree + glyphs.Mesh.Branch[i];
+      return tensors.At(glyphs.Point[glyph], glyphs.Direction[direction]);
+    }));
+}
+
 /// Adds one number that describes all glyphs.
 template <typename ArrayT>
 void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData* data)
@@ -81,10 +99,11 @@ void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData*
 }
 }
 
-void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* output)
+void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* field, vtkPolyData* output)
 {
   AddGeometry(glyphs.Mesh, pointDataType, output);
   AddCellArrays(glyphs, output->GetCellData());
+  AddTensorValues(glyphs, field, output->GetCellData());
   AddNumber<vtkIdTypeArray>(
     "NumberOfGlyphs", static_cast<vtkIdType>(glyphs.Point.size()), output->GetFieldData());
   AddNumber<vtkDoubleArray>("Spacing", glyphs.Spacing, output->GetFieldData());

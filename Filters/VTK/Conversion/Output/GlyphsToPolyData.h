@@ -12,7 +12,8 @@ namespace DirectionFields
 {
 /// Adds points, cells and arrays of the glyphs to an empty output. The points are double if the
 /// given data type is, else float.
-void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* output);
+/// @param field that they show, whose tensors, where it has any, give values along the glyphs
+void AddGlyphs(const Glyphs& glyphs, int pointDataType, vtkPolyData* field, vtkPolyData* output);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "Conversion/Output/StreamlinesToPolyData.h"
 
 #include "Conversion/Input/FieldArrays.h"
+#include "Conversion/Tensors/TensorArrays.h"
 
 #include <DirectionFields/Distance/ClosestPoints.h>
 #include <DirectionFields/Support/Threads.h>
@@ -106,6 +107,28 @@ void AddLines(const Streamlines& lines, int pointDataType, bool diagnostics, vtk
   }
   AddCellArrays(lines, diagnostics, output->GetCellData());
   AddSpacing(lines.Spacing, output);
+}
+
+void AddTensorValues(const Streamlines& lines, const TriangulatedPolyData& surface,
+  vtkPolyData* field, vtkPolyData* output)
+{
+  const TensorsAlong tensors(field);
+  if (!tensors.AreThere())
+  {
+    return;
+  }
+  output->GetPointData()->AddArray(
+    MakeValues<vtkFloatArray>(ArrayNames::PrincipalValue, lines.Triangle.size(),
+      [&](std::size_t i)
+      {
+        const Triangle& corners = surface.Mesh.Triangles[lines.Triangle[i]];
+        double value = 0.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          value += lines.Weights[i][c] * tensors.At(corners[c], lines.Directions[i]);
+        }
+        return value;
+      }));
 }
 
 void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& surface,

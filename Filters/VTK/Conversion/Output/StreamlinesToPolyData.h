@@ -24,6 +24,10 @@ std::vector<StreamlineSeed> NearestPlaces(const Surface& surface, vtkPointSet* p
 ///                    and why they begin and end
 void AddLines(const Streamlines& lines, int pointDataType, bool diagnostics, vtkPolyData* output);
 
+/// Adds the value along the line to the points of lines, interpolated, where the field has tensors.
+void AddTensorValues(const Streamlines& lines, const TriangulatedPolyData& surface,
+  vtkPolyData* field, vtkPolyData* output);
+
 /// The same for the nodes at which lines start and end.
 void AddNodes(const Streamlines& lines, int degree, const TriangulatedPolyData& surface,
   int pointDataType, vtkPolyData* output);
