@@ -83,6 +83,16 @@ inline std::vector<Vector3> VectorsOrNone(const py::object& array)
   return array.is_none() ? std::vector<Vector3>() : Vectors(array.cast<py::array>());
 }
 
+/// The numbers of an array of two dimensions, row by row.
+inline std::vector<double> Numbers(const py::array& array)
+{
+  std::vector<double> numbers;
+  numbers.reserve(static_cast<std::size_t>(array.size()));
+  ForEachNumber<double, float>(array,
+    [&numbers](std::size_t, std::size_t, double value) { numbers.push_back(value); });
+  return numbers;
+}
+
 inline std::vector<double> NumbersOrNone(const py::object& numbers)
 {
   return numbers.is_none() ? std::vector<double>() : numbers.cast<std::vector<double>>();

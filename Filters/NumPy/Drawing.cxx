@@ -103,7 +103,7 @@ Chosen<CurveGuidanceOptions> ReadCurveOptions(Keywords& keywords)
 Chosen<TensorGuidanceOptions> ReadTensorOptions(Keywords& keywords)
 {
   Chosen<TensorGuidanceOptions> chosen;
-  keywords.Choice("direction", chosen.Options.Direction, { "major", "minor", "larger_magnitude" });
+  keywords.Choice("direction", chosen.Options.Direction, TensorDirectionNames());
   keywords("scale", chosen.Options.Scale, 0.0, 32.0);
   ReadThreads(keywords, chosen);
   return chosen;
@@ -315,16 +315,17 @@ py::object GuideAlongCurves(const SharedSurface& surface, const std::vector<py::
     });
 }
 
-py::object GuideAlongTensors(const SharedSurface& surface, const std::vector<double>& values,
-  int components, bool atTriangles, const py::object& progress, const py::dict& given)
+py::object GuideAlongTensors(const SharedSurface& surface, const py::array& values,
+  bool atTriangles, const py::object& progress, const py::dict& given)
 {
+  const SurfaceTensors tensors{ Numbers(values), static_cast<int>(values.shape(1)), atTriangles };
   Keywords keywords("guide_by_tensors", given);
   const Chosen<TensorGuidanceOptions> chosen = ReadTensorOptions(keywords);
   return Run(progress, chosen.Threads,
     [=](const ProgressFunction& report)
     {
-      const auto found = std::make_shared<TensorGuidance>(GuideByTensors(
-        *surface, { values, components, atTriangles }, chosen.Options, Progress(report)));
+      const auto found = std::make_shared<TensorGuidance>(
+        GuideByTensors(*surface, tensors, chosen.Options, Progress(report)));
       return [=]() -> py::object
       {
         py::dict all;

@@ -19,6 +19,12 @@ void Describe(py::dict& described, const char* function, Read* read)
   described[function] = keywords.Described;
 }
 
+/// The names of the values of TensorDirection, from 0.
+inline Keywords::Names TensorDirectionNames()
+{
+  return { "major", "minor", "larger_magnitude" };
+}
+
 /// Adds the functions that draw on surfaces with a field, remesh, guide and compare.
 void AddDrawing(py::module_& module, py::dict& described);
 }

@@ -7,6 +7,7 @@
 #include <DirectionFields/DirectionField.h>
 #include <DirectionFields/Exchange/FieldExport.h>
 #include <DirectionFields/Exchange/FieldImport.h>
+#include <DirectionFields/Guidance/SurfaceTensors.h>
 #include <DirectionFields/OptionTable.h>
 #include <DirectionFields/PrescribedSingularities/EditedResult.h>
 #include <DirectionFields/PrescribedSingularities/SurfaceRefinement.h>
@@ -23,7 +24,9 @@ namespace
 using Names = Keywords::Names;
 
 /// The names of the values of each choice, from 0.
-const Names AlignmentNames{ "none", "curvature", "vectors" };
+const Names AlignmentNames{ "none", "curvature", "vectors", "tensor" };
+/// "tensor" is none of Options: DirectionField::FollowTensors takes tensors.
+constexpr int AlignmentToTensors = 3;
 const Names CurvatureDirectionNames{ "maximum", "minimum", "least_bent", "most_bent" };
 const Names ConstraintSolverNames{ "least_squares", "energy" };
 const Names SolverNames{ "automatic", "multigrid", "direct" };
@@ -42,9 +45,20 @@ std::string Keyword(const std::string& name)
   return keyword;
 }
 
-Options ReadOptions(Keywords& keywords)
+/// The options of a field, and of the tensors that it follows.
+struct FieldChoices
 {
-  Options options;
+  DirectionFields::Options Options;
+  TensorGuidanceOptions Tensors;
+  double TensorStrength = 1.0;
+  bool FollowsTensors = false;
+  bool AreAtTriangles = false;
+};
+
+FieldChoices ReadOptions(Keywords& keywords)
+{
+  FieldChoices choices;
+  Options& options = choices.Options;
 #define FLAG(name, stage) keywords(Keyword(#name), options.name);
 #define CHOICE(name, stage, last) keywords.Choice(Keyword(#name), options.name, name##Names);
 #define RANGE(name, stage, least, most, unit)                                                      \
@@ -54,8 +68,23 @@ Options ReadOptions(Keywords& keywords)
 #undef FLAG
 #undef CHOICE
 #undef RANGE
+  keywords.Choice("tensors_at", choices.AreAtTriangles, { "points", "triangles" });
+  keywords.Choice("tensor_direction", choices.Tensors.Direction, TensorDirectionNames());
+  keywords("tensor_strength", choices.TensorStrength, 0.0, 1.0);
+  keywords("tensor_scale", choices.Tensors.Scale, 0.0, 32.0);
   keywords.RequireNoMore();
-  return options;
+  choices.FollowsTensors = static_cast<int>(options.Alignment) == AlignmentToTensors;
+  if (choices.FollowsTensors)
+  {
+    options.Alignment = Alignment::None;
+    // The check of the options calls it by another name.
+    if (!(choices.TensorStrength >= 0.0 && choices.TensorStrength <= 1.0))
+    {
+      throw py::value_error("tensor_strength must be 0 to 1.");
+    }
+    options.AlignmentStrength = choices.TensorStrength;
+  }
+  return choices;
 }
 
 struct EditChoices
@@ -75,7 +104,8 @@ EditChoices ReadEditOptions(Keywords& keywords)
   keywords("balance", choices.Options.Balances);
   keywords("refine", choices.Refines);
   keywords("keep_constraints", choices.KeepsConstraints);
-  keywords.Choice("alignment", choices.Guidance.Alignment, AlignmentNames);
+  keywords.Choice(
+    "alignment", choices.Guidance.Alignment, { AlignmentNames.begin(), AlignmentNames.end() - 1 });
   keywords("alignment_strength", choices.Guidance.AlignmentStrength, 0.0, 1.0);
   keywords("number_of_threads", choices.Threads, 0.0, 1024.0);
   keywords.RequireNoMore();
@@ -113,6 +143,7 @@ struct FieldOutput
   Result Field;
   std::vector<std::string> Warnings;
   std::string Summary;
+  std::shared_ptr<const TensorGuidance> Tensors;
   std::vector<Vector3> Directions;
   std::vector<double> Magnitudes;
 
@@ -180,6 +211,15 @@ py::object ToPython(FieldOutput& output)
     all["mean_curvature"] = Own<double>(curvature.Mean);
     all["gaussian_curvature"] = Own<double>(curvature.Gaussian);
   }
+  if (output.Tensors)
+  {
+    const TensorGuidance& tensors = *output.Tensors;
+    all["major_values"] = Own<double>(tensors.MajorValue);
+    all["minor_values"] = Own<double>(tensors.MinorValue);
+    all["anisotropy"] = Own<double>(tensors.Anisotropy);
+    all["surface_tensors"] = Own<double>(tensors.Tangential, { 6 });
+    all["isotropic_share"] = tensors.IsotropicShare;
+  }
   return all;
 }
 
@@ -190,20 +230,43 @@ Finish Finished(const std::shared_ptr<FieldOutput>& output)
 }
 
 py::object ComputeField(const SharedSurface& surface, const py::object& vectors,
-  const py::object& weights, const py::object& progress, const py::dict& given)
+  const py::object& weights, const py::object& given, const py::object& progress,
+  const py::dict& chosen)
 {
-  Keywords keywords("field", given);
-  const Options options = ReadOptions(keywords);
+  Keywords keywords("field", chosen);
+  const FieldChoices choices = ReadOptions(keywords);
+  if (choices.FollowsTensors == given.is_none())
+  {
+    throw py::value_error(choices.FollowsTensors ? "Give tensors: alignment='tensor' needs them."
+                                                 : "Set alignment='tensor' to follow tensors.");
+  }
   const Guidance guidance{ VectorsOrNone(vectors), NumbersOrNone(weights) };
-  return Run(progress, options.NumberOfThreads,
+  SurfaceTensors tensors;
+  if (choices.FollowsTensors)
+  {
+    const auto values = given.cast<py::array>();
+    tensors = { Numbers(values), static_cast<int>(values.shape(1)), choices.AreAtTriangles };
+  }
+  return Run(progress, choices.Options.NumberOfThreads,
     [=](const ProgressFunction& report)
     {
+      const Options& options = choices.Options;
       auto output = std::make_shared<FieldOutput>();
       output->Mesh = surface;
-      output->Field = DirectionField(surface).Compute(options, guidance, report);
+      const auto solver = std::make_unique<DirectionField>(surface);
+      if (choices.FollowsTensors)
+      {
+        solver->FollowTensors(tensors, choices.Tensors);
+      }
+      output->Field = std::move(*solver).Compute(options, guidance, report);
       output->Warnings = Warnings(output->Field, options);
-      output->Summary =
-        Summary(FiguresOf(*surface, output->Field.SingularityIndex), output->Field, options);
+      const SurfaceFigures figures = FiguresOf(*surface, output->Field.SingularityIndex);
+      output->Summary = Summary(figures, output->Field, options);
+      output->Tensors = solver->GetTensorGuidance();
+      if (output->Tensors)
+      {
+        output->Summary += DescribeTensors(*output->Tensors, "tensors", figures, options.Degree);
+      }
       return Finished(output);
     });
 }

@@ -59,7 +59,7 @@ def options(function="field"):
     >>> options()["degree"]
     (4, 1.0, 16.0, '')
     >>> options()["alignment"]
-    ('none', ['none', 'curvature', 'vectors'])
+    ('none', ['none', 'curvature', 'vectors', 'tensor'])
     """
     if function not in _core.options:
         raise ValueError(f"function must be one of {', '.join(_core.options)}.")
@@ -181,6 +181,14 @@ def _optional(name, array, *shape):
     return None if array is None else _numbers(name, array, *shape)
 
 
+def _tensors(tensors, at_triangles, surface, polygons):
+    """The tensors, one for each triangle in place of one for each polygon."""
+    tensors = _numbers("tensors", tensors, None, None)
+    if at_triangles and polygons is not None and polygons.max() < len(tensors) < len(surface.triangles):
+        tensors = tensors[polygons]
+    return tensors
+
+
 def _listener(progress):
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function of the fraction done.")
@@ -262,6 +270,14 @@ class Field(_Result):
         following are there only where the options use curvature.
     mean_curvature, gaussian_curvature : (points,) float64
         In 1 / length and 1 / length^2; the mean is positive where the surface is convex.
+    major_values, minor_values, anisotropy : (points,) float64
+        The larger and the smaller principal value of the averaged tensors in the surface, with
+        their signs, and half of their difference. This and the following are there only with
+        ``alignment="tensor"``.
+    surface_tensors : (points, 6) float64
+        The averaged part in the surface: XX, YY, ZZ, XY, YZ, XZ.
+    isotropic_share : float
+        Part of the area where both values are the same within noise, 0 to 1.
     """
 
     @property
@@ -447,7 +463,8 @@ class Comparison(_Result):
 
 
 @_keyword_options("field")
-def field(points, triangles, *, vectors=None, weights=None, progress=None, **options):
+def field(
+        points, triangles, *, vectors=None, weights=None, tensors=None, progress=None, **options):
     """The smoothest, an aligned or a constrained direction field of a mesh.
 
     Other threads of Python go on meanwhile, and Ctrl-C in the main thread returns at once.
@@ -464,6 +481,9 @@ def field(points, triangles, *, vectors=None, weights=None, progress=None, **opt
         the tangent plane; the length that remains is a weight.
     weights : (n,) array of numbers, optional
         Further weights of the guidance; 1 by default.
+    tensors : (n, 6) or (n, 9) array of numbers, optional
+        For ``alignment="tensor"``: XX, YY, ZZ, XY, YZ, XZ, or rows of three, in the axes of space.
+        With ``tensors_at="triangles"``, of the polygons, where these were given.
     progress : callable, optional
         Called with the fraction done, 0 to 1. An exception that it raises stops the computation
         and reaches the caller.
@@ -489,9 +509,12 @@ def field(points, triangles, *, vectors=None, weights=None, progress=None, **opt
     """
     surface, polygons = _surface(points, triangles)
     size = len(surface.points)
+    if tensors is not None:
+        tensors = _tensors(tensors, options.get("tensors_at") == "triangles", surface, polygons)
     return _result(Field, _call(
         _core.field, surface, _optional("vectors", vectors, size, 3),
-        _optional("weights", weights, size), _listener(progress), options), polygons=polygons)
+        _optional("weights", weights, size), tensors, _listener(progress), options),
+        polygons=polygons)
 
 
 def curvature(points, triangles, *, scale=0.0):
@@ -511,7 +534,7 @@ def curvature(points, triangles, *, scale=0.0):
         `gaussian_curvature`.
     """
     surface, polygons = _surface(points, triangles)
-    made = _call(_core.field, surface, None, None, None, {
+    made = _call(_core.field, surface, None, None, None, None, {
         "alignment": "curvature", "alignment_strength": 1.0, "curvature_scale": scale})
     # Nobody has asked for an alignment, which changes nothing on spheres and planes.
     made["warnings"] = [text for text in made["warnings"] if "another Alignment" not in text]
@@ -704,7 +727,7 @@ def guide_by_tensors(points, triangles, tensors, *, at="points", progress=None, 
     tensors : (n, 6) or (n, 9) array of numbers
         XX, YY, ZZ, XY, YZ, XZ, or rows of three, in the axes of space.
     at : {'points', 'triangles'}
-        What has a tensor each.
+        What has a tensor each; the polygons, where these were given.
     progress : callable, optional
     **options
 
@@ -716,10 +739,10 @@ def guide_by_tensors(points, triangles, tensors, *, at="points", progress=None, 
     """
     if at not in ("points", "triangles"):
         raise ValueError("at must be one of 'points', 'triangles'.")
-    surface, _ = _surface(points, triangles)
-    tensors = _numbers("tensors", tensors, None, None)
+    surface, polygons = _surface(points, triangles)
     made = _call(
-        _core.guide_by_tensors, surface, tensors.ravel(), tensors.shape[1], at == "triangles",
+        _core.guide_by_tensors, surface,
+        _tensors(tensors, at == "triangles", surface, polygons), at == "triangles",
         _listener(progress), options)
     guided = numpy.count_nonzero(made["weights"])
     return _result(Guidance, made, summary=f"{guided} of {len(made['weights'])} points guided")

@@ -35,6 +35,11 @@ class Field(_Result):
     eigenvalue: ndarray
     mean_curvature: ndarray
     gaussian_curvature: ndarray
+    major_values: ndarray
+    minor_values: ndarray
+    anisotropy: ndarray
+    surface_tensors: ndarray
+    isotropic_share: float
     degree: int
     converged: bool
     magnitudes: Optional[ndarray]
@@ -151,13 +156,14 @@ def field(
     *,
     vectors: Optional[ArrayLike] = None,
     weights: Optional[ArrayLike] = None,
+    tensors: Optional[ArrayLike] = None,
     progress: Progress = None,
     degree: int = 4,
     energy_bias: float = 0.0,
     tolerance: float = 1e-06,
     maximum_iterations: int = 200,
     number_of_threads: int = 0,
-    alignment: Literal['none', 'curvature', 'vectors'] = 'none',
+    alignment: Literal['none', 'curvature', 'vectors', 'tensor'] = 'none',
     curvature_direction: Literal['maximum', 'minimum', 'least_bent', 'most_bent'] = 'maximum',
     alignment_strength: float = 0.5,
     use_shift: bool = False,
@@ -178,6 +184,10 @@ def field(
     unit_length: bool = False,
     singularity_cost: float = 0.0,
     curvature_scale: float = 0.0,
+    tensors_at: Literal['points', 'triangles'] = 'points',
+    tensor_direction: Literal['major', 'minor', 'larger_magnitude'] = 'major',
+    tensor_strength: float = 1.0,
+    tensor_scale: float = 0.0,
 ) -> Field: ...
 
 def curvature(

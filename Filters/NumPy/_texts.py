@@ -40,6 +40,10 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         unit_length: Go on to vectors of unit length, with straighter directions.
         singularity_cost: What one singularity costs a field of unit length.
         curvature_scale: Radius that curvature is averaged over, in edges; 0 finds it by the noise.
+        tensors_at: What has a tensor each.
+        tensor_direction: Which principal direction lines follow; crosses follow both.
+        tensor_strength: 1 for the principal directions without noise, 0 for the smoothest field.
+        tensor_scale: Radius that tensors are averaged over, in edges; 0 finds it by the noise.
     """,
     "edit": """
         add: Add the singularities to those there are; else they replace them.
@@ -114,7 +118,9 @@ _OTHERS = {
     r"turn Keep Constraints off": "set keep_constraints=False",
     r"Turn Refine Where Needed on": "Set refine=True",
     r"Balance Automatically": "balance",
-    r"Tensor Scale": "scale",
+    r"Tensor Scale": "The radius that tensors are averaged over",
+    r"Choose another Tensor Array: this one changes nothing, since its tensors are":
+        "Give other tensors: these change nothing, since they are",
     r"before Direction Field": "before field()",
     r"of Direction Field": "of field()",
     r"Field Aligned Remesh": "remesh()",

@@ -49,7 +49,9 @@ def polydata(result, faces=None):
         for name, attribute in (
                 ("EnergyDensity", "energy_density"), ("ConstraintKind", "constraints"),
                 ("ConstraintDirection", "constraint_directions"),
-                ("MeanCurvature", "mean_curvature"), ("GaussianCurvature", "gaussian_curvature")):
+                ("MeanCurvature", "mean_curvature"), ("GaussianCurvature", "gaussian_curvature"),
+                ("MajorValue", "major_values"), ("MinorValue", "minor_values"),
+                ("TensorAnisotropy", "anisotropy"), ("SurfaceTensor", "surface_tensors")):
             values = getattr(result, attribute, ())
             if len(values) == mesh.n_points:
                 mesh.point_data[name] = values
@@ -96,12 +98,17 @@ class Directions:
     def _array(self, values):
         return self._mesh.point_data[values] if isinstance(values, str) else values
 
-    def field(self, *, vectors=None, weights=None, **options):
-        """The surface with a field; vectors and weights may be names of point arrays."""
+    def field(self, *, vectors=None, weights=None, tensors=None, **options):
+        """The surface with a field; vectors, weights and tensors may be names of point arrays.
+
+        With ``tensors_at="triangles"`` tensors may be the name of a cell array.
+        """
         faces = self._mesh.faces
+        if isinstance(tensors, str) and options.get("tensors_at") == "triangles":
+            tensors = self._mesh.cell_data[tensors]
         field = df.field(
             self._mesh.points, faces, vectors=self._array(vectors), weights=self._array(weights),
-            **options)
+            tensors=self._array(tensors), **options)
         return polydata(field, faces if len(field.points) == self._mesh.n_points else None)
 
     def curvature(self, scale=0.0):

@@ -149,6 +149,16 @@ class Errors(unittest.TestCase):
         self.refused(ValueError, "'none', 'curvature', 'vectors'", alignment="shape")
         self.refused(ValueError, "2 or 4", alignment="curvature", degree=3)
         self.refused(ValueError, "alignment='vectors'", alignment="vectors")
+        self.refused(ValueError, "Give tensors", alignment="tensor")
+        tensors = np.ones((len(OCTAHEDRON[0]), 6))
+        self.refused(ValueError, "Set alignment='tensor'", tensors=tensors)
+        for error, options in (
+                ("degree to 2 or 4", {"degree": 3}), ("6 or 9 components", {"tensors": tensors[:, :4]}),
+                ("one tensor for each point", {"tensors": tensors[1:]}),
+                ("that of point [0-5] is not", {"tensors": tensors * np.nan}),
+                ("tensor_strength must be 0 to 1", {"tensor_strength": 2.0}),
+                ("averaged over must be 0 to 32", {"tensor_scale": 33.0})):
+            self.refused(ValueError, error, **{"alignment": "tensor", "tensors": tensors, **options})
         self.refused(TypeError, "progress", progress=3)
 
     def test_every_option_takes_its_default_and_refuses_beyond_its_range(self):

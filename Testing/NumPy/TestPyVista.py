@@ -39,6 +39,18 @@ class Accessor(unittest.TestCase):
         self.assertEqual(quads.n_cells, 6)
         self.assertTrue(np.array_equal(quads.faces, cube.faces))
 
+    def test_tensors_are_named_arrays_of_points_or_cells(self):
+        sphere = self.sphere.copy()
+        around = np.cross([0, 0, 1], sphere.points)
+        sphere.point_data["Stress"] = np.einsum("pi,pj->pij", around, around).reshape(-1, 9)
+        cells = sphere.point_data_to_cell_data()
+        for mesh, at in ((sphere, "points"), (cells, "triangles")):
+            field = mesh.directions.field(
+                degree=2, alignment="tensor", tensors="Stress", tensors_at=at)
+            self.assertIn("along tensors", field.field_data["Summary"][0])
+            self.assertEqual(field.point_data["SurfaceTensor"].shape, (sphere.n_points, 6))
+            self.assertLess(np.abs(field.point_data["MajorValue"] - (around**2).sum(axis=1)).max(), 0.1)
+
     def test_everything_that_follows_a_field(self):
         directions = self.field.directions
         lines = directions.streamlines(spacing=0.1)

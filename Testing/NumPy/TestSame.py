@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""direction_fields gives, byte for byte, what the filter for VTK gives: 20 surfaces, 10 sets of options."""
+"""direction_fields gives, byte for byte, what the filter for VTK gives: 20 surfaces, 12 sets of options."""
 
 import pathlib
 import sys
@@ -63,6 +63,8 @@ OPTIONS = (
     {"degree": 4, "constrain_guidance": True, "constraint_solver": "least_squares"},
     {"degree": 16, "merge_points": "off", "intrinsic_delaunay": True},
     {"degree": 4, "solver": "multigrid", "constrain_curvature": True, "tolerance": 1e-8},
+    {"degree": 2, "alignment": "tensor", "tensor_direction": "larger_magnitude"},
+    {"degree": 4, "alignment": "tensor", "tensor_strength": 0.9, "constrain_boundary": True},
 )
 
 
@@ -74,6 +76,7 @@ def by_filter(mesh, options):
         if names and isinstance(names[0], list):
             value = names[0].index(value)
         getattr(vtk, "Set" + "".join(word.capitalize() for word in keyword.split("_")))(value)
+    vtk.SetTensorArray(0, "tensors")
     vtk.SetGuidanceVectors("Guide")
     vtk.SetGuidanceWeights("Weight")
     vtk.Update()
@@ -83,12 +86,16 @@ def by_filter(mesh, options):
 class Same(unittest.TestCase):
     def compare(self, points, cells, options):
         mesh = meshes.with_data(meshes.polydata(points, cells))
-        output = by_filter(mesh, options)
         data = mesh.GetPointData()
+        guide = vtk_to_numpy(data.GetArray("Guide"))
+        tensors = np.einsum("pi,pj->pij", guide, guide).reshape(-1, 9)
+        data.AddArray(meshes.array("tensors", tensors))
+        output = by_filter(mesh, options)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             field = df.field(
-                points, cells, vectors=vtk_to_numpy(data.GetArray("Guide")),
+                points, cells, vectors=guide,
+                tensors=tensors if options.get("alignment") == "tensor" else None,
                 weights=vtk_to_numpy(data.GetArray("Weight")), **options)
         data = output.GetPointData()
         for k in range(field.degree):
@@ -96,7 +103,9 @@ class Same(unittest.TestCase):
             self.assertEqual(field.directions[:, k].tobytes(), expected.tobytes())
         for name, values in (
                 ("RepresentationMagnitude", field.magnitudes), ("EnergyDensity", field.energy_density),
-                ("ConstraintDirection", field.constraint_directions)):
+                ("ConstraintDirection", field.constraint_directions),
+                ("MajorValue", getattr(field, "major_values", None)),
+                ("SurfaceTensor", getattr(field, "surface_tensors", None))):
             array = data.GetArray(name)
             if array:
                 self.assertEqual(values.tobytes(), vtk_to_numpy(array).tobytes(), name)
@@ -107,9 +116,9 @@ class Same(unittest.TestCase):
         told = output.GetFieldData().GetAbstractArray("Warnings")
         self.assertEqual(told.GetNumberOfValues() if told else 0, len(field.warnings))
 
-    def test_20_surfaces_with_10_sets_of_options(self):
+    def test_20_surfaces_with_12_sets_of_options(self):
         vtkObject.GlobalWarningDisplayOff()
-        self.assertEqual((len(SURFACES), len(OPTIONS)), (20, 10))
+        self.assertEqual((len(SURFACES), len(OPTIONS)), (20, 12))
         for name, (points, cells) in SURFACES.items():
             for options in OPTIONS:
                 with self.subTest(surface=name, options=options):

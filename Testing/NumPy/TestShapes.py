@@ -155,6 +155,50 @@ class Guidance(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "6 or 9 components"):
             df.guide_by_tensors(points, triangles, np.ones((len(points), 4)))
 
+    def test_fields_follow_tensors_of_points_triangles_and_polygons(self):
+        x, y = (k.ravel() for k in np.meshgrid(np.linspace(-1, 1, 41), np.linspace(-1, 1, 41)))
+        points = np.stack([x, y, 0 * x], -1)
+        corner = np.add.outer(41 * np.arange(40), np.arange(40)).ravel()
+        quads = np.stack([corner, corner + 1, corner + 42, corner + 41], -1)
+        triangles = np.concatenate([quads[:, :3], quads[:, [0, 2, 3]]])
+
+        def stress(places):
+            """q = (z - 0.4) conj(z + 0.4), and a pressure of 0.2: a wedge and a trisector."""
+            z = places[:, 0] + 1j * places[:, 1] - 0.01j
+            q, zero = (z - 0.4) * (z + 0.4).conj(), 0 * z.real
+            return np.stack([q.real - 0.2, -q.real - 0.2, zero, q.imag, zero, zero], -1)
+
+        def full(six):
+            return six[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]
+
+        for cells, at, tensors in (
+                (triangles, "points", stress(points)), (triangles, "points", full(stress(points))),
+                (triangles, "triangles", stress(points[triangles].mean(axis=1))),
+                (quads, "triangles", stress(points[quads].mean(axis=1)))):
+            field = df.field(
+                points, cells, degree=2, alignment="tensor", tensors=tensors, tensors_at=at)
+            self.assertIn(", along tensors: 1 wedge, 1 trisector, ", field.summary)
+            places = field.points[field.triangles[field.singularities]].mean(axis=1)[:, 0]
+            turns = field.indices[field.singularities]
+            self.assertLess(np.abs(places - 0.4 * turns).max(), 0.06)
+            q = (x + 1j * y - 0.4) * (x + 1j * y + 0.4).conj()
+            far = np.abs(q) > 0.2
+            direction = field.directions[:, 0, 0] + 1j * field.directions[:, 0, 1]
+            off = np.degrees(np.abs(np.angle(direction**2 / q))[far] / 2)
+            self.assertLess(off.max(), 5)
+            self.assertLess(np.abs(field.major_values + 0.2 - np.abs(q))[far].max(), 0.15)
+            self.assertLess(np.abs(field.minor_values + 0.2 + np.abs(q))[far].max(), 0.15)
+            self.assertEqual(field.surface_tensors.shape, (len(points), 6))
+            self.assertLess(field.isotropic_share, 0.05)
+            across = df.field(points, cells, degree=2, alignment="tensor", tensors=tensors,
+                              tensors_at=at, tensor_direction="minor")
+            self.assertLess(np.abs(np.einsum("pc,pc->p", across.directions[:, 0],
+                                             field.directions[:, 0]))[far].max(), 1e-6)
+        smooth = df.field(points, quads, alignment="tensor", tensors=stress(points), tensor_strength=0)
+        plain = df.field(points, quads)
+        # What the smoothest field leaves open, a rotation of all, is the tensors'.
+        self.assertLess(np.ptp(df.compare(smooth, plain).angles), 0.1)
+
 
 class Fields(unittest.TestCase):
     def test_files_come_back(self):
