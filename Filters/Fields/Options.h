@@ -35,7 +35,7 @@ enum class CurvatureDirection
   MostBent = 3
 };
 
-/// What counts as a sharp edge unless somebody says otherwise, for fields, meshes and files. It is
+/// The angle from which an edge is sharp by default, for fields, meshes and files. It is
 /// more than edges of coarse round surfaces and of the noise of scans mostly have, and less than
 /// those of an icosahedron, 41.8 degrees.
 inline constexpr double DefaultFeatureAngle = 40.0;

@@ -45,7 +45,7 @@ Running& GetRunning()
   return *running;
 }
 
-/// What the two threads of a computation share.
+/// The state that the two threads of a computation share.
 struct Task
 {
   std::mutex Mutex;

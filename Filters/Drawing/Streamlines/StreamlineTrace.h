@@ -51,7 +51,7 @@ class PieceLimit
 public:
   explicit PieceLimit(Index triangles);
 
-  /// To be called for each line each time that it has so many pieces more. Throws
+  /// To be called for each line each time that PerCall more of its pieces are made. Throws
   /// std::invalid_argument where the line, or all lines together, have too many: that does not
   /// depend on the threads.
   /// @param ofLine the pieces that this line has

@@ -222,8 +222,8 @@ public:
     }
   }
 
-  /// Throws FileError where so many stand out that the mesh must be another one. A sentence where a
-  /// few do; else empty.
+  /// Throws FileError where directions of most rows stand out of their planes: the mesh must be
+  /// another one. A sentence where a few do; else empty.
   /// @param isExact other programs have the same planes, as those of triangles; normals of points
   ///                are a matter of weights
   std::string Check(bool isExact) const
@@ -305,8 +305,8 @@ std::string CheckPlanes(
 std::string CheckAgreement(
   const SurfaceGeometry& geometry, int degree, const std::vector<Complex>& section, FieldOn on)
 {
-  // Of directions at random the means are near 0.37 around six triangles, and 0 along edges. Less
-  // than so many say nothing.
+  // Of directions at random the means are near 0.37 around six triangles, and 0 along edges. The
+  // means of few say nothing.
   constexpr double leastOfCells = 0.5;
   constexpr double leastOfPoints = 0.2;
   constexpr double leastCount = 50.0;

@@ -39,7 +39,7 @@ public:
   int Size() const { return static_cast<int>(this->Vectors.size()); }
 
 private:
-  /// What tells a system from others.
+  /// The numbers by which a system differs from others.
   struct System
   {
     double Energy;

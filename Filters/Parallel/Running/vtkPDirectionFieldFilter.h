@@ -25,7 +25,7 @@
 #include <utility> // For std::move
 
 // The wrappers for Python and for clients of a server take no templates as base classes: they read
-// the base class itself, and what vtkPDirectionFieldFilter adds to it.
+// the base class itself, and the members that vtkPDirectionFieldFilter adds to it.
 #ifdef __VTK_WRAP__
 #define vtkPDirectionFieldFilterOf(base) base
 #define vtkPDirectionFieldFilterMethods                                                            \

@@ -23,7 +23,7 @@ namespace DirectionFields::Parallel
 class Processes;
 struct WholeSurface;
 
-/// An output of a filter, by what becomes of it after the surface was gathered.
+/// The outputs of filters differ in the way back from the gathered surface to the pieces.
 enum class OutputKind
 {
   /// A dataset of its own, which stays on the process that has made it.
@@ -56,7 +56,7 @@ struct PortKinds
   bool OtherBelongsToBlocks = false;
 };
 
-/// What a filter does on one process.
+/// The work of a filter on one process.
 struct FilterWork
 {
   /// Throws where the input contradicts itself.

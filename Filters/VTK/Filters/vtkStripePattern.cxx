@@ -83,7 +83,7 @@ void vtkStripePattern::Execute(
     this->Warn({ "Stripes follow a field of one or two directions per point, and this one is of "
                  "degree " +
       number + ". Set Directions Per Point (Degree) of Direction Field to 2." });
-    // What is to be covered stays to be seen, with its directions.
+    // The surface is still to be seen, with its directions.
     vtkPolyData* const bands = vtkPolyData::SafeDownCast(outputs[1]);
     if (this->Bands)
     {
