@@ -88,8 +88,8 @@ inline std::vector<double> Numbers(const py::array& array)
 {
   std::vector<double> numbers;
   numbers.reserve(static_cast<std::size_t>(array.size()));
-  ForEachNumber<double, float>(array,
-    [&numbers](std::size_t, std::size_t, double value) { numbers.push_back(value); });
+  ForEachNumber<double, float>(
+    array, [&numbers](std::size_t, std::size_t, double value) { numbers.push_back(value); });
   return numbers;
 }
 
