@@ -12,13 +12,18 @@
 #include "vtkDirectionFieldStreamlines.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <string>
 
@@ -325,6 +330,70 @@ void TestBlocks()
   }
 }
 
+/// Cells of other processes are told from the own ones, and change nothing else.
+void TestGhostCells()
+{
+  const Mesh mesh = StressedPlate();
+  const auto whole = FilterOf(mesh, 2);
+  whole->Update();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName("vtkGhostType");
+  ghosts->SetNumberOfTuples(mesh->GetNumberOfCells());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    ghosts->SetValue(i, (i / 7) % 2 == 0 ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  vtkNew<vtkPolyData> piece;
+  piece->ShallowCopy(mesh);
+  piece->GetCellData()->AddArray(ghosts);
+  for (const int association :
+    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    whole->SetTensorArray(association, "Stress");
+    whole->Update();
+    const auto filter = FilterOf(piece, 2, "Stress", association);
+    filter->Update();
+    CHECK(IsSame(Direction(filter->GetOutput(), 0), Direction(whole->GetOutput(), 0)));
+    for (const char* const name : TensorArrays)
+    {
+      vtkDataArray* const values = filter->GetOutput()->GetPointData()->GetArray(name);
+      REQUIRE(values != nullptr);
+      CHECK(IsSame(values, whole->GetOutput()->GetPointData()->GetArray(name)));
+    }
+  }
+}
+
+/// Steps of a series whose stress turns by 18 degrees each: the field turns with it, at once.
+void TestTimeSteps()
+{
+  const DirectionFields::Surface plate = Meshes::Plate(40, 10);
+  const Mesh mesh = Meshes::ToPolyData(plate, VTK_DOUBLE);
+  vtkNew<vtkDirectionField> series;
+  series->SetInputData(mesh);
+  series->SetDegree(2);
+  series->SetAlignment(vtkDirectionField::ALIGN_TENSOR);
+  series->SetTensorArray(vtkDataObject::FIELD_ASSOCIATION_POINTS, "Stress");
+  for (int step = 0; step <= 10; ++step)
+  {
+    const double angle = 0.1 * step * vtkMath::Pi();
+    AddTensors<vtkDoubleArray>(Meshes::AtPoints(plate,
+                                 [angle](const DirectionFields::Vector3&)
+                                 { return Meshes::Plane(std::polar(1.0, 2.0 * angle), 0.5); }),
+      6, "Stress", mesh);
+    mesh->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step);
+    mesh->Modified();
+    series->Update();
+    vtkDataArray* const directions = Direction(series->GetOutput(), 0);
+    double least = 1.0;
+    for (vtkIdType i = 0; i < directions->GetNumberOfTuples(); ++i)
+    {
+      const double* const d = directions->GetTuple3(i);
+      least = std::min(least, std::abs(std::cos(angle) * d[0] + std::sin(angle) * d[1]));
+    }
+    CHECK(least > 1.0 - 1e-9);
+  }
+}
+
 void TestRanges()
 {
   vtkNew<vtkDirectionField> filter;
@@ -349,6 +418,8 @@ int TestDirectionFieldTensors(int, char*[])
   TestLinesAndGlyphs();
   TestErrors();
   TestBlocks();
+  TestGhostCells();
+  TestTimeSteps();
   TestRanges();
   return Result();
 }
