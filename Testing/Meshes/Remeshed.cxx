@@ -3,6 +3,9 @@
 
 #include "Remeshed.h"
 
+#include "Reports/RemeshReports.h"
+
+#include <algorithm>
 #include <map>
 #include <set>
 #include <vector>
@@ -162,6 +165,16 @@ std::string FlawOf(const RemeshResult& mesh)
     return "sum of the valences";
   }
   return "";
+}
+
+double LeastQuality(const RemeshResult& mesh)
+{
+  double least = 1.0;
+  for (const double quality : ScaledJacobians(mesh))
+  {
+    least = std::min(least, quality);
+  }
+  return least;
 }
 
 int CountBoundaryLoops(const RemeshResult& mesh)

@@ -17,6 +17,9 @@ namespace Meshes
 /// ones, which that determines.
 std::string FlawOf(const DirectionFields::RemeshResult& mesh);
 
+/// The least scaled Jacobian of the faces; 1 without any.
+double LeastQuality(const DirectionFields::RemeshResult& mesh);
+
 /// The loops that the boundary consists of.
 int CountBoundaryLoops(const DirectionFields::RemeshResult& mesh);
 int CountBoundaryLoops(const DirectionFields::Surface& surface);

@@ -3,7 +3,6 @@
 
 #include "Remesh.h"
 
-#include "FaceMesh/Faces.h"
 #include "Meshes/Remeshed.h"
 #include "Meshes/Surfaces.h"
 
@@ -25,16 +24,6 @@ RemeshResult Remeshed(
   options.SmoothingIterations = smoothing;
   return Remesh(std::make_shared<Surface>(surface)).Compute(options);
 }
-
-double LeastQuality(const RemeshResult& mesh)
-{
-  double least = 1.0;
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    least = std::min(least, ScaledJacobian(mesh.Points, face));
-  }
-  return least;
-}
 }
 
 TEST(Remesh, SquareIsCutIntoSquares)
@@ -44,7 +33,7 @@ TEST(Remesh, SquareIsCutIntoSquares)
   EXPECT_EQ(mesh.Quads, 100);
   EXPECT_EQ(mesh.Triangles, 0);
   EXPECT_EQ(mesh.IrregularVertices, 0);
-  EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 1.0 - 1e-4);
   EXPECT_LT(mesh.MaximumDistance, 1e-12);
 }
 
@@ -58,7 +47,7 @@ TEST(Remesh, CubeIsCutIntoSquaresOfEachSide)
     EXPECT_EQ(mesh.Triangles, 0);
     // The corners have three edges each, which sums up to 4 chi = 8 quarters.
     EXPECT_EQ(mesh.IrregularVertices, 8);
-    EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+    EXPECT_GT(Meshes::LeastQuality(mesh), 1.0 - 1e-4);
   }
 }
 
@@ -72,7 +61,7 @@ TEST(Remesh, PrismIsCutIntoSquaresOfEachSide)
   EXPECT_EQ(mesh.Quads, 10 * 6 * 6);
   EXPECT_EQ(mesh.Triangles, 0);
   EXPECT_EQ(mesh.IrregularVertices, 8);
-  EXPECT_GT(LeastQuality(mesh), 1.0 - 1e-4);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 1.0 - 1e-4);
 }
 
 TEST(Remesh, HexagonIsCutIntoEquilateralTriangles)
@@ -194,7 +183,7 @@ TEST(Remesh, WedgesHaveRoomAtTheirNarrowCorners)
     EXPECT_EQ(Meshes::FlawOf(mesh), "");
     EXPECT_GT(mesh.Quads, 0.97 * static_cast<double>(mesh.Faces.size())) << angle;
     EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 1000.0, 150.0) << angle;
-    EXPECT_GT(LeastQuality(mesh), 0.0) << angle;
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.0) << angle;
   }
 }
 
@@ -265,99 +254,6 @@ TEST(Remesh, DoesNotTryMoreFacesThanCanBeNumbered)
   EXPECT_EQ(mesh.Faces.size(), 18U);
   ASSERT_FALSE(mesh.Notes.empty());
   EXPECT_NE(mesh.Notes.front().find("cells"), std::string::npos) << mesh.Notes.front();
-}
-
-TEST(Remesh, PureQuadsAreQuadsOnly)
-{
-  RemeshOptions options;
-  options.NumberOfFaces = 800;
-  options.PureQuads = true;
-  for (const Surface& surface : { Meshes::Potato(4), Meshes::ChamferedCube(6) })
-  {
-    const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
-    EXPECT_EQ(Meshes::FlawOf(mesh), "");
-    EXPECT_EQ(mesh.Triangles, 0);
-    EXPECT_NEAR(mesh.Quads, 800.0, 120.0);
-  }
-}
-
-TEST(Remesh, PureQuadsAreTheMeshWithoutItsTriangles)
-{
-  // Noise makes triangles.
-  const auto surface = std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.1, 2));
-  RemeshOptions options;
-  Index triangles = 0;
-  for (const Index faces : { 200, 400, 800 })
-  {
-    options.NumberOfFaces = faces;
-    options.PureQuads = false;
-    const RemeshResult mixed = Remesh(surface).Compute(options);
-    options.PureQuads = true;
-    const RemeshResult pure = Remesh(surface).Compute(options);
-    EXPECT_EQ(Meshes::FlawOf(pure), "");
-    EXPECT_EQ(pure.Triangles, 0);
-    EXPECT_EQ(pure.KeptVertices, mixed.KeptVertices);
-    EXPECT_NEAR(pure.Quads, mixed.Quads + mixed.Triangles, 0.05 * mixed.Quads);
-    EXPECT_LT(pure.MaximumDistance, 1.3 * mixed.MaximumDistance);
-    EXPECT_LE(pure.IrregularVertices, mixed.IrregularVertices + 4 * mixed.Triangles);
-    EXPECT_GT(LeastQuality(pure), 0.3);
-    triangles += mixed.Triangles;
-  }
-  EXPECT_GT(triangles, 0);
-}
-
-TEST(Remesh, PureQuadsAreNeitherFoldedNorFlat)
-{
-  // Coarse maps of these have bad faces at features and in handles, the parts of which would be no better.
-  RemeshOptions options;
-  options.PureQuads = true;
-  for (const auto& [surface, faces] :
-    { std::pair<Surface, Index>(Meshes::ChamferedCube(4), 200), { Meshes::ChamferedCube(4), 800 },
-      { Meshes::ChamferedCube(6), 200 }, { Meshes::DoubleTorus(), 200 } })
-  {
-    options.NumberOfFaces = faces;
-    const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
-    EXPECT_EQ(Meshes::FlawOf(mesh), "");
-    EXPECT_EQ(mesh.Triangles, 0);
-    EXPECT_GT(LeastQuality(mesh), 0.3) << faces;
-  }
-}
-
-TEST(Remesh, PureQuadsAreAsRegularAsTheMeshWithTriangles)
-{
-  // Coarse meshes of many features and of noise.
-  for (const auto& [surface, faces] :
-    { std::pair<Surface, Index>(Meshes::PlateWithHole(48, 12, 0.6, true), 300),
-      { Meshes::ChamferedCube(4), 200 }, { Meshes::DoubleTorus(), 300 },
-      { Meshes::Jittered(Meshes::Potato(4), 0.1, 2), 300 } })
-  {
-    RemeshOptions options;
-    options.NumberOfFaces = faces;
-    Remesh remesh(std::make_shared<Surface>(surface));
-    const RemeshResult mixed = remesh.Compute(options);
-    options.PureQuads = true;
-    const RemeshResult pure = remesh.Compute(options);
-    EXPECT_EQ(Meshes::FlawOf(pure), "");
-    EXPECT_EQ(pure.Triangles, 0);
-    EXPECT_LE(pure.IrregularVertices, 1.1 * mixed.IrregularVertices + mixed.Triangles);
-    EXPECT_NEAR(pure.Quads, mixed.Quads + mixed.Triangles, 0.1 * mixed.Quads);
-    EXPECT_GT(LeastQuality(pure), 0.2);
-  }
-}
-
-TEST(Remesh, PureQuadsNeedNoSmoothing)
-{
-  RemeshOptions options;
-  options.NumberOfFaces = 300;
-  options.SmoothingIterations = 0;
-  Remesh remesh(std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.1, 2)));
-  const RemeshResult mixed = remesh.Compute(options);
-  EXPECT_GT(mixed.Triangles, 0);
-  options.PureQuads = true;
-  const RemeshResult pure = remesh.Compute(options);
-  EXPECT_EQ(Meshes::FlawOf(pure), "");
-  EXPECT_EQ(pure.Triangles, 0);
-  EXPECT_NEAR(pure.Quads, mixed.Quads + 0.5 * mixed.Triangles, 0.1 * mixed.Quads);
 }
 
 TEST(Remesh, SizingMakesFacesSmallerWhereItIsAsked)
@@ -516,7 +412,7 @@ TEST(Remesh, LargeSurfaceIsRemeshedOnFewerTrianglesAndLiesOnIt)
   Remesh remesh(surface);
   const RemeshResult mesh = remesh.Compute(options);
   EXPECT_EQ(Meshes::FlawOf(mesh), "");
-  EXPECT_GT(LeastQuality(mesh), 0.3);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.3);
   EXPECT_GT(mesh.Quads, static_cast<Index>(0.99 * static_cast<double>(mesh.Faces.size())));
   for (std::size_t v = 0; v < mesh.Points.size(); ++v)
   {

@@ -7,10 +7,21 @@
 
 #include <DirectionFields/Guidance/SurfaceTensors.h>
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+
+namespace
+{
+/// The first array to process; null where there is none.
+vtkInformation* FirstArray(vtkInformation* filter)
+{
+  vtkInformationVector* const arrays = filter->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  return arrays ? arrays->GetInformationObject(0) : nullptr;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkDirectionFieldTensors::vtkDirectionFieldTensors()
@@ -41,8 +52,7 @@ void vtkDirectionFieldTensors::SetTensorArray(int association, const char* name)
 //------------------------------------------------------------------------------
 std::string vtkDirectionFieldTensors::GetTensorArrayName()
 {
-  vtkInformationVector* const arrays = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* const array = arrays ? arrays->GetInformationObject(0) : nullptr;
+  vtkInformation* const array = FirstArray(this->GetInformation());
   const char* const name = array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   return name ? name : "";
 }
@@ -50,8 +60,7 @@ std::string vtkDirectionFieldTensors::GetTensorArrayName()
 //------------------------------------------------------------------------------
 bool vtkDirectionFieldTensors::AreTensorsOfCells()
 {
-  vtkInformationVector* const arrays = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
-  vtkInformation* const array = arrays ? arrays->GetInformationObject(0) : nullptr;
+  vtkInformation* const array = FirstArray(this->GetInformation());
   return array &&
     array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
 }

@@ -76,17 +76,11 @@ vtkDirectionField::vtkDirectionField()
 #undef TAKE_DEFAULT
   this->KeepStages = true;
   this->CellDirections = false;
-  this->GuidanceVectors = nullptr;
-  this->GuidanceWeights = nullptr;
   this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
-vtkDirectionField::~vtkDirectionField()
-{
-  this->SetGuidanceVectors(nullptr);
-  this->SetGuidanceWeights(nullptr);
-}
+vtkDirectionField::~vtkDirectionField() = default;
 
 //------------------------------------------------------------------------------
 void vtkDirectionField::ReleaseStages()

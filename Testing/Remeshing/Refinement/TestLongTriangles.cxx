@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "FaceMesh/Faces.h"
 #include "Meshes/Remeshed.h"
 #include "Meshes/Surfaces.h"
 #include "Preparation/WantedSizes.h"
@@ -44,16 +43,6 @@ Surface Prism(int sides, double height)
   }
   return prism;
 }
-
-double LeastQuality(const RemeshResult& mesh)
-{
-  double least = 1.0;
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    least = std::min(least, ScaledJacobian(mesh.Points, face));
-  }
-  return least;
-}
 }
 
 TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
@@ -74,7 +63,7 @@ TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
     EXPECT_EQ(mesh.Triangles, 0) << one.Sides;
     EXPECT_EQ(mesh.KeptVertices, 0) << one.Sides;
     EXPECT_EQ(mesh.IrregularVertices, 8) << one.Sides;
-    EXPECT_GT(LeastQuality(mesh), 0.5) << one.Sides;
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.5) << one.Sides;
     EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 2000.0, 200.0) << one.Sides;
   }
 }
