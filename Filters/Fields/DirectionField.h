@@ -80,7 +80,7 @@ public:
   void FollowTensors(SurfaceTensors tensors, const TensorGuidanceOptions& options);
   /// From the next call of Compute on, fields follow no tensors.
   void FollowNoTensors();
-  /// What the tensors of the last field that was computed ask for, at its output points
+  /// The guidance by the tensors of the last field that was computed, at its output points
   /// (Result::OriginalPoint); null where it followed none.
   std::shared_ptr<const TensorGuidance> GetTensorGuidance() const;
 

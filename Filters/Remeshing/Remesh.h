@@ -67,7 +67,7 @@ struct RemeshOptions
   /// How strongly the field is drawn to the principal curvatures for Alignment::Shape, as
   /// Options::AlignmentStrength: 0 for not at all, 1 for as much as can be. Range 0 to 1.
   double AlignmentStrength = 0.25;
-  /// What a singularity costs the field for Alignment::Shape and a strength above 0, as
+  /// The cost of a singularity of the field for Alignment::Shape and a strength above 0, as
   /// Options::SingularityCost: less makes more irregular vertices, and edges of more even lengths
   /// where features leave them free.
   /// Range 0 to 4.

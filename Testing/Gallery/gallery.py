@@ -115,15 +115,21 @@ def without_one(singularities):
     return mesh
 
 
+def white_view():
+    """The view of one panel: white, and without ParaView's axes."""
+    view = simple.CreateRenderView()
+    view.ViewSize = PANEL
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1.0, 1.0, 1.0]
+    view.OrientationAxesVisibility = 0
+    return view
+
+
 class Panel:
     """A picture of a field, one of the parts of a figure."""
 
     def __init__(self, source, degree, camera, glyphs=500, **properties):
-        self.view = simple.CreateRenderView()
-        self.view.ViewSize = PANEL
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesVisibility = 0
+        self.view = white_view()
         import directionfields
         self.picture = directionfields.show(
             source, degree, self.view, glyphs={"MaximumNumberOfGlyphs": glyphs}, legend=False,

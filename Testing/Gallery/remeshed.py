@@ -6,7 +6,7 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from gallery import PANEL, Panel
+from gallery import Panel, white_view
 
 
 class RemeshedPanel(Panel):
@@ -14,11 +14,7 @@ class RemeshedPanel(Panel):
     least_marks = 0
 
     def __init__(self, source, camera, **properties):
-        self.view = simple.CreateRenderView()
-        self.view.ViewSize = PANEL
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesVisibility = 0
+        self.view = white_view()
         self.proxy = simple.FieldAlignedRemesh(Input=source, Diagnostics=1, **properties)
         self.camera = camera
         self.mesh = servermanager.Fetch(self.proxy)

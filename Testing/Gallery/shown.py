@@ -5,7 +5,7 @@
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from gallery import PANEL, Field, Panel, producer, turned
+from gallery import Field, Panel, producer, turned, white_view
 
 
 class ComparisonPanel(Panel):
@@ -36,11 +36,7 @@ class GivenPanel(Panel):
     """A field that was read from a file."""
 
     def __init__(self, proxy, camera):
-        self.view = simple.CreateRenderView()
-        self.view.ViewSize = PANEL
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesVisibility = 0
+        self.view = white_view()
         self.proxy = proxy
         self.field = Field(proxy)
         self.camera = camera
@@ -57,11 +53,7 @@ class LinesPanel(Panel):
     """Lines along a field, as ParaView shows them on its own, on the surface that they follow."""
 
     def __init__(self, source, degree, camera, options=None, **properties):
-        self.view = simple.CreateRenderView()
-        self.view.ViewSize = PANEL
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesVisibility = 0
+        self.view = white_view()
         self.proxy = simple.DirectionField(Input=source, Degree=degree, Diagnostics=1, **(options or {}))
         self.field = Field(self.proxy)
         self.camera = camera

@@ -7,7 +7,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from eigenstripes import EigenStripes
-from gallery import PANEL, Field, Panel, producer, turned
+from gallery import Field, Panel, producer, turned, white_view
 
 
 class StripePanel:
@@ -18,11 +18,7 @@ class StripePanel:
     cell = 50
 
     def __init__(self, field, camera, lines=None, **properties):
-        self.view = simple.CreateRenderView()
-        self.view.ViewSize = PANEL
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [1.0, 1.0, 1.0]
-        self.view.OrientationAxesVisibility = 0
+        self.view = white_view()
         self.field = Field(field)
         self.camera = camera
         self.stripes = simple.StripePattern(Input=field, Diagnostics=1, **properties)

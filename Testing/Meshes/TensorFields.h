@@ -164,10 +164,12 @@ inline double MeanSquare(const Surface& surface, const std::function<Complex(con
   return sum / static_cast<double>(surface.Points.size());
 }
 
-/// Root mean square of the angle to the direction of a plane deviator over the area, degrees, where
+/// Root mean square over the area of angles in degrees from the direction of a plane deviator, where
 /// that is more than a twentieth of its own.
-inline double Error(
-  const Result& field, const Surface& surface, const std::function<Complex(const Vector3&)>& q)
+/// @param off gives the angle of a point at which the deviator has a value
+inline double RootMeanSquare(const Surface& surface,
+  const std::function<Complex(const Vector3&)>& q,
+  const std::function<double(std::size_t, const Complex&)>& off)
 {
   const double least = 0.05 * std::sqrt(MeanSquare(surface, q));
   const std::vector<double> areas = Areas(surface);
@@ -178,36 +180,35 @@ inline double Error(
     const Complex at = q(surface.Points[i]);
     if (std::abs(at) > least)
     {
-      const Complex z = std::polar(1.0, 0.5 * std::arg(at));
-      const double off = Deviation(field, static_cast<Index>(i), Vector3(z.real(), z.imag(), 0.0));
-      sum += areas[i] * off * off;
+      sum += areas[i] * std::pow(off(i, at), 2);
       area += areas[i];
     }
   }
   return std::sqrt(sum / area);
 }
 
+/// The error of a field.
+inline double Error(
+  const Result& field, const Surface& surface, const std::function<Complex(const Vector3&)>& q)
+{
+  return RootMeanSquare(surface, q,
+    [&](std::size_t i, const Complex& at)
+    {
+      const Complex z = std::polar(1.0, 0.5 * std::arg(at));
+      return Deviation(field, static_cast<Index>(i), Vector3(z.real(), z.imag(), 0.0));
+    });
+}
+
 /// The error of the tensors' own eigenvectors.
 inline double RawError(const SurfaceTensors& tensors, const Surface& surface,
   const std::function<Complex(const Vector3&)>& q)
 {
-  const double least = 0.05 * std::sqrt(MeanSquare(surface, q));
-  const std::vector<double> areas = Areas(surface);
-  double sum = 0.0;
-  double area = 0.0;
-  for (std::size_t i = 0; i < surface.Points.size(); ++i)
-  {
-    const Complex at = q(surface.Points[i]);
-    const double* t = &tensors.Values[6 * i];
-    const Complex raw(0.5 * (t[0] - t[1]), t[3]);
-    if (std::abs(at) > least)
+  return RootMeanSquare(surface, q,
+    [&](std::size_t i, const Complex& at)
     {
-      const double off = 0.5 * std::arg(raw / at) * 180.0 / Pi;
-      sum += areas[i] * off * off;
-      area += areas[i];
-    }
-  }
-  return std::sqrt(sum / area);
+      const double* t = &tensors.Values[6 * i];
+      return 0.5 * std::arg(Complex(0.5 * (t[0] - t[1]), t[3]) / at) * 180.0 / Pi;
+    });
 }
 
 inline Index Singular(const Result& field)

@@ -43,7 +43,7 @@ public:
   const Constraints& GetConstraints() const { return this->Constrained; }
   /// The part of one component.
   ComponentGuide Of(const TriangleMesh& mesh, std::size_t component) const;
-  /// What the tensors ask for at the output points; null without tensors.
+  /// The guidance by the tensors at the output points; null without tensors.
   std::shared_ptr<const TensorGuidance> TensorsAtPoints(Stages& stages) const;
 
 private:

@@ -18,16 +18,16 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// A vertex counts where |q| is more than this many standard deviations of what noise is left in
-/// it, and more than rounding to single precision may leave of the largest component.
+/// A vertex counts where |q| is more than this many standard deviations of the noise that is left
+/// in it, and more than rounding to single precision may leave of the largest component.
 constexpr double Significant = 6.0;
 constexpr double Rounding = 1e-6;
-/// The weight is |q| / sqrt(|q|^2 + e^2), with e the larger one of so many deviations and of this
-/// part of the root mean square of |q|.
+/// The weight is |q| / sqrt(|q|^2 + e^2), where e is the first of these times the standard
+/// deviation, or the second one times the root mean square of |q|, whichever is larger.
 constexpr double DeviationsOfHalf = 4.0;
 constexpr double PartOfHalf = 0.05;
 /// Larger Magnitude has no direction where the moduli of the principal values differ by less than
-/// this part of what they can: it jumps there.
+/// this part of the largest difference that they can have: it jumps there.
 constexpr double LeastMagnitude = 0.1;
 
 using Matrix = Eigen::Matrix3d;

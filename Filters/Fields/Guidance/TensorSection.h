@@ -50,7 +50,7 @@ private:
 void Check(
   const Surface& surface, const SurfaceTensors& tensors, const TensorGuidanceOptions& options);
 
-/// What a line field is to follow at a vertex: a complex number whose angle is twice the
+/// The line that a field of degree 2 follows at a vertex: a complex number whose angle is twice the
 /// direction's, of modulus 0 to 1.
 Complex LineOf(const Shape& part, TensorDirection direction);
 

@@ -36,7 +36,7 @@ std::string Summary(const SurfaceFigures& figures, const Result& field, const Op
 std::string DescribeTensors(const TensorGuidance& tensors, const std::string& name,
   const SurfaceFigures& figures, int degree);
 
-/// The same of what else there is of fields. Angles are in degrees, with three digits.
+/// The same of guidance along curves and of comparisons. Angles are in degrees, with three digits.
 /// @param curves number of the curves
 std::string Summary(const CurveGuidance& guidance, std::size_t curves);
 /// @param singularities of both fields; null where they were not matched

@@ -13,7 +13,7 @@
 
 namespace DirectionFields::Internal
 {
-/// What a mesh was to be, and how far it is from the surface.
+/// The mesh that was asked for, and how far it is from the surface.
 struct MeshWishes
 {
   /// Quads are wanted; otherwise triangles are.
@@ -32,9 +32,9 @@ struct MeshWishes
   std::vector<double> Sizes;
 };
 
-/// Tells the user what a mesh lacks, and what to do: a sentence each for many triangles, faces that
-/// are flat or folded, places far from the surface, another number of faces than was asked for, and
-/// sizes that are not reached. None for a mesh that is as it should be.
+/// Tells the user the shortcomings of a mesh, and their remedies: a sentence each for many
+/// triangles, faces that are flat or folded, places far from the surface, another number of faces
+/// than was asked for, and sizes that are not reached. None for a mesh that is as it should be.
 std::vector<std::string> MeshAdvice(
   const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes);
 

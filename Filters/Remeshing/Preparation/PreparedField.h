@@ -53,7 +53,7 @@ public:
 
   /// Singularities that the surface did not need before it was smoothed; 0 where it was not.
   Index GetNeedless() const { return this->Needless; }
-  /// The area of the prepared surface as part of what it was before it was smoothed.
+  /// The area of the prepared surface as part of its area before it was smoothed.
   double GetAreaLeft() const;
 
 private:

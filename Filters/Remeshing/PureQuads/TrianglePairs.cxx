@@ -19,8 +19,8 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// What joins may do: first all triangles search for those that make no vertex irregular, then for
-/// those that cost two irregular vertices, and so on.
+/// The changes that joins may make: first all triangles search for those that make no vertex
+/// irregular, then for those that cost two irregular vertices, and so on.
 struct Price
 {
   /// By how much the irregularity may grow.
@@ -429,7 +429,7 @@ void JoinTriangles(VertexStars& faces, MovableFaces& places,
     const Price& price = Prices[k];
     for (Index farthest = 1; !left.empty() && farthest < anywhere; farthest *= 4)
     {
-      // What is dear is left to strips for which the triangles have been evened out.
+      // Dear joins are left to strips for which the triangles have been evened out.
       if (policy != JoinPolicy::Cheap || price.Grown < AnyGrowth)
       {
         joinEach([&](Index f) { pairs.Join(f, farthest, price); });

@@ -12,7 +12,7 @@
 
 namespace DirectionFields::Internal
 {
-/// What it may cost to join triangles.
+/// The number of irregular vertices that it may cost to join triangles.
 enum class JoinPolicy
 {
   /// No irregular vertices; triangles stay otherwise.

@@ -150,7 +150,7 @@ private:
     const Index d = this->Tail[gPrevious];
     this->Joined.erase(this->Ends(this->Tail[h], this->Tail[g]));
     this->Joined.insert(this->Ends(c, d));
-    // The triangle of h becomes d, c and what was its tail; that of g c, d and the other end.
+    // The triangle of h becomes d, c and its former tail; that of g c, d and the other end.
     const Index a = this->Tail[h];
     const Index b = this->Tail[g];
     struct Side
