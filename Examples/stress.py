@@ -61,10 +61,8 @@ if sys.argv[2:]:
     Show(plate, view, ColorArrayName=[None, ""])
     display = Show(lines, view)
     display.LineWidth = 3
-    ColorBy(display, ("POINTS", "PrincipalValue"))
-    colors = GetColorTransferFunction("PrincipalValue")
-    colors.ApplyPreset("Cool to Warm", True)
-    colors.RescaleTransferFunction(-1.5, 1.5)
+    # They come colored by PrincipalValue, which is 3 at the hole and 1 elsewhere.
+    GetColorTransferFunction("PrincipalValue").RescaleTransferFunction(-1.5, 1.5)
     ResetCamera(view)
     SaveScreenshot(sys.argv[2], view)
 

@@ -3,6 +3,7 @@
 
 #include "vtkSMDirectionFieldDisplay.h"
 
+#include "ColorMaps.h"
 #include "DisplayHints.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
@@ -11,9 +12,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyListDomain.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
-#include "vtkSMTransferFunctionManager.h"
 
 #include <functional>
 #include <string>
@@ -49,22 +48,6 @@ void ChooseGlyph(vtkSMProxy* display, vtkPVXMLElement* element, const Free& isFr
     vtkSMPropertyHelper(property).Set(glyph);
   }
 }
-
-//------------------------------------------------------------------------------
-void GiveColorMap(vtkSMProxy* display, vtkPVXMLElement* element)
-{
-  const std::string array = element->GetAttributeOrEmpty("array");
-  vtkSMSessionProxyManager* manager = display->GetSessionProxyManager();
-  if (manager->GetProxy("lookup_tables", (array + ".PVLookupTable").c_str()) ||
-    HasSetting(".array_lookup_tables." + array) || HasSetting(".standard_presets." + array))
-  {
-    return;
-  }
-  vtkNew<vtkSMTransferFunctionManager> maps;
-  vtkSMProxy* map = maps->GetColorTransferFunction(array.c_str(), manager);
-  display_hints::SetProperties(map, element, All);
-  map->UpdateVTKObjects();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -92,13 +75,21 @@ void vtkSMDirectionFieldDisplay::PostInitializeProxy(
   display_hints::ForDisplay(proxy,
     [&](vtkPVXMLElement* element)
     {
-      ForNested(element, "ColorMap", [&](vtkPVXMLElement* map) { GiveColorMap(proxy, map); });
+      ForNested(element, "ColorMap",
+        [&](vtkPVXMLElement* map)
+        {
+          if (!color_maps::IsSymmetric(map))
+          {
+            color_maps::Give(proxy, map);
+          }
+        });
       ForNested(
         element, "Glyph", [&](vtkPVXMLElement* glyph) { ChooseGlyph(proxy, glyph, isFree); });
       display_hints::SetProperties(proxy, element, isFree);
     });
   if (auto* representation = vtkSMDirectionFieldRepresentationProxy::SafeDownCast(proxy))
   {
+    representation->GiveSymmetricColorMaps();
     representation->ColorWhereThereAreValues();
     if (display_hints::HasHint(proxy, "HideDirections"))
     {

@@ -28,10 +28,11 @@
  * @endcode
  *
  * The values of a property have semicolons between them. A Glyph is chosen among those that the
- * display offers. A ColorMap is given to an array that has none; the Legend, to the legend of an
- * array where one is shown for the first time (vtkSMDirectionFieldRepresentationProxy). Nothing is
- * changed that the caller has set, or that the user has saved as a default of this display or of
- * this color map.
+ * display offers. A ColorMap is given to an array that has none; with symmetric="1" once
+ * the array is there, and it reaches as far as its values to both sides of 0, of which its RGBPoints
+ * are parts. A coloring by such an array goes and comes with the array. The Legend is given to the legend of an array where one is shown for the first time
+ * (vtkSMDirectionFieldRepresentationProxy). Nothing is changed that the caller has set, or that the
+ * user has saved as a default of this display or of this color map.
  */
 
 #ifndef vtkSMDirectionFieldDisplay_h

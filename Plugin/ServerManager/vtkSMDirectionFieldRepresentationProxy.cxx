@@ -3,7 +3,9 @@
 
 #include "vtkSMDirectionFieldRepresentationProxy.h"
 
+#include "ColorMaps.h"
 #include "DisplayHints.h"
+#include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -121,13 +123,14 @@ bool vtkSMDirectionFieldRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* 
 }
 
 //------------------------------------------------------------------------------
-bool vtkSMDirectionFieldRepresentationProxy::HasArray(int association, const std::string& name)
+vtkPVArrayInformation* vtkSMDirectionFieldRepresentationProxy::FindArray(
+  int association, const std::string& name)
 {
   const vtkSMPropertyHelper input(this, "Input");
   auto* producer = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  return producer &&
-    producer->GetDataInformation(input.GetOutputPort())
-      ->GetArrayInformation(name.c_str(), association);
+  return producer ? producer->GetDataInformation(input.GetOutputPort())
+                      ->GetArrayInformation(name.c_str(), association)
+                  : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +144,7 @@ void vtkSMDirectionFieldRepresentationProxy::ColorWhereThereAreValues()
   vtkSMPropertyHelper coloring(this, "ColorArrayName");
   const char* name = coloring.GetInputArrayNameToProcess();
   const int association = coloring.GetInputArrayAssociation();
-  if (name && !this->HasArray(association, name))
+  if (name && !this->FindArray(association, name))
   {
     this->AwaitedArray = name;
     this->AwaitedAssociation = association;
@@ -158,11 +161,71 @@ void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
     this->HidesDirections = false;
     this->HideDirectionsIn(view);
   }
+  this->GiveSymmetricColorMaps();
   if (!this->AwaitedArray.empty())
   {
     this->ColorAwaited(view);
   }
+  else if (this->GetUsingScalarColoring())
+  {
+    this->LeaveVanished(view);
+  }
+  if (this->GetUsingScalarColoring())
+  {
+    const vtkSMPropertyHelper coloring(this, "ColorArrayName");
+    color_maps::Stretch(vtkSMPropertyHelper(this, "LookupTable", /*quiet=*/true).GetAsProxy(),
+      this->FindArray(coloring.GetInputArrayAssociation(), coloring.GetInputArrayNameToProcess()));
+  }
   this->HideEmptyLegend(view);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::ForSymmetricColorMaps(
+  const std::function<void(const std::string&, vtkPVXMLElement*)>& visit)
+{
+  display_hints::ForDisplay(this,
+    [&](vtkPVXMLElement* element)
+    {
+      display_hints::ForNested(element, "ColorMap",
+        [&](vtkPVXMLElement* map)
+        {
+          if (color_maps::IsSymmetric(map))
+          {
+            visit(map->GetAttributeOrEmpty("array"), map);
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::GiveSymmetricColorMaps()
+{
+  this->ForSymmetricColorMaps(
+    [&](const std::string& array, vtkPVXMLElement* map)
+    {
+      if (this->FindArray(vtkDataObject::POINT, array) ||
+        this->FindArray(vtkDataObject::CELL, array))
+      {
+        color_maps::Give(this, map);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::LeaveVanished(vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper coloring(this, "ColorArrayName");
+  const std::string name = coloring.GetInputArrayNameToProcess();
+  bool isHinted = false;
+  this->ForSymmetricColorMaps(
+    [&](const std::string& array, vtkPVXMLElement*) { isHinted = isHinted || array == name; });
+  // Without points there are no arrays either, which is as it should be.
+  if (isHinted && HasPoints(this) && !this->FindArray(coloring.GetInputArrayAssociation(), name))
+  {
+    this->ColorWhereThereAreValues();
+    this->UpdateVTKObjects();
+    HideUnusedLegend(this, view);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -234,7 +297,7 @@ void vtkSMDirectionFieldRepresentationProxy::HideDirectionsIn(vtkSMProxy* view)
 void vtkSMDirectionFieldRepresentationProxy::ColorAwaited(vtkSMProxy* view)
 {
   const bool isColored = this->GetUsingScalarColoring();
-  if (!isColored && !this->HasArray(this->AwaitedAssociation, this->AwaitedArray))
+  if (!isColored && !this->FindArray(this->AwaitedAssociation, this->AwaitedArray))
   {
     return;
   }

@@ -6,7 +6,7 @@
  *
  * ParaView's own legend of three steps has ticks, labels of their values and the range, which mean
  * nothing there. See vtkSMDirectionFieldDisplay for the hints. An array to color by may have no
- * values yet, as where a field has no singularities.
+ * values yet, as where a field has no singularities or follows no tensors.
  */
 
 #ifndef vtkSMDirectionFieldRepresentationProxy_h
@@ -15,7 +15,11 @@
 #include "vtkDirectionFieldsServerManagerModule.h" // For export macro
 #include "vtkSMPVRepresentationProxy.h"
 
+#include <functional>
 #include <string>
+
+class vtkPVArrayInformation;
+class vtkPVXMLElement;
 
 class VTKDIRECTIONFIELDSSERVERMANAGER_EXPORT vtkSMDirectionFieldRepresentationProxy
   : public vtkSMPVRepresentationProxy
@@ -31,9 +35,14 @@ public:
   bool SetScalarBarVisibility(vtkSMProxy* view, bool visible) override;
 
   /**
+   * Gives the arrays that are there the color maps of the hints that are symmetric about 0.
+   */
+  void GiveSymmetricColorMaps();
+
+  /**
    * Takes the coloring back where its array is not there, which newer ParaViews warn of, as that of
-   * singularities where a field has none. It comes when the array does, unless another one was
-   * chosen meanwhile.
+   * singularities where a field has none, or the value along lines of one that follows no tensors.
+   * It comes when the array does, unless another one was chosen meanwhile.
    */
   void ColorWhereThereAreValues();
 
@@ -51,7 +60,8 @@ public:
   void ReplaceField() { this->HidesDirections = this->ReplacesField = true; }
 
   /**
-   * Called by a view after its data are up to date, before it draws. A legend of the filter's hints
+   * Called by a view after its data are up to date, before it draws. A coloring by
+   * an array with a symmetric color map goes and comes with it, and that map is stretched. A legend of the filter's hints
    * is hidden where nothing is left that has its colors, as where a field has become one without
    * singularities, and comes back when they do.
    */
@@ -75,9 +85,12 @@ protected:
 #endif
 
 private:
-  bool HasArray(int association, const std::string& name);
+  vtkPVArrayInformation* FindArray(int association, const std::string& name);
   void HideDirectionsIn(vtkSMProxy* view);
   void ColorAwaited(vtkSMProxy* view);
+  void LeaveVanished(vtkSMProxy* view);
+  void ForSymmetricColorMaps(
+    const std::function<void(const std::string&, vtkPVXMLElement*)>& visit);
   void HideEmptyLegend(vtkSMProxy* view);
 
   /// The array to color by once there is one of that name; empty: none.

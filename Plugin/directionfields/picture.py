@@ -31,7 +31,7 @@ Picture.__doc__ = """What show() has built.
 field    the filter Direction Field; its second output port are the singularities
 surface  the surface that is shown: the field with normals for smooth shading
 glyphs   the filter Direction Field Glyphs
-legend   the scalar bar of the singularities, or None
+legend   the scalar bar of the singularities, or None; glyphs along tensors have one of their own
 caption  the annotation with the summary and the warnings, or None
 view     the render view"""
 
@@ -74,7 +74,7 @@ def draw(field, view, glyphs, legend):
     simple._DisableFirstRenderCameraReset()
 
     surface = show_surface(field, view)
-    marks = show_glyphs(marks, view)
+    marks = show_glyphs(marks, view, legend)
     balls = show_singularities(field, view)
     bar = words = None
     if legend:
@@ -185,9 +185,13 @@ def show_surface(field, view):
     return surface
 
 
-def show_glyphs(marks, view):
+def show_glyphs(marks, view, legend):
     # The plugin gives glyphs and singularities their look.
-    simple.Show(marks, view)
+    display = simple.Show(marks, view)
+    if legend and display.ColorArrayName[1] == "PrincipalValue":
+        display.SetScalarBarVisibility(view, True)
+        bar = place_legend(display, view, 0.25)
+        bar.ScalarBarLength = 0.4
     return marks
 
 
@@ -206,17 +210,22 @@ def text_color(view):
     return DARK if sum(background) > 1.5 else LIGHT
 
 
+def place_legend(display, view, height):
+    bar = simple.GetScalarBar(display.LookupTable, view)
+    bar.WindowLocation = "Any Location"
+    bar.Position = [0.87, height]
+    bar.TitleFontSize = bar.LabelFontSize = 13
+    bar.TitleColor = bar.LabelColor = text_color(view)
+    return bar
+
+
 def show_legend(field, balls, view):
     bar = None
     # Balls that there are none of have no colours either.
     if balls is not None and balls.LookupTable is not None and number_of(balls.Input) > 0:
         balls.SetScalarBarVisibility(view, True)
-        bar = simple.GetScalarBar(balls.LookupTable, view)
-        bar.WindowLocation = "Any Location"
         # Legend and caption must fit side by side even into a small window.
-        bar.Position = [0.87, 0.03]
-        bar.TitleFontSize = bar.LabelFontSize = 13
-        bar.TitleColor = bar.LabelColor = text_color(view)
+        bar = place_legend(balls, view, 0.03)
     words = follower(field, "PythonAnnotation")
     if words is None or not is_caption(words):
         words = simple.PythonAnnotation(registrationName=part_name("Summary", field), Input=field)

@@ -4,9 +4,11 @@
 import os
 import sys
 
+import numpy
 from paraview import servermanager, simple
 from paraview.modules.vtkRemotingServerManager import vtkSMSettings
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 from Figures import blue, pixels, red, teal
 
@@ -156,7 +158,6 @@ def test_constraint_lines():
 
 
 def half_of(red, half):
-    import numpy
     columns = numpy.tile(numpy.arange(SIZE[0]), SIZE[1])
     return (columns >= SIZE[0] // 2) == bool(half)
 
@@ -319,6 +320,85 @@ def test_glyphs():
     simple.ResetSession()
 
 
+def pull(stress, size):
+    """Makes a square source one that is pulled along x and pressed along y by 1."""
+    plane, tensors = vtkPlaneSource(), vtkDoubleArray()
+    plane.SetResolution(20, 20)
+    plane.Update()
+    square = plane.GetOutput()
+    tensors.SetName("Stress")
+    tensors.SetNumberOfComponents(6)
+    for _ in range(square.GetNumberOfPoints()):
+        tensors.InsertNextTuple((size, -1.0, 0.0, 0.0, 0.0, 0.0))
+    square.GetPointData().AddArray(tensors)
+    stress.GetClientSideObject().SetOutput(square)
+    stress.MarkModified(stress.SMProxy)
+    stress.UpdatePipeline()
+    return stress
+
+
+def map_range(display):
+    points = display.LookupTable.RGBPoints
+    return points[0], points[-4]
+
+
+def test_tension():
+    """Lines and glyphs along tensors are red where these pull and blue where they press, teal where there are
+    none; the colors are symmetric about 0 until the user gives them another range."""
+    view = new_view()
+    stress = pull(simple.TrivialProducer(), 2.0)
+    field = DirectionField(Input=stress, Degree=4, Alignment="Tensor", TensorArray=["POINTS", "Stress"])
+    surface, _ = apply(view, field)
+    simple.ResetCamera(view)
+    for name, made in (("Lines", DirectionFieldStreamlines), ("Glyphs", DirectionFieldGlyphs)):
+        marks = apply(view, made(Input=field))[0]
+        assert marks.ColorArrayName[1] == "PrincipalValue", marks.ColorArrayName
+        assert numpy.allclose(map_range(marks), (-2.0, 2.0), atol=1e-3), map_range(marks)
+        for condition, degree, least in ((red, 4, 2000), (blue, 4, 2000), (red, 2, 2000), (blue, 2, 0)):
+            field.Degree = degree
+            found = pixels(picture_of(view, f"ApplyTension{name}{degree}.png"), condition)
+            # The glyphs of a line field have no arms across.
+            assert found >= least and (least > 0 or found == 0), (name, degree, condition, found)
+        field.Degree = 4
+        marks.SetScalarBarVisibility(view, True)
+        bar = simple.GetScalarBar(marks.LookupTable, view)
+        assert (bar.Title, bar.Visibility) == ("Principal value", 1)
+        field.Alignment = "None"
+        path = picture_of(view, f"ApplyNoTension{name}.png")
+        assert pixels(path, teal) > 2000 and pixels(path, red) == pixels(path, blue) == 0, name
+        assert bar.Visibility == 0 and not marks.ColorArrayName[1], name
+        field.Alignment = "Tensor"
+        assert pixels(picture_of(view, f"ApplyTensionAgain{name}.png"), blue) > 2000
+        assert marks.ColorArrayName[1] == "PrincipalValue"
+        marks.SetScalarBarVisibility(view, False)
+        marks.Visibility = 0
+    # The range follows larger values, but not against the user.
+    marks.Visibility = 1
+    pull(stress, 3.0)
+    simple.Render(view)
+    assert numpy.allclose(map_range(marks), (-3.0, 3.0), atol=1e-3), map_range(marks)
+    marks.LookupTable.RescaleTransferFunction(-1.0, 5.0)
+    pull(stress, 8.0)
+    simple.Render(view)
+    assert numpy.allclose(map_range(marks), (-1.0, 5.0)), map_range(marks)
+    # The surface is quiet until it is colored, by the same colors.
+    assert not surface.ColorArrayName[1], surface.ColorArrayName
+    marks.Visibility = 0
+    for array, condition, most in (("MajorValue", red, 8.0), ("MinorValue", blue, 1.0)):
+        simple.ColorBy(surface, ("POINTS", array))
+        simple.Render(view)
+        assert numpy.allclose(map_range(surface), (-most, most), atol=1e-3), map_range(surface)
+    simple.ResetSession()
+
+    shown = directionfields.show(pull(simple.TrivialProducer(), 2.0), 2, new_view(), Alignment="Tensor",
+                                 TensorArray=["POINTS", "Stress"])
+    assert pixels(picture_of(shown.view, "ApplyTensionShown.png"), red) > 2000
+    bars = [display for display in shown.view.Representations
+            if display.GetXMLName() == "ScalarBarWidgetRepresentation"]
+    assert [bar.Title for bar in bars if bar.Visibility] == ["Principal value"], bars
+    simple.ResetSession()
+
+
 def sphere(inside_out=False):
     source = simple.Sphere(ThetaResolution=48, PhiResolution=32)
     if not inside_out:
@@ -407,6 +487,7 @@ test_remesh()
 test_guidance()
 test_menus()
 test_glyphs()
+test_tension()
 test_sides()
 test_one_singularity()
 test_no_singularity()
