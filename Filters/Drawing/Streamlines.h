@@ -38,7 +38,8 @@ struct StreamlineOptions
 {
   SeedType Seeds = SeedType::EvenlySpaced;
   /// Distance between neighbouring lines of a family, 0 or more; 0 stands for the root of the area
-  /// / 40. It is raised to the root of the area / 1000.
+  /// / 40. It is raised to the root of the area / 1000, and lowered to the sum of that root and the
+  /// diagonal of the surface's box.
   double Spacing = 0.0;
   /// Evenly spaced lines end where their distance from others falls below this part of the spacing,
   /// 0.1 to 0.9.

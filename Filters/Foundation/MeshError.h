@@ -20,7 +20,8 @@ public:
   {
     /// A triangle refers to a point that does not exist.
     InvalidPointId,
-    /// A coordinate of a used point is NaN or infinite. Id: the first such point.
+    /// A coordinate of a used point is NaN, infinite or too large to be computed with. Id: the
+    /// first such point.
     NonFinitePoint
   };
 

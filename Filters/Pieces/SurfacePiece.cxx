@@ -3,6 +3,8 @@
 
 #include "SurfacePiece.h"
 
+#include "Coordinates.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -14,7 +16,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -59,26 +60,22 @@ void ReadCells(vtkCellArray* cells, vtkIdType firstCell, vtkUnsignedCharArray* m
 
 constexpr vtkIdType Unused = -1;
 
-/// Refuses points that are nowhere.
-void RequireFinite(const PiecePoints& points)
+/// Refuses points that are nowhere, or too far away to be computed with.
+void RequirePlaces(const PiecePoints& points, bool isSingle)
 {
-  std::size_t count = 0;
-  vtkIdType first = 0;
-  for (std::size_t k = points.Points.size(); k-- > 0;)
+  CoordinateCheck check(isSingle);
+  for (std::size_t k = 0; k < points.Points.size(); ++k)
   {
-    const double* const x = points.Coordinates.data() + 3 * k;
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    const double* const place = points.Coordinates.data() + 3 * k;
+    if (!check.MayBe(place))
     {
-      ++count;
-      first = points.Points[k];
+      check.Refuse(static_cast<std::size_t>(points.Points[k]), place);
     }
   }
-  if (count > 0)
+  const std::string error = check.GetError();
+  if (!error.empty())
   {
-    throw std::invalid_argument(std::to_string(count) +
-      (count == 1 ? " point of the surface has" : " points of the surface have") +
-      " NaN or infinite coordinates, the first is point " + std::to_string(first) +
-      ". Remove the cells at these points or correct their coordinates.");
+    throw std::invalid_argument(error);
   }
 }
 
@@ -215,8 +212,9 @@ SurfacePiece ReadPiece(vtkPolyData* polyData)
   MarkPoints(ghostStrips, isUsed);
   ReadPoints(
     polyData, isUsed, numbers, static_cast<vtkIdType>(piece.Own.Points.size()), piece.GhostPoints);
-  RequireFinite(piece.Own);
-  RequireFinite(piece.GhostPoints);
+  const bool isSingle = points > 0 && polyData->GetPoints()->GetDataType() == VTK_FLOAT;
+  RequirePlaces(piece.Own, isSingle);
+  RequirePlaces(piece.GhostPoints, isSingle);
   for (PieceCells* const cells : { &piece.Polys, &piece.Strips, &piece.Ghosts })
   {
     Renumber(numbers, *cells);

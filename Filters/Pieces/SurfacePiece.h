@@ -58,7 +58,8 @@ struct SurfacePiece
 
 /// Reads a piece. Cells that vtkGhostType marks as hidden take no part.
 ///
-/// Throws std::invalid_argument where a point in use has coordinates that are not finite.
+/// Throws std::invalid_argument where a point in use has coordinates that are not finite or too
+/// large.
 /// @param polyData has passed vtkDirectionField's check
 SurfacePiece ReadPiece(vtkPolyData* polyData);
 }

@@ -21,6 +21,20 @@ namespace
 /// Few enough for every run of the tests.
 constexpr int FewCases = 30;
 
+/// Cases that once failed: places at the end of single and double precision, lines farther apart
+/// than there are numbers, magnitudes that only double precision has, surfaces without an area in
+/// single precision, and components that are kept among pure quads.
+struct Finding
+{
+  FilterGroup Group;
+  int Number;
+};
+constexpr Finding Findings[] = { { FilterGroup::Streamlines, 344 },
+  { FilterGroup::Streamlines, 359 }, { FilterGroup::Streamlines, 1036 },
+  { FilterGroup::Edits, 1855 }, { FilterGroup::Edits, 5496 }, { FilterGroup::Pairs, 628 },
+  { FilterGroup::Pairs, 2629 }, { FilterGroup::Pairs, 3767 }, { FilterGroup::Pairs, 3769 },
+  { FilterGroup::Pairs, 6828 } };
+
 int FromEnvironment(const char* name, int standard)
 {
   const char* text = std::getenv(name);
@@ -38,10 +52,27 @@ std::vector<std::uint8_t> BytesOf(unsigned seed)
   }
   return bytes;
 }
+
+void TestCase(FilterGroup group, int number)
+{
+  const std::vector<std::uint8_t> bytes =
+    BytesOf(4U * static_cast<unsigned>(number) + static_cast<unsigned>(group));
+  const std::string flaw = FuzzedFilters(group, bytes.data(), bytes.size());
+  if (!flaw.empty())
+  {
+    std::cerr << "group " << static_cast<int>(group) << ", case " << number << ": " << flaw
+              << std::endl;
+  }
+  CHECK(flaw.empty());
+}
 }
 
 int TestFilterProperties(int, char*[])
 {
+  for (const Finding& finding : Findings)
+  {
+    TestCase(finding.Group, finding.Number);
+  }
   const int first = FromEnvironment("DIRECTIONFIELDS_PROPERTY_FIRST", 0);
   const int cases = FromEnvironment("DIRECTIONFIELDS_PROPERTY_CASES", FewCases);
   for (const FilterGroup group :
@@ -49,15 +80,7 @@ int TestFilterProperties(int, char*[])
   {
     for (int number = first; number < first + cases; ++number)
     {
-      const std::vector<std::uint8_t> bytes =
-        BytesOf(4U * static_cast<unsigned>(number) + static_cast<unsigned>(group));
-      const std::string flaw = FuzzedFilters(group, bytes.data(), bytes.size());
-      if (!flaw.empty())
-      {
-        std::cerr << "group " << static_cast<int>(group) << ", case " << number << ": " << flaw
-                  << std::endl;
-      }
-      CHECK(flaw.empty());
+      TestCase(group, number);
     }
   }
   return Checks::Result();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Surfaces of any size and fields of any magnitude: each filter gives what it gives at size 1, in
-// the surface's unit, although areas and squares have no numbers there.
+// the surface's unit, although areas and squares have no numbers there. Where coordinates themselves
+// have none beside them, an error says so.
 
 #include "Checks.h"
 #include "PolyMeshes.h"
@@ -12,9 +13,12 @@
 #include "vtkDirectionFieldGlyphs.h"
 #include "vtkDirectionFieldSingularities.h"
 #include "vtkDirectionFieldStreamlines.h"
+#include "vtkDirectionFieldWriter.h"
 #include "vtkFieldAlignedRemesh.h"
 #include "vtkGuidanceCurves.h"
 #include "vtkStripePattern.h"
+
+#include <limits>
 
 using namespace Checks;
 
@@ -140,6 +144,66 @@ void TestSizes()
   }
 }
 
+/// What lies beyond the numbers that can be computed with is an error of each filter that names the
+/// point and says what to do, and leaves nothing.
+void TestBeyondNumbers()
+{
+  const auto given = Field(Sized(1.0), 2);
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    const auto field = vtkSmartPointer<vtkPolyData>::New();
+    field->DeepCopy(given);
+    vtkNew<vtkPoints> points;
+    points->SetDataType(type);
+    points->InsertPoints(0, given->GetNumberOfPoints(), 0, given->GetPoints());
+    const double most =
+      type == VTK_FLOAT ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+    points->SetPoint(17, 0.0, -most, 0.0);
+    points->SetPoint(40, 0.5 * most, 0.0, 0.0);
+    field->SetPoints(points);
+    vtkNew<vtkDirectionFieldWriter> writer;
+    writer->SetFileName("beyond-numbers.rosy");
+    for (const auto& filter : std::vector<vtkSmartPointer<vtkAlgorithm>>{
+           vtkNew<vtkDirectionField>(), vtkNew<vtkDirectionFieldGlyphs>(),
+           vtkNew<vtkDirectionFieldStreamlines>(), vtkNew<vtkStripePattern>(),
+           vtkNew<vtkDirectionFieldSingularities>(), vtkNew<vtkCompareDirectionFields>(),
+           vtkNew<vtkGuidanceCurves>(), vtkNew<vtkFieldAlignedRemesh>(), writer })
+    {
+      vtkNew<Messages> messages;
+      messages->Observe(filter);
+      for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+      {
+        filter->SetInputDataObject(port, port == 0 ? field : given);
+      }
+      filter->Update();
+      CHECK(messages->IsOneError({ "2 points of the surface have coordinates beyond",
+        type == VTK_FLOAT ? "1e37" : "1e300", "the first is point 17. Scale the surface down" }));
+      for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+      {
+        auto* const output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+        CHECK(output == nullptr || output->GetNumberOfPoints() == 0);
+      }
+    }
+  }
+}
+
+/// Lines farther apart than the surface is long are at their height above it, not anywhere.
+void TestWideLines()
+{
+  for (const double spacing : { 1e10, 1e300, VTK_DOUBLE_MAX })
+  {
+    vtkNew<vtkDirectionFieldStreamlines> lines;
+    lines->SetSeedType(vtkDirectionFieldStreamlines::SINGULARITIES);
+    lines->SetSeparatingDistance(spacing);
+    lines->SetOffset(1.0);
+    lines->SetInputDataObject(0, Field(Sized(1.0), 4));
+    lines->Update();
+    CHECK(lines->GetOutput()->GetNumberOfPoints() > 0);
+    CHECK(lines->GetOutput()->GetLength() < 50.0);
+    CHECK(FieldValue(lines->GetOutput(), "SeparatingDistance") < 20.0);
+  }
+}
+
 /// One magnitude that has no square leaves the edited field finite, and the others their directions.
 void TestMagnitudes()
 {
@@ -158,6 +222,13 @@ void TestMagnitudes()
     CHECK(SumOfIndices(edit->GetOutput()->GetCellData()) == 8);
     CHECK(std::isfinite(FieldValue(edit->GetOutput(), "RotationEnergy")));
     CHECK(LargestAngle(edit->GetOutput(), field, 4) < 1e-3);
+    vtkNew<vtkDirectionFieldGlyphs> glyphs;
+    glyphs->SetGlyphMode(vtkDirectionFieldGlyphs::ALL_POINTS);
+    glyphs->SetInputDataObject(0, field);
+    glyphs->Update();
+    const double largest =
+      glyphs->GetOutput()->GetCellData()->GetArray("RepresentationMagnitude")->GetRange()[1];
+    CHECK(largest > 0.0 && std::isfinite(largest));
   }
 }
 
@@ -181,6 +252,8 @@ void TestEndlessLines()
 int TestFilterSizes(int, char*[])
 {
   TestSizes();
+  TestBeyondNumbers();
+  TestWideLines();
   TestMagnitudes();
   TestEndlessLines();
   return Result();

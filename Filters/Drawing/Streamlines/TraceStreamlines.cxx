@@ -8,6 +8,8 @@
 #include "Streamlines/StreamlinePoints.h"
 #include "Support/Threads.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -98,8 +100,19 @@ private:
   static double SpacingFor(const GivenField& field, const StreamlineOptions& options)
   {
     const double extent = Internal::RootOfArea(field.GetGeometry().Lengths);
-    return options.Spacing > 0.0 ? std::max(options.Spacing, LeastSpacing * extent)
-                                 : DefaultSpacing * extent;
+    if (!(options.Spacing > 0.0))
+    {
+      return DefaultSpacing * extent;
+    }
+    Eigen::AlignedBox3d box;
+    for (const Vector3& position : field.GetGeometry().Positions)
+    {
+      box.extend(position);
+    }
+    // Lines farther apart than the surface is long are as those at this distance, but their points,
+    // a part of it above the surface, could be anywhere.
+    const double most = extent + (box.isEmpty() ? 0.0 : box.sizes().stableNorm());
+    return std::min(std::max(options.Spacing, LeastSpacing * extent), most);
   }
   double MaximumLength(Index c) const
   {

@@ -25,7 +25,8 @@ struct FaceMesh
     /// Of the field, in units of 1/n; 0 but at cones.
     int SingularityIndex = 0;
   };
-  /// An edge that is part of a feature, or of the boundary.
+  /// An edge that is part of a feature, or of the boundary. Line 0: one of a component that could
+  /// not be remeshed, all of whose edges stay.
   struct LineEdge
   {
     std::array<Index, 2> Ends;

@@ -19,7 +19,7 @@ std::array<Index, 2> EndsOf(Index a, Index b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// The edges of lines after changes.
+/// The edges of lines that faces have after changes.
 std::vector<FaceMesh::LineEdge> LineEdgesOf(const VertexStars& stars, const FaceMesh& mesh)
 {
   std::map<std::array<Index, 2>, Index> lines;
@@ -38,7 +38,7 @@ std::vector<FaceMesh::LineEdge> LineEdgesOf(const VertexStars& stars, const Face
   std::vector<FaceMesh::LineEdge> edges;
   for (const auto& [ends, line] : lines)
   {
-    if (stars.IsLineEdge(ends[0], ends[1]))
+    if (stars.IsLineEdge(ends[0], ends[1]) && stars.AreJoined(ends[0], ends[1]))
     {
       edges.push_back({ ends, line });
     }

@@ -3,6 +3,8 @@
 
 #include "Finishing/JoinedFaces.h"
 
+#include <algorithm>
+
 namespace DirectionFields::Internal
 {
 FaceMesh JoinFaces(const std::vector<ExtractedMesh>& components, const Seams& seams,
@@ -23,7 +25,8 @@ FaceMesh JoinFaces(const std::vector<ExtractedMesh>& components, const Seams& se
       {
         number[own] = number[joined[own]];
         Index& line = mesh.Vertices[number[own]].Line;
-        line = isCorner ? -1 : line;
+        // A vertex between those of a component that is kept has no line of its own.
+        line = isCorner || line < 0 ? -1 : std::max(line, vertex.Line);
         continue;
       }
       number[own] = static_cast<Index>(mesh.Points.size());

@@ -31,9 +31,10 @@ std::vector<double> WantedSizes::HalfLengths() const
 void WantedSizes::LengthenFor(const SurfaceGeometry& geometry, Index faces)
 {
   const double least = LeastEdgeLength(geometry, this->AtVertices, faces);
-  const double factor = std::max(1.0, least / this->EdgeLength);
-  this->EdgeLength *= factor;
-  this->MapLength *= factor;
+  // Where a surface has no area, there is no length to multiply.
+  const double part = this->MapLength > 0.0 ? this->MapLength / this->EdgeLength : 1.0;
+  this->EdgeLength = std::max(this->EdgeLength, least);
+  this->MapLength = part * this->EdgeLength;
 }
 
 std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t points)

@@ -44,6 +44,7 @@ public:
   explicit Parity(FaceMesh& mesh)
     : Mesh(mesh)
     , Neighbours(mesh.Cells.Corners.size(), { None, None, None, None })
+    , UncutEdges(mesh.Cells.Corners.size(), 0)
     , Region(mesh.Cells.Corners.size(), None)
     , Distance(mesh.Cells.Corners.size(), None)
   {
@@ -118,22 +119,37 @@ private:
       }
       const Side& one = sides[k];
       const FaceMesh::LineEdge wanted{ one.Ends, 0 };
-      const auto line = std::lower_bound(lines.begin(), lines.end(), wanted, isLess);
-      const bool isLine = line != lines.end() && line->Ends == one.Ends;
-      if (isLine)
+      const auto [line, last] = std::equal_range(lines.begin(), lines.end(), wanted, isLess);
+      if (line != last)
       {
-        this->Walls.push_back({ one.Ends, {}, line->Line });
+        Wall wall{ one.Ends, {}, line->Line };
         for (std::size_t i = k; i < end; ++i)
         {
-          this->Walls.back().Faces.push_back(sides[i].Face);
+          wall.Faces.push_back(sides[i].Face);
         }
+        this->AddWall(
+          wall, std::any_of(line, last, [](const FaceMesh::LineEdge& e) { return e.Line == 0; }));
       }
-      else if (!isLine && end - k == 2 &&
+      else if (end - k == 2 &&
         this->Face(one.Face)[one.Corner] != this->Face(sides[k + 1].Face)[sides[k + 1].Corner])
       {
         this->Neighbours[one.Face][one.Corner] = sides[k + 1].Face;
         this->Neighbours[sides[k + 1].Face][sides[k + 1].Corner] = one.Face;
       }
+    }
+  }
+
+  /// @param isKept whether it is one of a component that could not be remeshed, and is not cut
+  void AddWall(const Wall& wall, bool isKept)
+  {
+    if (!isKept)
+    {
+      this->Walls.push_back(wall);
+      return;
+    }
+    for (const Index f : wall.Faces)
+    {
+      ++this->UncutEdges[f];
     }
   }
 
@@ -169,7 +185,8 @@ private:
           { f }, [&](Index, Index g) { return std::exchange(this->Region[g], region) == None; });
       }
       ++this->Size[this->Region[f]];
-      this->IsOdd[this->Region[f]] ^= Faces::Size(this->Face(f)) == 3 ? 1 : 0;
+      const bool isLeft = Faces::Size(this->Face(f)) == 3 && this->UncutEdges[f] < 3;
+      this->IsOdd[this->Region[f]] ^= isLeft ? 1 : 0;
     }
   }
 
@@ -211,7 +228,7 @@ private:
   };
 
   /// Connects odd regions along a tree of the cheapest paths to each from the outside, or from the
-  /// last region if there is no path outside.
+  /// last region if there is no path outside. False where some stay odd.
   bool ChooseWalls(std::vector<Index>& chosen) const
   {
     if (std::find(this->IsOdd.begin(), this->IsOdd.end(), 1) == this->IsOdd.end())
@@ -234,6 +251,7 @@ private:
     const std::vector<Index> order = CheapestFirst(crossings, entrance);
     std::vector<char> isOdd = this->IsOdd;
     isOdd.push_back(0);
+    bool areEven = true;
     for (std::size_t k = order.size(); k-- > 0;)
     {
       const Index region = order[k];
@@ -241,13 +259,14 @@ private:
       {
         if (entrance[region].Wall == None)
         {
-          return false;
+          areEven = false;
+          continue;
         }
         chosen.push_back(entrance[region].Wall);
         isOdd[entrance[region].Region] ^= 1;
       }
     }
-    return true;
+    return areEven;
   }
 
   /// The regions by the cost of the cheapest path to them, from the last one of a connected set
@@ -406,6 +425,8 @@ private:
   FaceMesh& Mesh;
   /// The face over each edge that is part of no line.
   std::vector<std::array<Index, 4>> Neighbours;
+  /// The number of edges of each face that are not cut, since they are kept as they are.
+  std::vector<int> UncutEdges;
   std::vector<Wall> Walls;
   std::vector<Index> Region;
   std::vector<Index> Distance;

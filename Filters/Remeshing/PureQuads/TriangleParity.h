@@ -12,7 +12,8 @@ namespace DirectionFields::Internal
 /// pairs: edges of lines are split in two, which adds a triangle to each face there, a quad
 /// becoming a triangle and a quad. Odd regions are connected with each other, or with the boundary,
 /// over few lines and where the faces are good; if some meet others only in edges of more than two
-/// faces, all these edges are split.
+/// faces, all these edges are split. Edges with Line 0, those of components that are kept as they
+/// are, are not split.
 void EvenOutTriangles(FaceMesh& mesh);
 }
 

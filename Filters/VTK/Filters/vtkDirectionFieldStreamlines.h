@@ -108,9 +108,9 @@ public:
   ///@{
   /**
    * Distance between evenly spaced lines of one family, in the input's unit of length. 0: the root
-   * of the surface's area / 40. No less than the root of the area / 1000 is taken, and
-   * lines of many million points are an error. Range 0 to
-   * VTK_DOUBLE_MAX, default 0.
+   * of the surface's area / 40. No less than the root of the area / 1000 is taken, no
+   * more than this root and the diagonal of the surface's box together, and lines of many million
+   * points are an error. Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(SeparatingDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SeparatingDistance, double);

@@ -393,3 +393,44 @@ TEST(TriangleParity, SheetsThatMeetOnlyInEdgesOfMoreFacesAreEvenedOutThere)
     [](const Faces::Face& face) { return Faces::Size(face) == 3; });
   EXPECT_EQ(triangles % 2, 0);
 }
+
+TEST(TrianglePairs, ComponentsWithoutAMapAreNotCut)
+{
+  Plates plates;
+  plates.AddTriangle(3, false);
+  const std::size_t others = plates.CountFaces();
+  // A triangle around its middle, all of whose edges stay.
+  const auto first = static_cast<Index>(plates.Mesh.Points.size());
+  for (const Vector3& place :
+    { Vector3(30, 0, 0), Vector3(33, 0, 0), Vector3(30, 3, 0), Vector3(31, 1, 0) })
+  {
+    plates.Mesh.Points.push_back(place);
+    FaceMesh::Vertex vertex;
+    vertex.Line = -1;
+    plates.Mesh.Vertices.push_back(vertex);
+  }
+  std::vector<Faces::Face> kept;
+  for (Index c = 0; c < 3; ++c)
+  {
+    kept.push_back({ first + c, first + (c + 1) % 3, first + 3, None });
+    plates.AddFace(kept.back());
+    plates.Mesh.LineEdges.push_back({ { first + c, first + (c + 1) % 3 }, 0 });
+    plates.Mesh.LineEdges.push_back({ { first + c, first + 3 }, 0 });
+  }
+  EvenOutTriangles(plates.Mesh);
+  const std::vector<Faces::Face>& faces = plates.Mesh.Cells.Corners;
+  for (const Faces::Face& face : kept)
+  {
+    EXPECT_EQ(std::count(faces.begin(), faces.end(), face), 1);
+  }
+  // What is beside it becomes even, by one edge of the boundary that is split.
+  EXPECT_EQ(plates.CountTriangles()[0], 2);
+  EXPECT_EQ(plates.CountFaces(), others + 3 + 1);
+  for (const FaceMesh::LineEdge& edge : plates.Mesh.LineEdges)
+  {
+    for (const Index v : edge.Ends)
+    {
+      EXPECT_NE(plates.Mesh.Vertices[v].Line, 0);
+    }
+  }
+}

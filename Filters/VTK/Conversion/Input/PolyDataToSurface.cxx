@@ -8,6 +8,7 @@
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/Triangulator.h"
 
+#include <DirectionFields/Coordinates.h>
 #include <DirectionFields/MeshError.h>
 #include <DirectionFields/Support/Threads.h>
 
@@ -319,49 +320,54 @@ bool IsSurfaceOf(vtkPolyData* polyData, const TriangulatedPolyData& surface)
 
 namespace
 {
-/// Throws MeshError where a triangle has a corner with coordinates that are not finite.
-void RequireFinite(const Surface& surface)
+/// Throws MeshError where a triangle has a corner that is nowhere, or too far away to compute with.
+/// @param isSingle whether points are handed on in single precision
+void RequirePlaces(const Surface& surface, bool isSingle)
 {
-  std::atomic<bool> isFinite{ true };
+  CoordinateCheck check(isSingle);
+  std::atomic<bool> areFine{ true };
   ForEachPieceOfTuples(surface.Points.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      bool areFinite = true;
+      bool areHere = true;
       for (std::size_t i = begin; i < end; ++i)
       {
-        areFinite = areFinite && surface.Points[i].allFinite();
+        areHere = areHere && check.MayBe(surface.Points[i].data());
       }
-      if (!areFinite)
+      if (!areHere)
       {
-        isFinite.store(false, std::memory_order_relaxed);
+        areFine.store(false, std::memory_order_relaxed);
       }
     });
-  if (isFinite)
+  if (areFine)
   {
     return;
   }
   // Points of no triangle may have any coordinates.
-  std::vector<char> isBad(surface.Points.size(), 0);
+  std::vector<char> isUsed(surface.Points.size(), 0);
   for (const Triangle& triangle : surface.Triangles)
   {
     for (const Index point : triangle)
     {
       // Ids of no point are refused with the mesh.
-      if (point >= 0 && point < static_cast<Index>(isBad.size()))
+      if (point >= 0 && point < static_cast<Index>(isUsed.size()))
       {
-        isBad[point] = surface.Points[point].allFinite() ? 0 : 1;
+        isUsed[point] = 1;
       }
     }
   }
-  const auto count = std::count(isBad.begin(), isBad.end(), 1);
-  if (count > 0)
+  for (std::size_t i = 0; i < isUsed.size(); ++i)
   {
-    const auto first = static_cast<Index>(std::find(isBad.begin(), isBad.end(), 1) - isBad.begin());
-    throw MeshError(MeshError::Kind::NonFinitePoint, first,
-      std::to_string(count) +
-        (count == 1 ? " point of the surface has" : " points of the surface have") +
-        " NaN or infinite coordinates, the first is point " + std::to_string(first) +
-        ". Remove the cells at these points or correct their coordinates.");
+    const double* const place = surface.Points[i].data();
+    if (isUsed[i] != 0 && !check.MayBe(place))
+    {
+      check.Refuse(i, place);
+    }
+  }
+  const std::string error = check.GetError();
+  if (!error.empty())
+  {
+    throw MeshError(MeshError::Kind::NonFinitePoint, static_cast<Index>(check.GetFirst()), error);
   }
 }
 }
@@ -374,12 +380,13 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& pr
   RequireNumberable("triangles", numberOfTriangles, MostTriangles);
   RequireNumberable("cells", polyData->GetNumberOfCells(), MostPoints);
   const vtkIdType points = polyData->GetNumberOfPoints();
+  const bool isSingle = points > 0 && polyData->GetPoints()->GetDataType() == VTK_FLOAT;
   if (points > 0)
   {
     CopyAnyPoints(polyData->GetPoints(), result.Mesh.Points);
     if (CopyAllTriangles(polyData, result))
     {
-      RequireFinite(result.Mesh);
+      RequirePlaces(result.Mesh, isSingle);
       return result;
     }
   }
@@ -396,7 +403,7 @@ TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& pr
   const GhostMarks ghosts(polyData->GetCellData());
   CutCells(polyData, ghosts, result, progress);
   MarkGhosts(ghosts, result);
-  RequireFinite(result.Mesh);
+  RequirePlaces(result.Mesh, isSingle);
   return result;
 }
 

@@ -22,8 +22,8 @@ namespace DirectionFields
 /// triangle; cells marked as duplicates give ghosts.
 ///
 /// Throws std::length_error for more points or triangles than Index can number, std::out_of_range
-/// for cells with points that are not there, MeshError where coordinates of cells are not finite,
-/// and Stopped.
+/// for cells with points that are not there, MeshError where coordinates of cells are not finite
+/// or beyond what CoordinateCheck allows, and Stopped.
 /// @param polyData has passed CheckPolyData
 TriangulatedPolyData PolyDataToSurface(vtkPolyData* polyData, const Progress& progress = {});
 

@@ -60,7 +60,7 @@ void AddCellArrays(const Glyphs& glyphs, vtkCellData* data)
     location->SetValue(id, glyph);
     pointId->SetValue(id, glyphs.Point[glyph]);
     branch->SetValue(id, mesh.Branch[i]);
-    magnitude->SetValue(id, static_cast<float>(glyphs.Magnitude[glyph]));
+    magnitude->SetValue(id, Narrowed<float>(glyphs.Magnitude[glyph]));
     WriteVector(glyphs.Direction[static_cast<std::size_t>(glyph) * glyphs.Degree + mesh.Branch[i]],
       direction->GetPointer(0), i);
   }
