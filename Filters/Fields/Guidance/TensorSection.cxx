@@ -19,8 +19,10 @@ namespace DirectionFields::Internal
 namespace
 {
 /// A vertex counts where |q| is more than this many standard deviations of the noise that is left
-/// in it, and more than rounding to single precision may leave of the largest component.
+/// in it, or beside such a vertex more than so few, and more than rounding to single precision may
+/// leave of the largest component. Noise alone seldom is beside what is significant.
 constexpr double Significant = 6.0;
+constexpr double SignificantBeside = 3.0;
 constexpr double Rounding = 1e-6;
 /// The weight is |q| / sqrt(|q|^2 + e^2), where e is the first of these times the standard
 /// deviation, or the second one times the root mean square of |q|, whichever is larger.
@@ -248,14 +250,48 @@ void VertexTensors::ReadTriangles(const SurfaceGeometry& geometry, const Surface
     });
 }
 
+std::vector<char> VertexTensors::CountingOf(
+  const TriangleMesh& mesh, const TriangleMesh::Component& component) const
+{
+  const Index first = component.FirstVertex;
+  const double largest =
+    *std::max_element(this->Largest.begin() + first, this->Largest.begin() + component.EndVertex);
+  enum : char
+  {
+    Isotropic,
+    Doubtful,
+    Counting
+  };
+  std::vector<char> kinds(component.EndVertex - first, Isotropic);
+  for (Index v = first; v < component.EndVertex; ++v)
+  {
+    const double size = std::abs(this->Parts[v].Hopf);
+    const double deviation = std::sqrt(this->Parts[v].Variance);
+    if (size > SignificantBeside * deviation && size > Rounding * largest)
+    {
+      kinds[v - first] = size > Significant * deviation ? Counting : Doubtful;
+    }
+  }
+  std::vector<char> counts(kinds.size(), 0);
+  for (Index h = 3 * component.FirstTriangle; h < 3 * component.EndTriangle; ++h)
+  {
+    const Index tail = mesh.Tail(h) - first;
+    const Index head = mesh.Head(h) - first;
+    // Two that are doubtful do not help each other.
+    const bool isOneCounting = kinds[tail] == Counting || kinds[head] == Counting;
+    counts[tail] |= isOneCounting && kinds[tail] != Isotropic ? 1 : 0;
+    counts[head] |= isOneCounting && kinds[head] != Isotropic ? 1 : 0;
+  }
+  return counts;
+}
+
 void VertexTensors::Weigh(const SurfaceGeometry& geometry)
 {
   const std::vector<double> areas = AreasOf(geometry);
   double total = 0.0;
   for (const TriangleMesh::Component& component : geometry.Mesh.GetComponents())
   {
-    const double largest = *std::max_element(
-      this->Largest.begin() + component.FirstVertex, this->Largest.begin() + component.EndVertex);
+    const std::vector<char> counts = this->CountingOf(geometry.Mesh, component);
     double squares = 0.0;
     double area = 0.0;
     for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
@@ -266,10 +302,10 @@ void VertexTensors::Weigh(const SurfaceGeometry& geometry)
     const double least = PartOfHalf * std::sqrt(area > 0.0 ? squares / area : 0.0);
     for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
     {
-      const double size = std::abs(this->Parts[v].Hopf);
-      const double deviation = std::sqrt(this->Parts[v].Variance);
-      if (size > Significant * deviation && size > Rounding * largest)
+      if (counts[v - component.FirstVertex] != 0)
       {
+        const double size = std::abs(this->Parts[v].Hopf);
+        const double deviation = std::sqrt(this->Parts[v].Variance);
         this->Weights[v] = size / std::hypot(size, std::max(DeviationsOfHalf * deviation, least));
       }
       else

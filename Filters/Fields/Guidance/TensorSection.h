@@ -38,6 +38,9 @@ private:
   void ReadPoints(const SurfaceGeometry& geometry, const SurfaceTensors& tensors);
   void ReadTriangles(const SurfaceGeometry& geometry, const SurfaceTensors& tensors);
   void Weigh(const SurfaceGeometry& geometry);
+  /// Which vertices of a component are not isotropic within noise and rounding.
+  std::vector<char> CountingOf(
+    const TriangleMesh& mesh, const TriangleMesh::Component& component) const;
 
   /// The largest component at each vertex, and the size of the shear across the surface over that
   /// of the tensor.

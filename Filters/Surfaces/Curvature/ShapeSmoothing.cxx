@@ -35,9 +35,10 @@ constexpr double MostNoise = 1.5;
 constexpr int CorrectionSteps = 2;
 /// Steps by which squared changes are averaged before they are compared.
 constexpr int ChangeSteps = 4;
-/// The mean squared difference of white noise from its mean of one step, and the variance of its
-/// mean of k steps times k, in parts of the noise's variance: those of regular triangulations.
-constexpr double ScatterOfNoise = 0.656;
+/// How much more a first step changes white noise than a second one, in the mean square, and the
+/// variance of its mean of k steps times k, in parts of the noise's variance: those of regular
+/// triangulations.
+constexpr double ScatterOfNoise = 0.634;
 constexpr double VarianceOfMeans = 0.184;
 
 /// A shape times the weight that its fit deserves, and the weight.
@@ -342,23 +343,29 @@ public:
     this->ForOpen([&](Index v) { this->Current[v] = kept[v]; });
   }
 
-  /// The squared differences of q from the mean of one step, averaged over their surroundings;
-  /// before any step is taken.
+  /// How much more the first step changes q than the second one does, squared and averaged over
+  /// the surroundings; before any step is taken. Noise is mostly gone after one step, while q's own
+  /// variation changes as much in both.
   std::vector<float> Scatter()
   {
-    std::vector<float> scatter(this->Current.size());
-    std::vector<float> averaged(scatter.size());
+    std::vector<Weighted> first(this->Current.size());
+    std::vector<float> scatter(first.size());
+    std::vector<float> averaged(first.size());
+    this->ForOpen([&](Index v) { first[v] = this->Mean.Of(v, this->Current); });
     this->ForOpen(
       [&](Index v)
       {
-        const Complex mean = this->Mean.Of(v, this->Current).GetHopf();
-        scatter[v] = static_cast<float>(std::norm(this->Current[v].GetHopf() - mean));
+        const Complex once = first[v].GetHopf();
+        const Complex twice = this->Mean.Of(v, first).GetHopf();
+        const double more = std::norm(this->Current[v].GetHopf() - once) - std::norm(once - twice);
+        scatter[v] = static_cast<float>(more);
       });
     for (int k = 0; k < ChangeSteps; ++k)
     {
       this->ForOpen([&](Index v) { averaged[v] = this->Mean.Of(v, scatter, this->IsOpen); });
       scatter.swap(averaged);
     }
+    this->ForOpen([&](Index v) { scatter[v] = std::max(scatter[v], 0.0F); });
     return scatter;
   }
 

@@ -78,18 +78,23 @@ TEST(TensorGuidance, KirschPlateIsFollowedFromPointsAndTriangles)
   EXPECT_NEAR(*std::min_element(raw.MinorValue.begin(), raw.MinorValue.end()), -1.0, 1e-2);
 }
 
-TEST(TensorGuidance, NoiseOfThePlateIsAveragedAway)
+TEST(TensorGuidance, NoiseOfThePlateIsAveragedAwayOnCoarseMeshesToo)
 {
-  const Surface plate = Plate(240, 60);
-  const double size = std::sqrt(MeanSquare(plate, KirschDeviator));
-  for (const auto& [noise, part] : { std::pair(0.1, 0.25), std::pair(0.3, 1.0 / 3.0) })
+  for (const Surface& plate : { Plate(240, 60), Plate(192, 48), EvenRing(192, 48) })
   {
-    SurfaceTensors tensors = AtPoints(plate, Kirsch);
-    AddNoise(noise * size, 3, tensors);
-    const Result field = Field(plate, GuideByTensors(plate, tensors), 2);
-    const double error = Error(field, plate, KirschDeviator);
-    EXPECT_LT(error, part * RawError(tensors, plate, KirschDeviator)) << noise;
-    EXPECT_EQ(Singular(field), 0) << noise;
+    const double size = std::sqrt(MeanSquare(plate, KirschDeviator));
+    const SurfaceTensors exact = AtPoints(plate, Kirsch);
+    // What varies is not noise: at the hole, too, the directions are those of the tensors.
+    EXPECT_LT(Error(Field(plate, GuideByTensors(plate, exact), 2), plate, KirschDeviator), 0.15);
+    for (const auto& [noise, part] : { std::pair(0.1, 0.25), std::pair(0.3, 1.0 / 3.0) })
+    {
+      SurfaceTensors tensors = exact;
+      AddNoise(noise * size, 3, tensors);
+      const Result field = Field(plate, GuideByTensors(plate, tensors), 2);
+      const double error = Error(field, plate, KirschDeviator);
+      EXPECT_LT(error, part * RawError(tensors, plate, KirschDeviator)) << noise;
+      EXPECT_EQ(Singular(field), 0) << noise;
+    }
   }
 }
 
