@@ -12,6 +12,7 @@
 #include "Eigenpairs/JacobiDavidson.h"
 #include "Geometry/IntrinsicTriangulation.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "Guidance/SurfaceTensors.h"
 #include "Meshes/PolyData.h"
 #include "Sections/Assembly.h"
 #include "Support/Threads.h"
@@ -229,6 +230,55 @@ void Aligned(benchmark::State& state, const std::string& mesh)
   Count(state, mesh);
 }
 
+/// A tensor at each point that is the same in space.
+SurfaceTensors TensorsOf(const Surface& surface)
+{
+  SurfaceTensors tensors;
+  for (std::size_t i = 0; i < surface.Points.size(); ++i)
+  {
+    tensors.Values.insert(tensors.Values.end(), { 3.0, 1.0, -1.0, 0.5, 0.2, 0.0 });
+  }
+  return tensors;
+}
+
+Options AlongTensors()
+{
+  Options options;
+  options.AlignmentStrength = 1.0;
+  return options;
+}
+
+/// From the arrays of the mesh to the field along tensors.
+void Tensors(benchmark::State& state, const std::string& mesh)
+{
+  const Surface& surface = SurfaceOf(mesh);
+  const SurfaceTensors tensors = TensorsOf(surface);
+  for (auto _ : state)
+  {
+    DirectionField field(surface);
+    field.FollowTensors(tensors, {});
+    field.Compute(AlongTensors());
+  }
+  Count(state, mesh);
+}
+
+/// The field along other tensors on cached stages, as of the next time step.
+void TensorsChange(benchmark::State& state, const std::string& mesh)
+{
+  const Surface& surface = SurfaceOf(mesh);
+  SurfaceTensors tensors = TensorsOf(surface);
+  DirectionField field(surface);
+  field.FollowTensors(tensors, {});
+  field.Compute(AlongTensors());
+  for (auto _ : state)
+  {
+    tensors.Values[0] += 0.01;
+    field.FollowTensors(tensors, {});
+    field.Compute(AlongTensors());
+  }
+  Count(state, mesh);
+}
+
 /// The whole filter, conversion and output arrays included.
 void Filter(benchmark::State& state, const std::string& mesh)
 {
@@ -291,6 +341,8 @@ int main(int argc, char* argv[])
     { "Smoothest", Smoothest },
     { "Aligned", Aligned },
     { "AlignedChange", AlignedChange },
+    { "Tensors", Tensors },
+    { "TensorsChange", TensorsChange },
     { "ConstrainedEnergyChange", ConstrainedEnergyChange },
     { "Filter", Filter },
     { "FilterStrengthChange", FilterStrengthChange },

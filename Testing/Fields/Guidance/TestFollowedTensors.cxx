@@ -200,10 +200,14 @@ TEST(FollowedTensors, NeedDegreesThatHaveTheirDirections)
 TEST(FollowedTensors, NotesSayWhatMayNotBeMeant)
 {
   const Surface torus = Torus(40, 20);
-  const Result none =
-    Follow(torus, AtPoints(torus, [](const Vector3&) { return Matrix::Identity(); }), OfDegree(2));
-  EXPECT_TRUE(HasNote(none, "Choose another Tensor Array"));
-  EXPECT_NEAR(none.Components[0].SmoothnessEnergy, none.Components[0].Eigenvalue, 1e-9);
+  for (const double pressure : { 0.0, 1.0 })
+  {
+    const Result none = Follow(torus,
+      AtPoints(torus, [&](const Vector3&) { return Matrix(pressure * Matrix::Identity()); }),
+      OfDegree(2));
+    EXPECT_TRUE(HasNote(none, "Choose another Tensor Array")) << pressure;
+    EXPECT_NEAR(none.Components[0].SmoothnessEnergy, none.Components[0].Eigenvalue, 1e-9);
+  }
 
   const Surface two = Joined(torus, Transformed(torus, Matrix::Identity(), { 5.0, 0.0, 0.0 }));
   const Result half = Follow(two,

@@ -213,6 +213,25 @@ TEST(TensorGuidance, NeitherFrameNorUnitNorSideNorNormalPartMatters)
   }
 }
 
+TEST(TensorGuidance, WhatActsOnOrAcrossTheSurfaceIsLeftOut)
+{
+  const Surface plate = Plate(80, 20);
+  const TensorAt loaded = [](const Vector3& p)
+  {
+    Matrix tensor = Kirsch(p);
+    tensor(2, 2) = 5.0 + p.x();
+    tensor(0, 2) = tensor(2, 0) = 2.0;
+    tensor(1, 2) = tensor(2, 1) = -3.0 * p.y();
+    return tensor;
+  };
+  const TensorGuidance given = GuideByTensors(plate, AtPoints(plate, Kirsch));
+  const TensorGuidance again = GuideByTensors(plate, AtPoints(plate, loaded));
+  EXPECT_GT(LeastCosine(given, again, Matrix::Identity()), 1.0 - 1e-12);
+  EXPECT_NEAR(again.MajorValue[7], given.MajorValue[7], 1e-12);
+  EXPECT_EQ(given.AcrossPart, 0.0);
+  EXPECT_GT(again.AcrossPart, 0.2);
+}
+
 TEST(TensorGuidance, WhatIsIsotropicHasNoWeightAndIsFilledSmoothly)
 {
   const Surface square = Square(60);
