@@ -19,7 +19,8 @@ DARK, LIGHT = [0.15, 0.15, 0.17], [1.0, 1.0, 1.0]
 # The summaries and, below them, the warnings of all blocks, in lines that end before the legend begins
 # in a view of 600 pixels. It is evaluated where the data are: a server does not know this module.
 CAPTION = (
-    "'\\n'.join([__import__('textwrap').fill(prefix + array.GetValue(k), 56)"
+    "'\\n'.join([__import__('textwrap').fill((prefix + array.GetValue(k))"
+    ".replace(' %', '\\xa0%'), 56)"
     " for data in (inputs[0] if inputs[0].IsA('vtkCompositeDataSet') else [inputs[0]])"
     " for name, prefix in (('Summary', ''), ('Warnings', 'Warning: '))"
     " for array in [data.VTKObject.GetFieldData().GetAbstractArray(name)] if array"

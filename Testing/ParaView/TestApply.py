@@ -393,6 +393,9 @@ def test_tension():
     shown = directionfields.show(pull(simple.TrivialProducer(), 2.0), 2, new_view(), Alignment="Tensor",
                                  TensorArray=["POINTS", "Stress"])
     assert pixels(picture_of(shown.view, "ApplyTensionShown.png"), red) > 2000
+    # A number stays in the line of its unit.
+    lines = servermanager.Fetch(shown.caption).GetColumn(0).GetValue(0).split("\n")
+    assert lines[-1].endswith("0\xa0% isotropic"), lines
     bars = [display for display in shown.view.Representations
             if display.GetXMLName() == "ScalarBarWidgetRepresentation"]
     assert [bar.Title for bar in bars if bar.Visibility] == ["Principal value"], bars
