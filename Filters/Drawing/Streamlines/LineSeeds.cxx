@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 
 namespace DirectionFields::Internal
 {
@@ -24,6 +25,8 @@ constexpr double MostAlongEdge = 4096.0;
 constexpr double OffVertex = 1e-3;
 /// Triangles whose height is less than this part of the distance of places are narrow.
 constexpr double NarrowPart = 0.25;
+/// Triangles that are longer than so many heights have rows of places along their longest edge.
+constexpr double LongPart = 4.0;
 /// Places along a narrow triangle are moved by this part of the distance to its middle, over the
 /// number of places.
 constexpr double Inwards = 0.1;
@@ -143,26 +146,78 @@ struct InnerPlaces
     const int edge = longest == flat.Length(0) ? 0 : longest == flat.Length(1) ? 1 : 2;
     const Complex& along = flat.Along(edge);
     const auto parts = static_cast<int>(std::min(std::ceil(longest / size), MostAlongEdge));
-    const bool isNarrow = 2.0 * flat.Area() < NarrowPart * size * longest;
+    const double height = 2.0 * flat.Area() / longest;
+    const auto add = [&](const std::array<double, 3>& weights)
+    {
+      const Complex place = flat.Place(weights);
+      const SeedPlace seed{ triangle, None, place, along, std::abs(power.At(place)) };
+      if (height < size)
+      {
+        this->Narrow.Add(field, 0.5 * size * unit, seed);
+      }
+      else
+      {
+        this->All.push_back(seed);
+      }
+    };
+    if (height < NarrowPart * size)
+    {
+      AddAlongEdge(edge, parts, add);
+    }
+    else if (longest > LongPart * height)
+    {
+      AddRows(
+        edge, parts, static_cast<int>(std::min(std::ceil(height / size), MostAlongEdge)), add);
+    }
+    else
+    {
+      AddEvenly(parts, add);
+    }
+  }
+
+private:
+  /// Parts of a triangle that is about as wide as long.
+  template <typename Taker>
+  static void AddEvenly(int parts, const Taker& add)
+  {
     for (int i = 0; parts > 1 && i < parts; ++i)
     {
-      for (int j = 0; !isNarrow && i + j < parts; ++j)
+      for (int j = 0; i + j < parts; ++j)
       {
         const double a = (i + 1.0 / 3.0) / parts;
         const double b = (j + 1.0 / 3.0) / parts;
-        const Complex place = flat.Place({ a, b, 1.0 - a - b });
-        this->All.push_back({ triangle, None, place, along, std::abs(power.At(place)) });
+        add({ a, b, 1.0 - a - b });
       }
-      if (isNarrow)
+    }
+  }
+  /// From the middles of the parts of an edge a little way into the triangle.
+  template <typename Taker>
+  static void AddAlongEdge(int edge, int parts, const Taker& add)
+  {
+    for (int i = 0; parts > 1 && i < parts; ++i)
+    {
+      const double inwards = Inwards / parts;
+      std::array<double, 3> weights = { inwards / 3.0, inwards / 3.0, inwards / 3.0 };
+      weights[edge] += (1.0 - inwards) * (1.0 - (i + 0.5) / parts);
+      weights[(edge + 1) % 3] += (1.0 - inwards) * (i + 0.5) / parts;
+      add(weights);
+    }
+  }
+  /// Rows of parts along the longest edge, which get shorter towards the other corner.
+  template <typename Taker>
+  static void AddRows(int edge, int parts, int rows, const Taker& add)
+  {
+    for (int row = 0; parts > 1 && row < rows; ++row)
+    {
+      std::array<double, 3> weights;
+      weights[(edge + 2) % 3] = (row + 1.0 / 3.0) / rows;
+      const double left = 1.0 - weights[(edge + 2) % 3];
+      const int ofRow = std::max(1, static_cast<int>(std::ceil(left * parts)));
+      for (int i = 0; i < ofRow; ++i)
       {
-        // From the middle of a part of the longest edge a little way into the triangle.
-        const double inwards = Inwards / parts;
-        std::array<double, 3> weights = { inwards / 3.0, inwards / 3.0, inwards / 3.0 };
-        weights[edge] += (1.0 - inwards) * (1.0 - (i + 0.5) / parts);
-        weights[(edge + 1) % 3] += (1.0 - inwards) * (i + 0.5) / parts;
-        const Complex place = flat.Place(weights);
-        this->Narrow.Add(
-          field, 0.5 * size * unit, { triangle, None, place, along, std::abs(power.At(place)) });
+        weights[edge] = left * (1.0 - (i + 0.5) / ofRow);
+        weights[(edge + 1) % 3] = left * (i + 0.5) / ofRow;
+        add(weights);
       }
     }
   }
@@ -235,6 +290,91 @@ std::vector<SeedPlace> SeedPlaces(
   }
   narrow.AppendTo(places);
   return places;
+}
+
+namespace
+{
+/// Longer triangles, in the spacing, count with their length, whatever lies beside them.
+constexpr double MostSteps = 4096.0;
+
+/// Cells of a grid in space, apart for surfaces that face different sides there.
+class CellsInSpace
+{
+public:
+  CellsInSpace(const GivenField& field, double size)
+    : Field(field)
+    , Size(size)
+  {
+  }
+
+  std::size_t Count() const { return this->Cells.size(); }
+
+  /// Adds the cells along the longest edge of a triangle.
+  void Add(Index triangle, int edge, double length)
+  {
+    const TriangleInSpace space = this->Field.InSpace(triangle);
+    int widest = 0;
+    space.Normal.cwiseAbs().maxCoeff(&widest);
+    const int facing = 2 * widest + (space.Normal[widest] < 0.0 ? 1 : 0);
+    const auto steps = static_cast<int>(std::ceil(length));
+    for (int i = 0; i < steps; ++i)
+    {
+      std::array<double, 3> weights = {};
+      weights[edge] = 1.0 - (i + 0.5) / steps;
+      weights[(edge + 1) % 3] = (i + 0.5) / steps;
+      const Vector3 position = space.Position(weights);
+      std::array<std::int64_t, 4> cell;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        cell[axis] = static_cast<std::int64_t>(
+          std::clamp(std::floor(position[axis] / this->Size), -1e18, 1e18));
+      }
+      cell[3] = facing;
+      this->Cells.insert(cell);
+    }
+  }
+
+private:
+  const GivenField& Field;
+  double Size;
+  std::set<std::array<std::int64_t, 4>> Cells;
+};
+}
+
+double FilledSquares(const GivenField& field, Index component, double spacing, double most)
+{
+  const SurfaceGeometry& geometry = field.GetGeometry();
+  const TriangleMesh::Component& range = geometry.Mesh.GetComponents()[component];
+  CellsInSpace narrow(field, spacing * geometry.Lengths.Unit[component]);
+  double squares = 0.0;
+  for (Index t = range.FirstTriangle; t < range.EndTriangle; ++t)
+  {
+    double longest = 0.0;
+    int edge = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double length =
+        std::sqrt(geometry.Lengths.SquaredLength[geometry.Mesh.Edge(3 * t + k)]) / spacing;
+      edge = length > longest ? k : edge;
+      longest = std::max(longest, length);
+    }
+    const double filled = geometry.Lengths.Area[t] / spacing / spacing;
+    // Lower than the spacing.
+    const bool isNarrow = longest > 1.0 && 2.0 * filled < longest;
+    if (isNarrow && longest <= MostSteps)
+    {
+      narrow.Add(t, edge, longest);
+    }
+    else
+    {
+      squares += isNarrow ? longest : filled;
+    }
+    if (squares + static_cast<double>(narrow.Count()) > most)
+    {
+      break;
+    }
+  }
+  return squares + static_cast<double>(narrow.Count());
 }
 
 LineStart StartAt(const GivenField& field, const SeedPlace& place, int k)

@@ -33,6 +33,14 @@ struct SeedPlace
 std::vector<SeedPlace> SeedPlaces(
   const GivenField& field, Index component, double spacing, const std::vector<char>& excluded);
 
+/// How many squares of the side of the spacing evenly spaced lines of one family fill on a
+/// component, about: those of its area, and where triangles are narrower than the spacing, the
+/// cells of a grid in space that these lie in, as lines keep their distance in space. Takes time
+/// linear in triangles and squares, and memory for as many squares as there may be.
+/// @param spacing in the unit of the component
+/// @param most    it stops counting where there are more
+double FilledSquares(const GivenField& field, Index component, double spacing, double most);
+
 /// The start of the line along direction k at a place.
 LineStart StartAt(const GivenField& field, const SeedPlace& place, int k);
 }

@@ -4,6 +4,7 @@
 #include "Geometry/RootOfArea.h"
 #include "Streamlines.h"
 #include "Streamlines/EvenStreamlines.h"
+#include "Streamlines/LineSeeds.h"
 #include "Streamlines/MotorcycleGraph.h"
 #include "Streamlines/StreamlinePoints.h"
 #include "Support/Threads.h"
@@ -144,28 +145,17 @@ private:
   }
 
   /// Throws std::invalid_argument where evenly spaced lines would have more points than there is
-  /// memory for, most likely. Triangles narrower than the spacing have lines of their length.
+  /// memory for, most likely.
   void RequireFewPoints() const
   {
-    const SurfaceGeometry& geometry = this->Field.GetGeometry();
+    const double most = MostSquares / NumberOfFamilies(this->Field.GetDegree());
     double squares = 0.0;
-    for (Index c = 0; c < static_cast<Index>(geometry.Mesh.GetComponents().size()); ++c)
+    for (Index c = 0; c < static_cast<Index>(this->Field.GetMesh().GetComponents().size()); ++c)
     {
-      const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
-      const double spacing = this->Spacing / this->Unit(c);
-      for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
-      {
-        double longest = 0.0;
-        for (int k = 0; k < 3; ++k)
-        {
-          longest = std::max(longest,
-            std::sqrt(geometry.Lengths.SquaredLength[geometry.Mesh.Edge(3 * t + k)]) / spacing);
-        }
-        const double filled = geometry.Lengths.Area[t] / spacing / spacing;
-        squares += longest > 1.0 ? std::max(filled, longest) : filled;
-      }
+      squares +=
+        Internal::FilledSquares(this->Field, c, this->Spacing / this->Unit(c), most - squares);
     }
-    if (squares * NumberOfFamilies(this->Field.GetDegree()) > MostSquares)
+    if (squares > most)
     {
       throw std::invalid_argument(
         "The lines are so close, or the surface is so thin, that they would "

@@ -4,6 +4,7 @@
 // Fans of many triangles around one point, as the caps that CAD programs write.
 
 #include "Meshes/Fields.h"
+#include "Meshes/Surfaces.h"
 #include "Streamlines.h"
 #include "Streamlines/LineSeeds.h"
 #include "Streamlines/SingularPoints.h"
@@ -119,4 +120,50 @@ TEST(HighValence, SeedsAreAsManyAsPointsAndArea)
       EXPECT_LT(nearest, spacing) << height << " " << radius;
     }
   }
+}
+
+TEST(HighValence, SquaresOfTheSpacingAreThoseOfTheAreaHoweverNarrowTrianglesAre)
+{
+  const auto squares = [](const Surface& surface, double spacing, double most)
+  {
+    const Result result = Fields::Compute(surface, 4);
+    const PointDirections directions = Fields::Of(result);
+    const GivenField field(surface, directions);
+    return Internal::FilledSquares(field, 0, spacing / field.GetGeometry().Lengths.Unit[0], most);
+  };
+  EXPECT_NEAR(squares(Meshes::Square(10), 0.05, 1e6), 400.0, 1e-6);
+  for (const double height : { 0.0, 1.0, 50.0 })
+  {
+    const double area = Pi * std::hypot(1.0, height);
+    const double spacing = std::sqrt(area) / 40.0;
+    for (const int valence : { 90, 4000, 40000 })
+    {
+      // A grid in space has some cells more than a surface through it has squares.
+      const double filled = squares(Cone(valence, height), spacing, 1e9);
+      EXPECT_GT(filled, 0.5 * 1600.0) << height << " " << valence;
+      EXPECT_LT(filled, 3.0 * 1600.0) << height << " " << valence;
+    }
+  }
+  // It stops counting.
+  EXPECT_LT(squares(Meshes::Square(100), 1e-4, 1000.0), 1e5);
+}
+
+TEST(HighValence, LinesOfSteepConesAreAsManyAsTheAreaHasRoomFor)
+{
+  constexpr double height = 50.0;
+  const Surface cone = Cone(90, height);
+  const Result result = Fields::Compute(cone, 16);
+  const PointDirections directions = Fields::Of(result);
+  const GivenField field(cone, directions);
+  const Streamlines lines = TraceStreamlines(field, directions, {}, {});
+  double length = 0.0;
+  for (const double one : lines.Length)
+  {
+    length += one;
+  }
+  // Eight families, each of area / spacing. Lines end at half of the spacing from the next.
+  const double room = 8.0 * Pi * std::hypot(1.0, height) / lines.Spacing;
+  EXPECT_GT(length, 0.5 * room);
+  EXPECT_LT(length, 2.0 * room);
+  EXPECT_LT(lines.Points.size(), 200000U);
 }
