@@ -31,7 +31,10 @@ constexpr int FewWithoutProgress = 8;
 /// A barycentric coordinate that is 0 up to rounding.
 constexpr double OnEdge = 1e-12;
 constexpr double Progress = 1e-7;
-constexpr int MostCrossings = 1 << 20;
+/// Straight walks of one length over few triangles, and over many: those that wind around a spike
+/// more often lead nowhere near.
+constexpr Index LeastCrossings = 4096;
+constexpr Index MostCrossings = 1 << 20;
 /// The most pieces of all lines together, which take some five gigabytes up to the filter's output,
 /// and of one line: this number, and more for each triangle of the surface.
 constexpr std::size_t MostPieces = 20000000;
@@ -410,7 +413,9 @@ LineStart WalkStraight(
   LineStart at = start;
   double left = length;
   FlatTriangle flat(field.GetGeometry(), at.Triangle);
-  for (int crossing = 0; crossing < MostCrossings; ++crossing)
+  const Index triangles = field.GetMesh().GetNumberOfTriangles();
+  const Index most = std::min(MostCrossings, LeastCrossings + std::min(triangles, MostCrossings));
+  for (Index crossing = 0; crossing < most; ++crossing)
   {
     int exit = None;
     double nearest = left;

@@ -247,6 +247,27 @@ TEST(StreamlineTrace, RefusesMoreLinesThanThereIsMemoryFor)
   EXPECT_EQ(trace(strip, 1.0), 1U);
 }
 
+TEST(StreamlineTrace, StraightWalksDoNotWindAroundATubeForEver)
+{
+  // Around a tube of seven triangles and along one of many.
+  const Surface tube = Meshes::Cylinder(7, 1, 1.0);
+  const PointDirections directions = AroundAxis(tube);
+  const GivenField field(tube, directions);
+  const Internal::FlatTriangle flat(field.GetGeometry(), 0);
+  const int lower =
+    std::abs(tube.Points[tube.Triangles[0][0]].z() - tube.Points[tube.Triangles[0][1]].z()) < 0.5
+    ? 0
+    : std::abs(tube.Points[tube.Triangles[0][1]].z() - tube.Points[tube.Triangles[0][2]].z()) < 0.5
+    ? 1
+    : 2;
+  const Complex along = flat.Along(lower);
+  const Internal::LineStart start{ 0, flat.Place({ 0.3, 0.4, 0.3 }), along, 1 };
+  const double round = 7.0 * flat.Length(lower);
+  // 14 triangles each time.
+  EXPECT_NE(Internal::WalkStraight(field, start, 100.0 * round).Triangle, None);
+  EXPECT_EQ(Internal::WalkStraight(field, start, 1000.0 * round).Triangle, None);
+}
+
 TEST(StreamlineTrace, TakesWhateverSurfaceComes)
 {
   Surface broken = Meshes::Potato(1);
