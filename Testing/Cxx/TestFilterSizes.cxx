@@ -6,6 +6,7 @@
 // have none beside them, an error says so.
 
 #include "Checks.h"
+#include "FilterOutputs.h"
 #include "PolyMeshes.h"
 
 #include "vtkCompareDirectionFields.h"
@@ -21,78 +22,12 @@
 #include <limits>
 
 using namespace Checks;
+using namespace FilterOutputs;
 
 namespace
 {
 /// 1e160, a power of two so that no digit is lost.
 const double Large = std::ldexp(1.0, 531);
-
-vtkSmartPointer<vtkPolyData> Sized(double size)
-{
-  auto mesh = PolyMeshes::Pebble(2, VTK_DOUBLE);
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    mesh->GetPoint(i, point);
-    vtkMath::MultiplyScalar(point, size);
-    mesh->GetPoints()->SetPoint(i, point);
-  }
-  return mesh;
-}
-
-vtkSmartPointer<vtkPolyData> Field(vtkPolyData* mesh, int degree)
-{
-  vtkNew<vtkDirectionField> filter;
-  filter->SetDegree(degree);
-  filter->SetInputData(mesh);
-  filter->Update();
-  return filter->GetOutput();
-}
-
-/// All outputs of all filters on a surface of a size.
-std::vector<vtkSmartPointer<vtkPolyData>> OutputsAt(double size)
-{
-  const auto cross = Field(Sized(size), 4);
-  const auto lines = Field(Sized(size), 2);
-  vtkNew<vtkDirectionFieldStreamlines> curves;
-  curves->SetSeedType(vtkDirectionFieldStreamlines::SINGULARITIES);
-  curves->SetMaximumStreamlineLength(size);
-  std::vector<vtkSmartPointer<vtkPolyData>> outputs;
-  vtkNew<Messages> messages;
-  const auto add = [&](vtkPolyDataAlgorithm* filter, vtkPolyData* input, vtkPolyData* second)
-  {
-    messages->Observe(filter);
-    filter->SetInputDataObject(0, input);
-    if (second)
-    {
-      filter->SetInputDataObject(1, second);
-    }
-    filter->Update();
-    for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-    {
-      outputs.emplace_back(filter->GetOutput(port));
-    }
-  };
-  add(curves, cross, nullptr);
-  vtkNew<vtkDirectionField> aligned;
-  aligned->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
-  add(aligned, cross, nullptr);
-  add(vtkNew<vtkDirectionFieldGlyphs>(), cross, nullptr);
-  add(vtkNew<vtkDirectionFieldStreamlines>(), cross, nullptr);
-  vtkNew<vtkStripePattern> stripes;
-  stripes->SetSpacing(0.3 * size);
-  add(stripes, lines, nullptr);
-  add(vtkNew<vtkDirectionFieldSingularities>(), cross, nullptr);
-  add(vtkNew<vtkCompareDirectionFields>(), cross, aligned->GetOutput());
-  vtkNew<vtkGuidanceCurves> guidance;
-  guidance->SetRadius(0.2 * size);
-  add(guidance, cross, curves->GetOutput());
-  vtkNew<vtkFieldAlignedRemesh> remesh;
-  remesh->SetNumberOfFaces(200);
-  add(remesh, cross, nullptr);
-  CHECK(messages->IsEmpty());
-  return outputs;
-}
 
 void TestSizes()
 {

@@ -6,6 +6,7 @@
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Support/AlgorithmProgress.h"
+#include "Support/ArrayRanges.h"
 #include "Support/DefaultThreads.h"
 
 #include <DirectionFields/Progress.h>
@@ -26,18 +27,18 @@
 
 namespace
 {
-/// Calls visit with the field data of an output: of each of its blocks where it is composite.
-void ForEachFieldData(vtkDataObject* output, const std::function<void(vtkFieldData*)>& visit)
+/// Calls visit with an output, and with each of its blocks where it is composite.
+void ForEachPart(vtkDataObject* output, const std::function<void(vtkDataObject*)>& visit)
 {
   if (auto* const composite = vtkCompositeDataSet::SafeDownCast(output))
   {
     const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
     {
-      visit(at->GetCurrentDataObject()->GetFieldData());
+      visit(at->GetCurrentDataObject());
     }
   }
-  visit(output->GetFieldData());
+  visit(output);
 }
 }
 
@@ -202,9 +203,13 @@ bool vtkDirectionFieldAlgorithm::Compute(
     }
     for (vtkDataObject* const output : this->Diagnostics ? Ports() : outputs)
     {
-      ForEachFieldData(output,
-        [&](vtkFieldData* data)
-        { DirectionFields::RemoveDiagnostics(inputs[0]->GetFieldData(), data); });
+      ForEachPart(output,
+        [&](vtkDataObject* part)
+        { DirectionFields::RemoveDiagnostics(inputs[0]->GetFieldData(), part->GetFieldData()); });
+    }
+    for (vtkDataObject* const output : outputs)
+    {
+      ForEachPart(output, DirectionFields::KeepRanges);
     }
     this->UpdateProgress(1.0);
     isComplete = true;
