@@ -3,7 +3,7 @@
 
 #include "SurfacePiece.h"
 
-#include "Coordinates.h"
+#include <DirectionFields/Coordinates.h>
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
