@@ -346,17 +346,18 @@ py::object CompareFields(const SharedGiven& one, const SharedGiven& two, const p
   return Run(progress, 0,
     [=](const ProgressFunction& report)
     {
+      const PointDirections given = one->Get();
       const PointDirections second = two->Get();
-      auto first = std::make_unique<GivenField>(*one->Mesh, one->Get());
+      auto first = std::make_unique<GivenField>(*one->Mesh, given);
       auto other = std::make_unique<GivenField>(*one->Mesh, second);
       if (first->GetMesh().GetNumberOfVertices() != other->GetMesh().GetNumberOfVertices())
       {
         // Points across seams are one for the one field only: they are compared apart.
         const auto apart = std::make_shared<const FieldSurface>(*one->Mesh, false);
-        first = std::make_unique<GivenField>(*one->Mesh, apart, one->Get());
+        first = std::make_unique<GivenField>(*one->Mesh, apart, given);
         other = std::make_unique<GivenField>(*one->Mesh, apart, second);
       }
-      const auto difference = std::make_shared<FieldDifference>(Compare(*first, second));
+      const auto difference = std::make_shared<FieldDifference>(Compare(*first, given, second));
       const auto matches = MatchSingularities(*first, *other, Progress(report));
       const std::string summary = Summary(*difference, &matches);
       return [=]() -> py::object

@@ -52,6 +52,23 @@ std::size_t ComponentOf(const TriangleMesh& mesh, Index triangle)
   return static_cast<std::size_t>(after - components.begin()) - 1;
 }
 
+/// The power of the directions at a point in the tangent plane of its vertex; 0 where there are
+/// none.
+Complex PowerAt(
+  const SurfaceGeometry& geometry, Index vertex, const PointDirections& directions, Index point)
+{
+  const Vector3 direction = directions.Direction(point, 0);
+  const double magnitude = directions.Magnitude(point);
+  if (!direction.allFinite() || !std::isfinite(magnitude) || !(magnitude > 0.0))
+  {
+    return 0.0;
+  }
+  const Complex tangential = geometry.Frames.Tangential(vertex, direction.stableNormalized());
+  const double length = std::abs(tangential);
+  return length > LeastTangential ? IntegerPower(tangential / length, directions.Degree)
+                                  : Complex(0.0);
+}
+
 /// A third of the triangles at each point of the surface, ghosts left out, in the square of the
 /// largest unit of a component, as that of the surface may be too large for squares.
 std::vector<double> AreasOfPoints(const GivenField& field)
@@ -212,7 +229,8 @@ bool MatchRound(
 }
 }
 
-FieldDifference Compare(const GivenField& field, const PointDirections& other)
+FieldDifference Compare(
+  const GivenField& field, const PointDirections& one, const PointDirections& other)
 {
   const SurfaceGeometry& geometry = field.GetGeometry();
   const std::vector<Index> vertices = VerticesOfPoints(field);
@@ -227,20 +245,16 @@ FieldDifference Compare(const GivenField& field, const PointDirections& other)
     {
       continue;
     }
-    const Vector3 direction = other.Direction(static_cast<Index>(i), 0);
-    const double magnitude = other.Magnitude(static_cast<Index>(i));
-    const Complex tangential = direction.allFinite()
-      ? geometry.Frames.Tangential(v, direction.stableNormalized())
-      : Complex(0.0);
-    const Complex& u = field.GetSection()[v];
-    if (!(std::abs(tangential) > LeastTangential) || !(magnitude > 0.0) || u == 0.0)
+    // The points of one vertex may differ a little: each is compared by its own directions.
+    const Complex first = PowerAt(geometry, v, one, static_cast<Index>(i));
+    const Complex second = PowerAt(geometry, v, other, static_cast<Index>(i));
+    if (first == 0.0 || second == 0.0)
     {
       difference.Angle[i] = NotANumber;
       continue;
     }
-    const Complex power = IntegerPower(tangential / std::abs(tangential), field.GetDegree());
     const double angle =
-      std::abs(std::arg(power * std::conj(u))) / field.GetDegree() * (180.0 / Pi);
+      std::abs(std::arg(first * std::conj(second))) / field.GetDegree() * (180.0 / Pi);
     difference.Angle[i] = angle;
     difference.Mean += areas[i] * angle;
     difference.Maximum = areas[i] > 0.0 ? std::max(difference.Maximum, angle) : difference.Maximum;

@@ -24,9 +24,13 @@ struct FieldDifference
   double Maximum = 0.0;
 };
 
-/// Takes linear time, on the threads of the scope.
-/// @param other directions of the same degree at the points of the surface that the field is on
-FieldDifference Compare(const GivenField& field, const PointDirections& other);
+/// Takes linear time, on the threads of the scope. Both orders of the directions give the same
+/// angles.
+/// @param field which of the points are one, and their tangent planes
+/// @param one   directions of the field's degree at the points of its surface
+/// @param other as many
+FieldDifference Compare(
+  const GivenField& field, const PointDirections& one, const PointDirections& other);
 
 /// A singularity of one of two fields.
 struct ComparedSingularity

@@ -151,7 +151,8 @@ void vtkCompareDirectionFields::Compare(vtkPolyData* input, vtkPolyData* other,
     two.emplace(surface.Mesh, apart, second);
   }
   const DirectionFields::GivenField& field = *one;
-  const DirectionFields::FieldDifference difference = DirectionFields::Compare(field, second);
+  const DirectionFields::FieldDifference difference =
+    DirectionFields::Compare(field, first, second);
   DirectionFields::AddDifference(difference, output);
   progress.Report(ProgressCompared);
   if (this->DivergenceAndCurl)

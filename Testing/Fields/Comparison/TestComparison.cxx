@@ -52,12 +52,14 @@ TEST(Comparison, FieldsThatAreTurnedByAnAngleDifferByThat)
   for (const int degree : { 1, 2, 4, 6 })
   {
     const Result result = Fields::Compute(surface, degree);
-    const GivenField field(surface, Fields::Of(result));
+    const PointDirections given = Fields::Of(result);
+    const GivenField field(surface, given);
     for (const double degrees : { 0.0, 3.0, 20.0, 59.0, 100.0 })
     {
       const double period = 360.0 / degree;
       const double expected = std::abs(std::remainder(degrees, period));
-      const FieldDifference difference = Compare(field, Turned(result, degrees * Pi / 180.0));
+      const FieldDifference difference =
+        Compare(field, given, Turned(result, degrees * Pi / 180.0));
       EXPECT_NEAR(difference.Mean, expected, 1e-9);
       EXPECT_NEAR(difference.Maximum, expected, 1e-6);
       for (const double angle : difference.Angle)
@@ -76,9 +78,10 @@ TEST(Comparison, MeansGoByAreaAndLeaveGhostsOut)
   const auto straight = [](const Vector3&) { return 0.0; };
   const PointDirections other =
     Fields::PlanarField(surface, 4, [](const Vector3& p) { return 0.6 * p.x(); });
+  const PointDirections given = Fields::PlanarField(surface, 4, straight);
   {
-    const GivenField field(surface, Fields::PlanarField(surface, 4, straight));
-    const FieldDifference difference = Compare(field, other);
+    const GivenField field(surface, given);
+    const FieldDifference difference = Compare(field, given, other);
     EXPECT_NEAR(difference.Mean, 0.3 * 180.0 / Pi, 1e-9);
     EXPECT_NEAR(difference.Maximum, 0.6 * 180.0 / Pi, 1e-9);
   }
@@ -89,8 +92,8 @@ TEST(Comparison, MeansGoByAreaAndLeaveGhostsOut)
       surface.Ghost[t] = surface.Points[i].x() > 0.5 + 1e-9 ? 1 : surface.Ghost[t];
     }
   }
-  const GivenField field(surface, Fields::PlanarField(surface, 4, straight));
-  const FieldDifference difference = Compare(field, other);
+  const GivenField field(surface, given);
+  const FieldDifference difference = Compare(field, given, other);
   EXPECT_NEAR(difference.Mean, 0.15 * 180.0 / Pi, 1e-9);
   EXPECT_NEAR(difference.Maximum, 0.3 * 180.0 / Pi, 1e-9);
 }
@@ -98,15 +101,43 @@ TEST(Comparison, MeansGoByAreaAndLeaveGhostsOut)
 TEST(Comparison, PointsWithoutDirectionsAreNoAgreement)
 {
   const Surface surface = Square(4);
-  const GivenField field(
-    surface, Fields::PlanarField(surface, 2, [](const Vector3&) { return 0.0; }));
+  const PointDirections one = Fields::PlanarField(surface, 2, [](const Vector3&) { return 0.0; });
+  const GivenField field(surface, one);
   PointDirections other = Fields::PlanarField(surface, 2, [](const Vector3&) { return 0.5; });
   const auto given = other.Direction;
   other.Direction = [given](Index point, int k)
   { return point == 12 ? Vector3(Vector3::Zero()) : given(point, k); };
-  const FieldDifference difference = Compare(field, other);
+  const FieldDifference difference = Compare(field, one, other);
   EXPECT_TRUE(std::isnan(difference.Angle[12]));
   EXPECT_NEAR(difference.Mean, 0.5 * 180.0 / Pi, 1e-9);
+}
+
+TEST(Comparison, PointsOfOneVertexAreComparedByTheirOwnDirections)
+{
+  // The directions across the seams of a soup differ by less than what tells points apart.
+  const Surface surface = Soup(Square(4));
+  const auto nearly = [](double turned)
+  {
+    PointDirections directions;
+    directions.Degree = 2;
+    directions.Direction = [turned](Index point, int k)
+    {
+      const double angle = turned + 5e-6 * (point % 7) + Pi * k;
+      return Vector3(std::cos(angle), std::sin(angle), 0.0);
+    };
+    directions.Magnitude = [](Index) { return 1.0; };
+    return directions;
+  };
+  const PointDirections one = nearly(0.0), other = nearly(0.25);
+  const GivenField field(surface, one);
+  ASSERT_LT(field.GetMesh().GetNumberOfVertices(), static_cast<Index>(surface.Points.size()));
+  EXPECT_LT(Compare(field, one, one).Maximum, 1e-12);
+  const FieldDifference difference = Compare(field, one, other);
+  for (const double angle : difference.Angle)
+  {
+    EXPECT_NEAR(angle, 0.25 * 180.0 / Pi, 1e-12);
+  }
+  EXPECT_EQ(difference.Angle, Compare(field, other, one).Angle);
 }
 
 TEST(Comparison, SingularitiesMatchThoseTheyWereMovedFrom)
@@ -174,7 +205,7 @@ TEST(Comparison, AnySurfaceAgreesWithItself)
       };
       directions.Magnitude = [](Index point) { return 1.0 + point % 3; };
       const GivenField field(surface, directions);
-      const FieldDifference difference = Compare(field, directions);
+      const FieldDifference difference = Compare(field, directions, directions);
       for (const double angle : difference.Angle)
       {
         EXPECT_FALSE(angle > 1e-9) << angle;
