@@ -11,7 +11,6 @@
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -92,13 +91,15 @@ void SetRange(vtkInformation* information, vtkInformationDoubleVectorKey* key, c
 void SetPerComponent(vtkInformation* information, vtkInformationInformationVectorKey* key,
   const Ranges& ranges, int components)
 {
-  vtkNew<vtkInformationVector> all;
+  vtkInformationVector* const all = vtkInformationVector::New();
   all->SetNumberOfInformationObjects(components);
   for (int c = 0; c < components; ++c)
   {
     SetRange(all->GetInformationObject(c), vtkDataArray::COMPONENT_RANGE(), ranges[c]);
   }
   information->Set(key, all);
+  // Another holds it: the garbage collector need not look.
+  all->FastDelete();
 }
 
 template <int Components, typename Value>
