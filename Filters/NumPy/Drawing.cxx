@@ -48,6 +48,7 @@ RemeshOptions ReadRemeshOptions(Keywords& keywords)
   options.UseEdgeLength = options.EdgeLength != 0.0;
   options.EdgeLength = options.UseEdgeLength ? options.EdgeLength : 1.0;
   keywords("pure_quads", options.PureQuads);
+  keywords("keep_thin_parts", options.KeepThinParts);
   keywords("keep_features", options.KeepFeatures);
   keywords("feature_angle", options.FeatureAngle, 0.0, 180.0, " degrees");
   keywords("minimum_feature_length", options.MinimumFeatureLength, 0.0);

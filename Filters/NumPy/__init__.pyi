@@ -259,6 +259,7 @@ def remesh(
     faces: int = 5000,
     edge_length: float = 0.0,
     pure_quads: bool = False,
+    keep_thin_parts: bool = True,
     keep_features: bool = True,
     feature_angle: float = 40.0,
     minimum_feature_length: float = 0.5,

@@ -58,6 +58,7 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         faces: About how many faces there are to be.
         edge_length: Wanted length of the edges, which then counts in place of faces; 0 for faces.
         pure_quads: No triangles between the quads.
+        keep_thin_parts: Faces are smaller where limbs and tips would be lost.
         keep_features: Sharp edges become edges of the mesh; the boundary always does.
         alignment: The field where none is given: along the shape, or the smoothest.
         singularity_cost: Less makes more irregular points, and edges of more even lengths.

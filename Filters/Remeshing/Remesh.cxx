@@ -4,10 +4,12 @@
 #include "Remesh.h"
 
 #include "Extraction/MeshExtraction.h"
+#include "Finishing/CloserMesh.h"
 #include "Finishing/FaceSources.h"
 #include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
 #include "Finishing/MeshAdvice.h"
+#include "Finishing/ThinParts.h"
 #include "Parametrization/ComponentMap.h"
 #include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedField.h"
@@ -20,8 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
-#include <stdexcept>
 
 namespace DirectionFields
 {
@@ -34,6 +36,10 @@ constexpr double AfterCells = 0.85;
 constexpr double AfterFinishing = 0.97;
 /// The user is told of lengths of edges that differ by more than this factor.
 constexpr double Noticeably = 1.05;
+/// How far the progress is after the first mesh, and how often one with smaller faces at its thin
+/// parts is made.
+constexpr double AfterFirst = 0.9;
+constexpr int MostShrinkings = 3;
 
 int DegreeOf(Element element)
 {
@@ -80,35 +86,6 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
   const double face = area / options.NumberOfFaces;
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
 }
-}
-
-void Check(const RemeshOptions& options, std::size_t points)
-{
-  const auto require = [](bool holds, const char* what)
-  {
-    if (!holds)
-    {
-      throw std::invalid_argument(what);
-    }
-  };
-  require(
-    options.UseEdgeLength || options.NumberOfFaces >= 1, "Number Of Faces has to be at least 1.");
-  require(!options.UseEdgeLength || (options.EdgeLength > 0.0 && std::isfinite(options.EdgeLength)),
-    "Edge Length has to be a positive number.");
-  require(options.Sizing.empty() || options.Sizing.size() == points,
-    "There has to be one wanted size for each point of the surface.");
-  require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
-    "Feature Angle has to be between 0 and 180 degrees.");
-  require(options.MinimumFeatureLength >= 0.0 && std::isfinite(options.MinimumFeatureLength),
-    "Minimum Feature Length has to be at least 0.");
-  require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,
-    "Alignment Strength has to be between 0 and 1.");
-  require(options.SingularityCost >= 0.0 && options.SingularityCost <= 4.0,
-    "Singularity Cost has to be between 0 and 4.");
-  require(options.SmoothingIterations >= 0 && options.SmoothingIterations <= 1000,
-    "Smoothing Iterations has to be between 0 and 1000.");
-  require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
-    "NumberOfThreads has to be between 0 and 1024.");
 }
 
 Remesh::Remesh(std::shared_ptr<const Surface> surface)
@@ -227,7 +204,7 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
     field.GetSurface().LinesOf(field.GetGeometry(), features);
   const RemeshOptions& options = request.Options;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
-    options.Sizing.empty() ? options.Sizing : sizes.AtPoints };
+    sizes.IsEven ? options.Sizing : sizes.AtPoints };
   FinishFaces(finished.Faces, options.Element == Element::Quads, IsPure(options),
     options.SmoothingIterations, sizes.EdgeLength, context, progress);
   return finished;
@@ -293,10 +270,10 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   wishes.IsOfQuads = options.Element == Element::Quads;
   wishes.IsSmoothed = options.SmoothingIterations > 0;
   wishes.NumberOfFaces = options.UseEdgeLength ? 0 : options.NumberOfFaces;
-  wishes.EdgeLength = result.EdgeLength;
-  wishes.Extent = Extent(request.Input);
-  wishes.ToSurface = result.MaximumDistance;
-  wishes.ToMesh = result.MaximumDistanceToMesh;
+  wishes.EdgeLength = request.Unit * result.EdgeLength;
+  wishes.Extent = request.Unit * Extent(request.Input);
+  wishes.ToSurface = request.Unit * result.MaximumDistance;
+  wishes.ToMesh = request.Unit * result.MaximumDistanceToMesh;
   for (std::size_t v = 0; !options.Sizing.empty() && v < result.Points.size(); ++v)
   {
     const Triangle& t = request.Input.Triangles[result.SourceTriangle[v]];
@@ -307,7 +284,7 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   for (const std::vector<std::string>& sentences : { MeshAdvice(mesh.Points, mesh.Cells, wishes),
          TopologyAdvice(CountTouching(request.Field.GetGeometry().Mesh,
                           request.Field.GetSurface().GetOriginals()),
-           result.EulerCharacteristicBefore, result.EulerCharacteristicAfter, result.EdgeLength) })
+           result.EulerCharacteristicBefore, result.EulerCharacteristicAfter, wishes.EdgeLength) })
   {
     result.Notes.insert(result.Notes.end(), sentences.begin(), sentences.end());
   }
@@ -356,17 +333,27 @@ RemeshResult InUnitOfSurface(RemeshResult&& result, double unit)
     point *= unit;
   }
   result.MaximumDistance *= unit;
+  result.MaximumDistanceToMesh *= unit;
   result.EdgeLength *= unit;
   return std::move(result);
+}
+
+MeshStanding StandingOf(const RemeshResult& mesh)
+{
+  return { std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh),
+    LeastQuality(mesh.Points, mesh.Faces),
+    std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore) };
 }
 }
 
 const char* Remesh::StepAt(double done)
 {
-  return done < AfterPreparing ? "Preparing the surface"
-    : done < AfterField        ? "Computing the field"
-    : done < AfterCells        ? "Mapping the surface to a grid"
-                               : "Smoothing the mesh";
+  const double ofFirst = done / AfterFirst;
+  return ofFirst < AfterPreparing ? "Preparing the surface"
+    : ofFirst < AfterField        ? "Computing the field"
+    : ofFirst < AfterCells        ? "Mapping the surface to a grid"
+    : ofFirst <= 1.0              ? "Smoothing the mesh"
+                                  : "Making faces smaller at thin parts";
 }
 
 RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vector3>& directions,
@@ -398,7 +385,41 @@ RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vecto
 void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
   const Progress& progress, RemeshResult& result)
 {
-  const WantedSizes sizes = this->Prepare(options, directions, progress.Part(0.0, AfterField));
+  ThinParts thin(*this->Input);
+  this->MakeOnce(options, directions, thin, progress.Part(0.0, AfterFirst), result);
+  const double edgeLength = result.EdgeLength;
+  RemeshResult last;
+  // Roughness of the surface is no part of it that gets lost.
+  const bool isRough = this->Cache->GetNeedless() > 0;
+  for (int k = 0; k < MostShrinkings && options.KeepThinParts && !isRough; ++k)
+  {
+    const RemeshResult& former = k == 0 ? result : last;
+    if (!(StandingOf(former).Farthest > edgeLength) ||
+      !thin.Shrink(this->Cache->GetInputTriangles(),
+        DistancesBothWays(*this->Input, former.Points, former.Faces, former.FaceSource),
+        edgeLength))
+    {
+      break;
+    }
+    const auto afterRound = [](int round)
+    { return AfterFirst + (1.0 - AfterFirst) * round / MostShrinkings; };
+    RemeshResult smaller;
+    this->MakeOnce(
+      options, directions, thin, progress.Part(afterRound(k), afterRound(k + 1)), smaller);
+    smaller.Notes.push_back(thin.Sentence(this->Unit));
+    last = std::move(smaller);
+    if (IsCloser(StandingOf(last), StandingOf(result)))
+    {
+      result = last;
+    }
+  }
+}
+
+void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  const ThinParts& thin, const Progress& progress, RemeshResult& result)
+{
+  const WantedSizes sizes =
+    this->Prepare(options, directions, thin, progress.Part(0.0, AfterField));
   const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit };
   ParametrizationInput input = InputFor(request);
   std::vector<ExtractedMesh> extracted;
@@ -413,10 +434,11 @@ void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   Report(request, extracted, finished, result);
 }
 
-WantedSizes Remesh::Prepare(
-  const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress)
+WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  const ThinParts& thin, const Progress& progress)
 {
   WantedSizes sizes;
+  sizes.IsEven = options.Sizing.empty();
   sizes.AtPoints = ClampedSizes(options.Sizing, this->Input->Points.size());
   const double area = RelativeArea(*this->Input, sizes.AtPoints);
   sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
@@ -424,7 +446,9 @@ WantedSizes Remesh::Prepare(
   const int degree = DegreeOf(options.Element);
   const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
   const ShapeAlignment alignment = AlignmentOf(options);
+  // Smaller faces at thin parts have the working surface of the others, which is not made anew.
   WorkingLengths lengths = LengthsFor(sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input));
+  sizes.Shrink(thin.GetLengths(), *this->Input, area, options.UseEdgeLength);
   if (!directions.empty() || !options.Sizing.empty())
   {
     // Fields and sizes that are given have their values at the points that there are.

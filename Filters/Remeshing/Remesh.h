@@ -18,6 +18,7 @@ namespace DirectionFields
 namespace Internal
 {
 class PreparedField;
+class ThinParts;
 struct WantedSizes;
 }
 
@@ -57,6 +58,10 @@ struct RemeshOptions
   /// Only quads: triangles are joined in pairs with the quads between them, also without smoothing;
   /// vertices of other faces stay on the grid then. Notes say where triangles are left.
   bool PureQuads = false;
+  /// Faces are smaller where limbs and tips are so thin that a mesh of the wanted size would lose
+  /// them: the mesh is made anew then, up to three times, and a note says where. The other faces
+  /// get larger for it; there may be a quarter more than wanted.
+  bool KeepThinParts = true;
   /// Sharp edges become edges of the new mesh. The boundary always does.
   bool KeepFeatures = true;
   /// As in Options.
@@ -157,12 +162,16 @@ public:
   static const char* StepAt(double done);
 
 private:
-  /// Makes a mesh. Throws Stopped.
+  /// Makes a mesh, and others where that one loses thin parts. Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
+  /// Makes one mesh, with smaller faces at thin parts.
+  void MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    const Internal::ThinParts& thin, const Progress& progress, RemeshResult& result);
   /// Makes sure that the cache has the surface and the field for these options.
-  Internal::WantedSizes Prepare(
-    const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress);
+  Internal::WantedSizes Prepare(const RemeshOptions& options,
+    const std::vector<Vector3>& directions, const Internal::ThinParts& thin,
+    const Progress& progress);
 
   /// Of all lengths within: another one than that of the surface where that is very large or small.
   double Unit;

@@ -145,6 +145,7 @@ void PrintRemesh()
   RANGE(SizeMode);
   RANGE(NumberOfFaces);
   RANGE(EdgeLength);
+  VALUE(KeepThinParts);
   VALUE(KeepFeatures);
   RANGE(FeatureAngle);
   RANGE(Alignment);

@@ -41,6 +41,7 @@ void TestParameters()
   filter->SetEdgeLength(0.25);
   filter->SetSizingArray("Size");
   filter->PureQuadsOn();
+  filter->KeepThinPartsOff();
   filter->KeepFeaturesOff();
   filter->SetFeatureAngle(200.0);
   CHECK(filter->GetAlignment() == vtkFieldAlignedRemesh::SHAPE);
@@ -52,10 +53,11 @@ void TestParameters()
   filter->SetNumberOfThreads(2);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line : { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n",
-         "EdgeLength: 0.25\n", "SizingArray: Size\n", "PureQuads: 1\n", "KeepFeatures: 0\n",
-         "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
-         "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
+  for (const char* line :
+    { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n", "EdgeLength: 0.25\n",
+      "SizingArray: Size\n", "PureQuads: 1\n", "KeepThinParts: 0\n", "KeepFeatures: 0\n",
+      "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
+      "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

@@ -161,4 +161,38 @@ Surface ChamferedCube(int cells)
   }
   return s;
 }
+
+Surface BallWithLimbs()
+{
+  // Each limb is what a cap of the ball becomes: from its tip to its rim by distances from the axis
+  // and along it.
+  constexpr double rim = 0.5;
+  const std::array<std::array<double, 3>, 5> profile = { { { 0.0, 0.0, 3.0 }, { 0.15, 0.08, 2.95 },
+    { 0.75, 0.1, 1.05 }, { 0.85, 0.2, 0.95 }, { 1.0, std::sin(rim), std::cos(rim) } } };
+  Surface s = Icosphere(5);
+  for (Vector3& point : s.Points)
+  {
+    const Vector3 old = point;
+    Index axis = 0;
+    old.cwiseAbs().maxCoeff(&axis);
+    const double u = std::acos(std::min(1.0, std::abs(old[axis]))) / rim;
+    if (u >= 1.0)
+    {
+      continue;
+    }
+    std::size_t k = 1;
+    while (profile[k][0] < u)
+    {
+      ++k;
+    }
+    const double part = (u - profile[k - 1][0]) / (profile[k][0] - profile[k - 1][0]);
+    const auto at = [&](int c)
+    { return profile[k - 1][c] + part * (profile[k][c] - profile[k - 1][c]); };
+    Vector3 across = old;
+    across[axis] = 0.0;
+    point = at(1) * across.stableNormalized();
+    point[axis] = std::copysign(at(2), old[axis]);
+  }
+  return s;
+}
 }

@@ -53,6 +53,8 @@ Surface LShape(int cells);
 Surface PlateWithHole(int around, int across, double radius, bool bent);
 /// Cube of side 2 whose edges and corners are cut off at 45 degrees, `cells` squares a face.
 Surface ChamferedCube(int cells);
+/// A ball of radius 1 with a limb of radius 0.1 and length 2 on either side of each axis.
+Surface BallWithLimbs();
 /// The triangles split in four without moving the middles outwards.
 Surface FlatlySubdivided(const Surface& surface, int levels);
 /// The points moved by pseudo-random vectors of at most the length given.

@@ -17,6 +17,13 @@ namespace
 constexpr Index PieceSize = 256;
 constexpr double Anywhere = std::numeric_limits<double>::infinity();
 
+double LargestRoot(const std::vector<double>& squares)
+{
+  const auto largest = std::max_element(squares.begin(), squares.end());
+  return largest == squares.end() ? 0.0 : std::sqrt(*largest);
+}
+}
+
 Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
 {
   const int size = Faces::Size(face);
@@ -26,13 +33,6 @@ Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
     middle += points[face[c]] / size;
   }
   return middle;
-}
-
-double LargestRoot(const std::vector<double>& squares)
-{
-  const auto largest = std::max_element(squares.begin(), squares.end());
-  return largest == squares.end() ? 0.0 : std::sqrt(*largest);
-}
 }
 
 PointSources SourcesOf(
@@ -79,12 +79,12 @@ FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surf
   return sources;
 }
 
-double LargestDistance(const std::vector<Vector3>& places, const std::vector<Vector3>& points,
-  const std::vector<Faces::Face>& faces)
+std::vector<double> DistancesTo(const std::vector<Vector3>& points,
+  const std::vector<Faces::Face>& faces, const std::vector<Vector3>& places)
 {
   if (faces.empty())
   {
-    return 0.0;
+    return std::vector<double>(places.size(), 0.0);
   }
   std::vector<ClosestPoints::Corners> triangles;
   triangles.reserve(4 * faces.size());
@@ -103,7 +103,7 @@ double LargestDistance(const std::vector<Vector3>& places, const std::vector<Vec
     }
   }
   const ClosestPoints mesh(std::move(triangles));
-  std::vector<double> squaredDistance(places.size());
+  std::vector<double> distance(places.size());
   ParallelFor(static_cast<Index>(places.size()), PieceSize,
     [&](Index begin, Index end)
     {
@@ -112,9 +112,16 @@ double LargestDistance(const std::vector<Vector3>& places, const std::vector<Vec
       {
         const ClosestPoints::Answer at = mesh.Find(places[p], Vector3::Zero(), Anywhere, last);
         last = at.Place;
-        squaredDistance[p] = at.SquaredDistance;
+        distance[p] = std::sqrt(at.SquaredDistance);
       }
     });
-  return LargestRoot(squaredDistance);
+  return distance;
+}
+
+double LargestDistance(const std::vector<Vector3>& places, const std::vector<Vector3>& points,
+  const std::vector<Faces::Face>& faces)
+{
+  const std::vector<double> distance = DistancesTo(points, faces, places);
+  return distance.empty() ? 0.0 : *std::max_element(distance.begin(), distance.end());
 }
 }

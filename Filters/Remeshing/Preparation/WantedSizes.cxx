@@ -28,6 +28,48 @@ std::vector<double> WantedSizes::HalfLengths() const
   return lengths;
 }
 
+void WantedSizes::Shrink(
+  const std::vector<double>& longest, const Surface& surface, double area, bool isFixed)
+{
+  if (longest.empty())
+  {
+    return;
+  }
+  // How much longer the other edges may get, and how many times as many faces there may be.
+  constexpr double mostLonger = 1.4;
+  constexpr double mostFaces = 1.25;
+  constexpr double step = 1.08;
+  constexpr int steps = 20;
+  constexpr int rounds = 10;
+  const std::vector<double> before = this->AtPoints;
+  double longer = 1.0;
+  double looser = 1.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    longer = 1.0;
+    double faces = 1.0;
+    for (int round = 0; round < (isFixed ? 1 : rounds); ++round)
+    {
+      for (std::size_t p = 0; p < before.size(); ++p)
+      {
+        this->AtPoints[p] = std::min(before[p], looser * longest[p] / (longer * this->EdgeLength));
+      }
+      const double more = RelativeArea(surface, this->AtPoints) / area;
+      longer = isFixed ? 1.0 : std::min(mostLonger, std::sqrt(more));
+      faces = more / (longer * longer);
+    }
+    if (isFixed || faces < mostFaces)
+    {
+      break;
+    }
+    looser *= step;
+  }
+  this->IsEven = false;
+  this->LengthForArea *= longer;
+  this->EdgeLength *= longer;
+  this->MapLength *= longer;
+}
+
 void WantedSizes::LengthenFor(const SurfaceGeometry& geometry, Index faces)
 {
   const double least = LeastEdgeLength(geometry, this->AtVertices, faces);

@@ -16,6 +16,8 @@ namespace DirectionFields::Internal
 /// to point.
 struct WantedSizes
 {
+  /// Whether the size is 1 everywhere.
+  bool IsEven = true;
   /// The size at each point of the input, and at each vertex of the prepared mesh.
   std::vector<double> AtPoints;
   std::vector<double> AtVertices;
@@ -31,6 +33,13 @@ struct WantedSizes
   std::vector<double> PerLength() const;
   /// Half of the length of the mesh's edges at each vertex.
   std::vector<double> HalfLengths() const;
+  /// Takes smaller sizes where edges may not be as long.
+  /// @param longest length of edges at each point of the surface, above 0; empty for any length
+  /// @param area    of the surface with the sizes that there are, as RelativeArea
+  /// @param isFixed whether edges keep their length elsewhere; otherwise they get longer there, by
+  ///                1.4 at most, and edges at thin parts as long as a quarter more faces allow
+  void Shrink(
+    const std::vector<double>& longest, const Surface& surface, double area, bool isFixed);
   /// Makes the edges longer on surfaces narrower than a face, see LeastEdgeLength.
   void LengthenFor(const SurfaceGeometry& geometry, Index faces);
 };

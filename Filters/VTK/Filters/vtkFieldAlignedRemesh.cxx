@@ -52,6 +52,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->EdgeLength = defaults.EdgeLength;
   this->SizingArray = nullptr;
   this->PureQuads = defaults.PureQuads;
+  this->KeepThinParts = defaults.KeepThinParts;
   this->KeepFeatures = defaults.KeepFeatures;
   this->FeatureAngle = defaults.FeatureAngle;
   this->Alignment = static_cast<int>(defaults.Alignment);
@@ -79,6 +80,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
   os << indent << "PureQuads: " << this->PureQuads << "\n";
+  os << indent << "KeepThinParts: " << this->KeepThinParts << "\n";
   os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
@@ -99,6 +101,7 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* i
   options.EdgeLength = this->EdgeLength;
   options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
   options.PureQuads = this->PureQuads;
+  options.KeepThinParts = this->KeepThinParts;
   options.KeepFeatures = this->KeepFeatures;
   options.FeatureAngle = this->FeatureAngle;
   options.Alignment = static_cast<DirectionFields::FieldAlignment>(this->Alignment);

@@ -146,6 +146,17 @@ public:
 
   ///@{
   /**
+   * Make faces smaller where limbs and tips are so thin that a mesh of the wanted size would lose
+   * them: the mesh is made anew then, up to three times, and a warning says where. Other edges get
+   * up to 1.4 times as long so that the number of faces stays, but for a quarter more. Default on.
+   */
+  vtkSetMacro(KeepThinParts, bool);
+  vtkGetMacro(KeepThinParts, bool);
+  vtkBooleanMacro(KeepThinParts, bool);
+  ///@}
+
+  ///@{
+  /**
    * Make edges of the mesh of edges sharper than FeatureAngle. The boundary always becomes edges of
    * the mesh. Default on.
    */
@@ -248,6 +259,7 @@ private:
   double EdgeLength;
   char* SizingArray;
   bool PureQuads;
+  bool KeepThinParts;
   bool KeepFeatures;
   double FeatureAngle;
   int Alignment;

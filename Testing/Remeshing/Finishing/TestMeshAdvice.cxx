@@ -16,45 +16,6 @@ using namespace DirectionFields::Internal;
 
 namespace
 {
-/// A surface over a grid of parameters from 0 to 1, closed in the second one.
-template <typename Function>
-Surface Tube(int along, int around, const Function& place)
-{
-  Surface tube;
-  for (int i = 0; i <= along; ++i)
-  {
-    for (int j = 0; j < around; ++j)
-    {
-      const double angle = 2.0 * Pi * j / around;
-      const auto [x, radius] = place(static_cast<double>(i) / along);
-      tube.Points.emplace_back(x, radius * std::cos(angle), radius * std::sin(angle));
-    }
-  }
-  for (int i = 0; i < along; ++i)
-  {
-    for (int j = 0; j < around; ++j)
-    {
-      const Index a = i * around + j;
-      const Index b = i * around + (j + 1) % around;
-      tube.Triangles.push_back({ a, a + around, b + around });
-      tube.Triangles.push_back({ a, b + around, b });
-    }
-  }
-  return tube;
-}
-
-/// A ball with a thin limb, open at its far end.
-Surface Limb()
-{
-  return Tube(300, 24,
-    [](double u)
-    {
-      const double x = 10.0 * u;
-      const double y = (x - 1.5) / 1.5;
-      return std::array<double, 2>{ x, x < 2.97 ? std::sqrt(std::max(0.01, 1.0 - y * y)) : 0.1 };
-    });
-}
-
 /// A star of five points of 40 degrees.
 Surface Star()
 {
@@ -104,6 +65,7 @@ TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
 {
   RemeshOptions options;
   options.NumberOfFaces = 1000;
+  options.KeepThinParts = false;
   const RemeshResult mesh = Remeshed(Star(), options);
   ASSERT_GT(100 * mesh.Triangles, static_cast<Index>(mesh.Faces.size()));
   EXPECT_NE(NoteWith(mesh, "are triangles. Pure Quads"), "");
@@ -123,15 +85,34 @@ TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
 TEST(MeshAdvice, LimbsThatAreLostAreToldWithTheEdgeLengthThatComesCloser)
 {
   RemeshOptions options;
-  options.NumberOfFaces = 60;
-  const RemeshResult mesh = Remeshed(Limb(), options);
+  options.NumberOfFaces = 400;
+  options.KeepThinParts = false;
+  const RemeshResult mesh = Remeshed(Meshes::BallWithLimbs(), options);
   const std::string note = NoteWith(mesh, "away from the");
   ASSERT_NE(note, "");
   options.UseEdgeLength = true;
   options.EdgeLength = NumberAfter(note, "An edge length of ");
-  const RemeshResult fine = Remeshed(Limb(), options);
+  const RemeshResult fine = Remeshed(Meshes::BallWithLimbs(), options);
   EXPECT_LT(std::max(fine.MaximumDistance, fine.MaximumDistanceToMesh),
     std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh));
+}
+
+TEST(MeshAdvice, LengthsAreInTheUnitOfTheSurface)
+{
+  RemeshOptions options;
+  options.NumberOfFaces = 400;
+  options.KeepThinParts = false;
+  const RemeshResult mesh = Remeshed(Meshes::BallWithLimbs(), options);
+  const double scale = std::ldexp(1.0, 400);
+  const RemeshResult large = Remeshed(Meshes::Transformed(Meshes::BallWithLimbs(),
+                                        scale * Eigen::Matrix3d::Identity(), Vector3::Zero()),
+    options);
+  EXPECT_NEAR(large.MaximumDistanceToMesh / scale, mesh.MaximumDistanceToMesh, 1e-9);
+  for (const char* words : { "An edge length of ", "Parts of the surface are up to " })
+  {
+    const double here = NumberAfter(NoteWith(mesh, words), words);
+    EXPECT_NEAR(NumberAfter(NoteWith(large, words), words) / scale, here, 0.01 * here);
+  }
 }
 
 TEST(MeshAdvice, DistancesAreMeasuredFromTheSurfaceToo)

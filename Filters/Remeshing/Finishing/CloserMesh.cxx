@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Finishing/CloserMesh.h"
+
+#include <algorithm>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Faces that are good enough are as good as better ones.
+constexpr double GoodEnough = 0.2;
+/// By which factor a closer mesh has to be closer.
+constexpr double Closer = 0.8;
+/// Or its worst face better by this one, if it is not much farther away.
+constexpr double Better = 2.0;
+constexpr double AboutAsClose = 1.15;
+}
+
+double LeastQuality(const std::vector<Vector3>& points, const std::vector<Faces::Face>& faces)
+{
+  double least = 1.0;
+  for (const Faces::Face& face : faces)
+  {
+    least = std::min(least, ScaledJacobian(points, face));
+  }
+  return least;
+}
+
+bool IsCloser(const MeshStanding& mesh, const MeshStanding& other)
+{
+  const double quality = std::min(mesh.LeastQuality, GoodEnough);
+  const double former = std::min(other.LeastQuality, GoodEnough);
+  const double times = mesh.Farthest / other.Farthest;
+  return mesh.MissedHoles <= other.MissedHoles && quality >= former &&
+    (times < Closer || (times < AboutAsClose && quality > Better * former));
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remesh.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace DirectionFields
+{
+void Check(const RemeshOptions& options, std::size_t points)
+{
+  const auto require = [](bool holds, const char* what)
+  {
+    if (!holds)
+    {
+      throw std::invalid_argument(what);
+    }
+  };
+  require(
+    options.UseEdgeLength || options.NumberOfFaces >= 1, "Number Of Faces has to be at least 1.");
+  require(!options.UseEdgeLength || (options.EdgeLength > 0.0 && std::isfinite(options.EdgeLength)),
+    "Edge Length has to be a positive number.");
+  require(options.Sizing.empty() || options.Sizing.size() == points,
+    "There has to be one wanted size for each point of the surface.");
+  require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
+    "Feature Angle has to be between 0 and 180 degrees.");
+  require(options.MinimumFeatureLength >= 0.0 && std::isfinite(options.MinimumFeatureLength),
+    "Minimum Feature Length has to be at least 0.");
+  require(options.AlignmentStrength >= 0.0 && options.AlignmentStrength <= 1.0,
+    "Alignment Strength has to be between 0 and 1.");
+  require(options.SingularityCost >= 0.0 && options.SingularityCost <= 4.0,
+    "Singularity Cost has to be between 0 and 4.");
+  require(options.SmoothingIterations >= 0 && options.SmoothingIterations <= 1000,
+    "Smoothing Iterations has to be between 0 and 1000.");
+  require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
+    "NumberOfThreads has to be between 0 and 1024.");
+}
+}
