@@ -87,9 +87,8 @@ void SetRange(vtkInformation* information, vtkInformationDoubleVectorKey* key, c
   information->Set(key, ends, 2);
 }
 
-/// Puts the ranges of components below a key.
-void SetPerComponent(vtkInformation* information, vtkInformationInformationVectorKey* key,
-  const Ranges& ranges, int components)
+/// Puts the ranges of components below the key for all values and that for finite ones.
+void SetPerComponent(vtkInformation* information, const Ranges& ranges, int components)
 {
   vtkInformationVector* const all = vtkInformationVector::New();
   all->SetNumberOfInformationObjects(components);
@@ -97,8 +96,9 @@ void SetPerComponent(vtkInformation* information, vtkInformationInformationVecto
   {
     SetRange(all->GetInformationObject(c), vtkDataArray::COMPONENT_RANGE(), ranges[c]);
   }
-  information->Set(key, all);
-  // Another holds it: the garbage collector need not look.
+  information->Set(vtkDataArray::PER_COMPONENT(), all);
+  information->Set(vtkDataArray::PER_FINITE_COMPONENT(), all);
+  // Others hold it: the garbage collector need not look.
   all->FastDelete();
 }
 
@@ -120,8 +120,7 @@ void KeepRangesOf(vtkAOSDataArrayTemplate<Value>* array)
     return;
   }
   vtkInformation* const information = array->GetInformation();
-  SetPerComponent(information, vtkDataArray::PER_COMPONENT(), ranges, Components);
-  SetPerComponent(information, vtkDataArray::PER_FINITE_COMPONENT(), ranges, Components);
+  SetPerComponent(information, ranges, Components);
   if (Components > 1)
   {
     // The finite lengths are left to VTK, which copies their range to arrays of other values, as of
