@@ -23,8 +23,10 @@ constexpr double OverRelaxation = 1.3;
 /// Added to the diagonal, relative to its mean, where nothing is held.
 constexpr double Regularization = 1e-9;
 /// The matrices of patches with no more rings than this are factored as they stand, others in an
-/// order of their own.
+/// order of their own; so are those with a vertex of more neighbours than this, which would fill
+/// the band.
 constexpr Index MostBandedRings = 4;
+constexpr Index MostBandedNeighbours = 32;
 }
 
 PatchNumbers::Loan::Loan(PatchNumbers& owner)
@@ -150,6 +152,7 @@ struct PairPatch::System
     std::vector<Index> lower(1, 0);
     std::vector<Index> lowerRows;
     std::vector<double> lowerValues;
+    this->IsBanded = patch.Rings <= MostBandedRings;
     for (Index k = 0; k < this->Rows; ++k)
     {
       const Index v = patch.Vertices[k];
@@ -158,6 +161,8 @@ struct PairPatch::System
       diagonal[k] = pulled ? std::abs(patch.Problem.Pull[v]) : 0.0;
       lowerRows.push_back(k);
       lowerValues.push_back(0.0);
+      this->IsBanded =
+        this->IsBanded && columns.Begin[v + 1] - columns.Begin[v] <= MostBandedNeighbours;
       for (Index e = columns.Begin[v]; e < columns.Begin[v + 1]; ++e)
       {
         const Index other = columns.Row[e];
@@ -189,7 +194,6 @@ struct PairPatch::System
     }
     const Eigen::Map<const Matrix> matrix(this->Rows, this->Rows,
       static_cast<Index>(lowerRows.size()), lower.data(), lowerRows.data(), lowerValues.data());
-    this->IsBanded = patch.Rings <= MostBandedRings;
     if (this->IsBanded)
     {
       this->Banded.compute(matrix);

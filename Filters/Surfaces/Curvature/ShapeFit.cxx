@@ -13,6 +13,9 @@ namespace DirectionFields::Internal
 {
 namespace
 {
+/// Neighbours of neighbours are gathered around vertices of fewer edges than this only: the others
+/// are tips of needles, which would be gathered for each vertex of the rim.
+constexpr int MostEdges = 100;
 /// 1, x, y, x^2 / 2, x y, y^2 / 2.
 constexpr int Terms = 6;
 /// Points whose part in the tangent plane is a smaller part of their squared distance are left out.
@@ -137,7 +140,22 @@ public:
     }
   }
 
-  /// The neighbours of a vertex, and theirs. A neighbour on a crease has some beyond it.
+  /// Whether a vertex has too many edges for its neighbours' neighbours to be gathered.
+  bool IsTipOfNeedles(Index v) const
+  {
+    const Index first = this->Geometry.Mesh.Outgoing(v);
+    Index h = first;
+    int edges = 0;
+    do
+    {
+      ++edges;
+      h = this->Geometry.Mesh.NextOutgoing(h);
+    } while (h != None && h != first && edges < MostEdges);
+    return edges == MostEdges;
+  }
+
+  /// The neighbours of a vertex that is no tip of needles, and those of its neighbours that are
+  /// none either. A neighbour on a crease has some beyond it.
   void GatherMore(Index v)
   {
     this->Near.clear();
@@ -145,7 +163,7 @@ public:
     const std::size_t ring = this->Near.size();
     for (std::size_t k = 0; k < ring; ++k)
     {
-      if (this->Bent.Vertex[this->Near[k]] == 0)
+      if (this->Bent.Vertex[this->Near[k]] == 0 && !this->IsTipOfNeedles(this->Near[k]))
       {
         this->AddRing(this->Near[k], v);
       }
@@ -244,7 +262,7 @@ std::vector<Shape> FitShapes(const SurfaceGeometry& geometry, const Creases& cre
             }
             neighbourhood.Gather(v);
             shapes[v] = neighbourhood.Fit(v, geometry.Lengths.Unit[c]);
-            if (!shapes[v].IsFitted())
+            if (!shapes[v].IsFitted() && !neighbourhood.IsTipOfNeedles(v))
             {
               neighbourhood.GatherMore(v);
               shapes[v] = neighbourhood.Fit(v, geometry.Lengths.Unit[c]);

@@ -227,6 +227,10 @@ void ClosestPoints::Build(std::vector<Corners>&& triangles)
     });
   this->Number = std::move(number);
   this->BuildLevels();
+  if (this->HasOverlappingBoxes())
+  {
+    this->BuildSlabs();
+  }
 }
 
 void ClosestPoints::BuildLevels()
@@ -269,6 +273,114 @@ void ClosestPoints::BuildLevels()
   }
 }
 
+/// Whether the places of the triangles are in many boxes each, on the average.
+bool ClosestPoints::HasOverlappingBoxes() const
+{
+  constexpr double many = 16.0;
+  double area = 0.0;
+  double ofBoxes = 0.0;
+  for (const Corners& t : this->Triangles)
+  {
+    area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+    Vector3 sides = t[0].cwiseMax(t[1]).cwiseMax(t[2]) - t[0].cwiseMin(t[1]).cwiseMin(t[2]);
+    std::sort(sides.data(), sides.data() + 3);
+    ofBoxes += sides[1] * sides[2];
+  }
+  return ofBoxes > many * area;
+}
+
+namespace
+{
+/// The direction in the plane of a triangle that is normal to its longest edge; any normal to that
+/// where the triangle has no area.
+Vector3 AcrossNeedle(const ClosestPoints::Corners& t)
+{
+  Vector3 longest = Vector3::Zero();
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const Vector3 edge = t[(c + 1) % 3] - t[c];
+    longest = edge.squaredNorm() > longest.squaredNorm() ? edge : longest;
+  }
+  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const Vector3 across = normal.stableNormalized().cross(longest.stableNormalized());
+  if (longest.isZero(0.0))
+  {
+    return Vector3::UnitX();
+  }
+  return across.isZero(0.0) ? longest.stableNormalized().unitOrthogonal()
+                            : across.stableNormalized();
+}
+}
+
+void ClosestPoints::BuildSlabs()
+{
+  std::vector<Vector3> normals(this->Triangles.size());
+  ParallelFor(static_cast<Index>(normals.size()), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index t = begin; t < end; ++t)
+      {
+        normals[t] = AcrossNeedle(this->Triangles[t]);
+      }
+    });
+  Index covered = 1;
+  for (std::size_t level = 0; level < this->Levels.size(); ++level)
+  {
+    this->AddLevelOfSlabs(normals, covered);
+    covered *= Width;
+  }
+}
+
+/// @param normals of the parts, becomes that of the nodes: the mean where parts lie on both sides
+/// @param covered the triangles of a part
+void ClosestPoints::AddLevelOfSlabs(std::vector<Vector3>& normals, Index covered)
+{
+  // Shorter than 1 by more than rounding, so that heights are no larger than distances.
+  constexpr double length = 1.0 - 1e-14;
+  const auto triangles = static_cast<std::int64_t>(this->Triangles.size());
+  const auto below = static_cast<Index>(normals.size());
+  std::vector<Slabs> level(NumberOfPieces(below, Width));
+  std::vector<Vector3> means(level.size());
+  ParallelFor(static_cast<Index>(level.size()), std::max<Index>(1, MediumPiece / covered),
+    [&](Index begin, Index end)
+    {
+      for (Index child = Width * begin; child < Width * end; ++child)
+      {
+        const Index k = std::min(child, below - 1);
+        const Vector3 normal = length * normals[k];
+        Slabs& slabs = level[child / Width];
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        const std::int64_t last =
+          std::min<std::int64_t>(triangles, (k + std::int64_t{ 1 }) * covered);
+        for (std::int64_t t = static_cast<std::int64_t>(k) * covered; t < last; ++t)
+        {
+          for (const Vector3& corner : this->Triangles[t])
+          {
+            low = std::min(low, normal.dot(corner));
+            high = std::max(high, normal.dot(corner));
+          }
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          slabs.Normal[axis][child % Width] = normal[axis];
+        }
+        slabs.Low[child % Width] = low;
+        slabs.High[child % Width] = high;
+        Vector3& mean = means[child / Width];
+        mean = child % Width == 0
+          ? normals[k]
+          : Vector3(mean + (mean.dot(normals[k]) < 0.0 ? -1.0 : 1.0) * normals[k]);
+      }
+    });
+  for (Vector3& mean : means)
+  {
+    mean.stableNormalize();
+  }
+  normals = std::move(means);
+  this->LevelsOfSlabs.push_back(std::move(level));
+}
+
 void ClosestPoints::Consider(
   Index at, const Vector3& place, const Vector3& normal, Answer& best) const
 {
@@ -309,6 +421,8 @@ ClosestPoints::Answer ClosestPoints::Find(
     Index Node;
     int Level;
   };
+  // Of heights between the planes of slabs, by rounding.
+  const double error = 1e-15 * (2.0 + place.lpNorm<1>());
   // A level leaves at most three entries behind, and 4^16 are more triangles than can be numbered.
   std::array<Entry, 64> stack;
   std::size_t top = 0;
@@ -323,7 +437,12 @@ ClosestPoints::Answer ClosestPoints::Find(
     const Index first = Width * entry.Node;
     const Index below = entry.Level > 0 ? static_cast<Index>(this->Levels[entry.Level - 1].size())
                                         : static_cast<Index>(this->Triangles.size());
-    const Node::Numbers distances = this->Levels[entry.Level][entry.Node].SquaredDistances(place);
+    Node::Numbers distances = this->Levels[entry.Level][entry.Node].SquaredDistances(place);
+    if (!this->LevelsOfSlabs.empty())
+    {
+      distances =
+        distances.max(this->LevelsOfSlabs[entry.Level][entry.Node].SquaredDistances(place, error));
+    }
     // The nearest one last, which is taken from the stack first.
     std::array<Entry, Width> children;
     int count = 0;

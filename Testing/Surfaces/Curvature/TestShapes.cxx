@@ -174,6 +174,24 @@ TEST(ShapeFit, DoesNotCrossCreases)
   }
 }
 
+TEST(ShapeFit, NeedlesAreGatheredOnceOnly)
+{
+  // With the neighbours of the tip at each vertex of the rim this would take hours.
+  constexpr int count = 100000;
+  Surface disk;
+  disk.Points.emplace_back(0.0, 0.0, 0.0);
+  for (int k = 0; k < count; ++k)
+  {
+    disk.Points.emplace_back(std::cos(2.0 * Pi * k / count), std::sin(2.0 * Pi * k / count), 0.0);
+    disk.Triangles.push_back({ 0, 1 + k, 1 + (k + 1) % count });
+  }
+  const SurfaceGeometry geometry(disk);
+  for (const Shape& shape : FitShapes(geometry, CreasesOf(geometry)))
+  {
+    ASSERT_LT(std::abs(shape.Hopf) + std::abs(shape.Mean), 1e-10);
+  }
+}
+
 TEST(ShapeSmoothing, TakesNoiseAwayAndNothingElse)
 {
   const Surface cylinder = Cylinder(80, 40, 3.0);

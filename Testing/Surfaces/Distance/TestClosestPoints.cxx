@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -38,12 +39,24 @@ Vector3 RandomPlace(std::mt19937& engine)
   }
   return place;
 }
+
+/// A cone whose tip is joined to all points of the rim.
+Surface Needles(int count)
+{
+  Surface cone;
+  cone.Points.emplace_back(0.0, 0.0, 1.0);
+  for (int k = 0; k < count; ++k)
+  {
+    const double angle = 2.0 * Pi * k / count;
+    cone.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    cone.Triangles.push_back({ 0, 1 + k, 1 + (k + 1) % count });
+  }
+  return cone;
 }
 
-TEST(ClosestPoints, TreeFindsWhatComparisonWithAllFinds)
+void ExpectWhatComparisonFinds(const std::vector<ClosestPoints::Corners>& triangles)
 {
   std::mt19937 engine(1);
-  const std::vector<ClosestPoints::Corners> triangles = TrianglesOf(Meshes::Torus(17, 9));
   const ClosestPoints tree(triangles);
   for (int i = 0; i < 300; ++i)
   {
@@ -57,12 +70,36 @@ TEST(ClosestPoints, TreeFindsWhatComparisonWithAllFinds)
           .SquaredDistance);
     }
     const ClosestPoints::Answer answer = tree.Find(place, Vector3::Zero(), Anywhere);
-    EXPECT_DOUBLE_EQ(answer.SquaredDistance, least);
+    EXPECT_NEAR(answer.SquaredDistance, least, 1e-14);
     const ClosestPoints::Corners& t = triangles[answer.Triangle];
     const Vector3 weighted =
       answer.Weights[0] * t[0] + answer.Weights[1] * t[1] + answer.Weights[2] * t[2];
     EXPECT_LT((weighted - answer.Position).norm(), 1e-12);
     EXPECT_NEAR((answer.Position - place).squaredNorm(), least, 1e-12);
+  }
+}
+}
+
+TEST(ClosestPoints, TreeFindsWhatComparisonWithAllFinds)
+{
+  ExpectWhatComparisonFinds(TrianglesOf(Meshes::Torus(17, 9)));
+  ExpectWhatComparisonFinds(TrianglesOf(Needles(300)));
+}
+
+TEST(ClosestPoints, NeedlesAreFoundWithoutLookingAtAll)
+{
+  // The boxes of thousands of needles are around each of the places.
+  constexpr int count = 40000;
+  const Surface cone = Needles(count);
+  const ClosestPoints tree(cone);
+  for (int k = 0; k < count; ++k)
+  {
+    for (const double height : { 0.1, 0.3, 0.5, 0.6 })
+    {
+      const Vector3 place = height * cone.Points[0] +
+        0.5 * (1.0 - height) * (cone.Points[1 + k] + cone.Points[1 + (k + 1) % count]);
+      ASSERT_EQ(tree.Find(place).Triangle, k);
+    }
   }
 }
 
