@@ -16,6 +16,7 @@
 #include "Preparation/SizeAdvice.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Preparation/WantedSizes.h"
+#include "Regions/RegionReport.h"
 #include "Support/Threads.h"
 
 #include <Eigen/Geometry>
@@ -49,10 +50,11 @@ int DegreeOf(Element element)
 /// Features that end freely, or are closed, are longer than this, in wanted lengths of edges.
 constexpr double ShortestFeature = 6.0;
 
-FeatureSettings FeaturesOf(const RemeshOptions& options, double edgeLength)
+KeptEdges KeptOf(const RemeshOptions& options, double edgeLength)
 {
-  return { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength,
-    ShortestFeature * edgeLength };
+  return { { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength,
+             ShortestFeature * edgeLength },
+    options.Regions };
 }
 
 /// How the mesh's own field is drawn to the principal curvatures. Their two lines are no part of a
@@ -301,8 +303,8 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
 }
 
 /// Fills the result.
-void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
-  const FinishedMesh& finished, RemeshResult& result)
+void Report(const Request& request, const FeatureLines& features,
+  const std::vector<ExtractedMesh>& extracted, const FinishedMesh& finished, RemeshResult& result)
 {
   const PreparedField& field = request.Field;
   CopyFaces(finished.Faces, result);
@@ -321,6 +323,15 @@ void Report(const Request& request, const std::vector<ExtractedMesh>& extracted,
   result.EulerCharacteristicAfter =
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
   result.Repaired = field.GetSurface().GetRepairs();
+  if (!request.Options.Regions.empty())
+  {
+    RegionReport report =
+      ReportRegions(request.Input, request.Options.Regions, request.Options.RegionNames,
+        field.GetSurface(), features, finished.Faces, result.EdgeLength, result.FaceSource);
+    result.Regions = std::move(report.OfFaces);
+    result.RegionsShown = std::move(report.Shown);
+    result.Notes.insert(result.Notes.end(), report.Sentences.begin(), report.Sentences.end());
+  }
   ReportExtraction(request, extracted, finished, result);
   ReportQuality(request, finished.Faces, result);
 }
@@ -359,7 +370,7 @@ const char* Remesh::StepAt(double done)
 RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vector3>& directions,
   const ProgressFunction& progressFunction)
 {
-  Check(given, this->Input->Points.size());
+  Check(given, this->Input->Points.size(), this->Input->Triangles.size());
   RemeshOptions options = given;
   options.EdgeLength = given.UseEdgeLength
     ? std::clamp(given.EdgeLength / this->Unit, std::numeric_limits<double>::min(),
@@ -431,7 +442,7 @@ void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& 
   }
   const FinishedMesh finished =
     Finish(request, input.Features, extracted, progress.Part(AfterCells, AfterFinishing));
-  Report(request, extracted, finished, result);
+  Report(request, input.Features, extracted, finished, result);
 }
 
 WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vector3>& directions,
@@ -444,7 +455,7 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
   sizes.MapLength = sizes.EdgeLength;
   const int degree = DegreeOf(options.Element);
-  const FeatureSettings features = FeaturesOf(options, sizes.MapLength);
+  const KeptEdges kept = KeptOf(options, sizes.MapLength);
   const ShapeAlignment alignment = AlignmentOf(options);
   // Smaller faces at thin parts have the working surface of the others, which is not made anew.
   WorkingLengths lengths = LengthsFor(sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input));
@@ -455,11 +466,11 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
     lengths.Split.clear();
     lengths.MostNeedless = None;
   }
-  if (!this->Cache || !this->Cache->IsFor(degree, features, lengths, directions, alignment))
+  if (!this->Cache || !this->Cache->IsFor(degree, kept, lengths, directions, alignment))
   {
     this->Cache.reset();
     this->Cache = std::make_unique<PreparedField>(
-      *this->Input, degree, features, lengths, directions, alignment, progress);
+      *this->Input, degree, kept, lengths, directions, alignment, progress);
   }
   if (!options.UseEdgeLength)
   {

@@ -7,6 +7,7 @@
 #include "MeshError.h"
 #include "Options.h"
 #include "Progress.h"
+#include "Regions/RegionFigures.h"
 #include "Surface.h"
 
 #include <memory>
@@ -67,6 +68,14 @@ struct RemeshOptions
   /// As in Options.
   double FeatureAngle = DefaultFeatureAngle;
   double MinimumFeatureLength = DefaultMinimumFeatureLength;
+  /// The region of each triangle of the surface, any numbers; empty for one region. Borders between
+  /// regions become edges of the new mesh, and places where three meet vertices, whatever the
+  /// features are; but for borders that run in stairs along the triangles, as those do that were
+  /// drawn on the surface.
+  std::vector<Index> Regions;
+  /// Names of the regions in sentences for the user, by their numbers, which are from 0 on then;
+  /// empty for the numbers.
+  std::vector<std::string> RegionNames;
   /// The field, if none is given.
   FieldAlignment Alignment = FieldAlignment::Shape;
   /// How strongly the field is drawn to the principal curvatures for Alignment::Shape, as
@@ -85,7 +94,8 @@ struct RemeshOptions
 };
 
 /// Throws std::invalid_argument, its text a sentence for the user, for options out of range.
-void Check(const RemeshOptions& options, std::size_t points);
+/// @param points, triangles of the surface
+void Check(const RemeshOptions& options, std::size_t points, std::size_t triangles);
 
 /// The role of a vertex of the new mesh.
 enum class VertexKind : signed char
@@ -113,8 +123,11 @@ struct RemeshResult
   /// Where each point is on the surface given: a triangle, and weights of its corners.
   std::vector<Index> SourceTriangle;
   std::vector<std::array<double, 3>> SourceWeights;
-  /// The triangle that the middle of each face is closest to.
+  /// The triangle that the middle of each face is closest to, of those in the face's region.
   std::vector<Index> FaceSource;
+  /// The region of each face, which FaceSource is in, too; empty where no regions are given.
+  std::vector<Index> Regions;
+  RegionFigures RegionsShown;
 
   /// Interior vertices with another number of edges than 4, or 6 for triangles.
   Index IrregularVertices = 0;

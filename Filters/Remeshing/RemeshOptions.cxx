@@ -3,12 +3,13 @@
 
 #include "Remesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace DirectionFields
 {
-void Check(const RemeshOptions& options, std::size_t points)
+void Check(const RemeshOptions& options, std::size_t points, std::size_t triangles)
 {
   const auto require = [](bool holds, const char* what)
   {
@@ -23,6 +24,12 @@ void Check(const RemeshOptions& options, std::size_t points)
     "Edge Length has to be a positive number.");
   require(options.Sizing.empty() || options.Sizing.size() == points,
     "There has to be one wanted size for each point of the surface.");
+  require(options.Regions.empty() || options.Regions.size() == triangles,
+    "There has to be one region for each triangle of the surface.");
+  require(options.RegionNames.empty() ||
+      std::all_of(options.Regions.begin(), options.Regions.end(),
+        [&](Index r) { return r >= 0 && r < static_cast<Index>(options.RegionNames.size()); }),
+    "There has to be one name for each region.");
   require(options.FeatureAngle >= 0.0 && options.FeatureAngle <= 180.0,
     "Feature Angle has to be between 0 and 180 degrees.");
   require(options.MinimumFeatureLength >= 0.0 && std::isfinite(options.MinimumFeatureLength),

@@ -155,6 +155,7 @@ void PrintRemesh()
   VALUE(KeepStages);
   RANGE(NumberOfThreads);
   VALUE(SizingArray);
+  VALUE(RegionArray);
 }
 
 void PrintStripes()

@@ -7,8 +7,11 @@
 #include "Meshes/PolyData.h"
 #include "Meshes/Surfaces.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkCell.h"
 #include "vtkDirectionField.h"
 #include "vtkFieldAlignedRemesh.h"
+#include "vtkStringArray.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -40,6 +43,7 @@ void TestParameters()
   CHECK(filter->GetNumberOfFaces() == 1);
   filter->SetEdgeLength(0.25);
   filter->SetSizingArray("Size");
+  filter->SetRegionArray("Material");
   filter->PureQuadsOn();
   filter->KeepThinPartsOff();
   filter->KeepFeaturesOff();
@@ -53,11 +57,11 @@ void TestParameters()
   filter->SetNumberOfThreads(2);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line :
-    { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n", "EdgeLength: 0.25\n",
-      "SizingArray: Size\n", "PureQuads: 1\n", "KeepThinParts: 0\n", "KeepFeatures: 0\n",
-      "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
-      "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
+  for (const char* line : { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n",
+         "EdgeLength: 0.25\n", "SizingArray: Size\n", "RegionArray: Material\n", "PureQuads: 1\n",
+         "KeepThinParts: 0\n", "KeepFeatures: 0\n", "FeatureAngle: 180\n", "Alignment: 1\n",
+         "AlignmentStrength: 1\n", "SingularityCost: 4\n", "SmoothingIterations: 3\n",
+         "KeepStages: 0\n", "NumberOfThreads: 2\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -99,6 +103,83 @@ void TestDataIsCarriedOver()
   CHECK(mesh->GetCellData()->GetArray("Cell") != nullptr);
   CHECK(mesh->GetCellData()->GetArray("Regular")->GetRange()[0] == 1.0);
   CHECK(mesh->GetPointData()->GetArray("VertexKind")->GetRange()[1] == 3.0);
+}
+
+/// Regions of integers, whole numbers and strings have the same borders, faces have their values,
+/// and what divides no surface is refused.
+void TestRegions()
+{
+  constexpr int cells = 10;
+  vtkSmartPointer<vtkPolyData> square = Meshes::ToPolyData(Meshes::Square(cells));
+  vtkNew<vtkIntArray> part;
+  part->SetName("Part");
+  vtkNew<vtkDoubleArray> whole;
+  whole->SetName("Whole");
+  vtkNew<vtkStringArray> material;
+  material->SetName("Material");
+  vtkNew<vtkDoubleArray> thickness;
+  thickness->SetName("Thickness");
+  vtkNew<vtkIntArray> number;
+  number->SetName("Number");
+  for (vtkIdType c = 0; c < square->GetNumberOfCells(); ++c)
+  {
+    double bounds[6];
+    square->GetCell(c)->GetBounds(bounds);
+    const int own = bounds[0] > 0.35 ? 7 : -2;
+    part->InsertNextValue(own);
+    whole->InsertNextValue(own);
+    material->InsertNextValue(own > 0 ? "steel" : "copper");
+    thickness->InsertNextValue(0.5);
+    number->InsertNextValue(static_cast<int>(c));
+  }
+  for (vtkAbstractArray* array :
+    std::initializer_list<vtkAbstractArray*>{ part, whole, material, thickness, number })
+  {
+    square->GetCellData()->AddArray(array);
+  }
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(square);
+  filter->SetNumberOfFaces(100);
+  for (const char* name : { "Part", "Whole", "Material" })
+  {
+    filter->SetRegionArray(name);
+    filter->Update();
+    vtkPolyData* mesh = filter->GetOutput();
+    CHECK(mesh->GetNumberOfCells() == 100);
+    CHECK(Number(mesh, "Regions") == 2.0);
+    CHECK(Number(mesh, "BordersKept") > 1.0 - 1e-12);
+    CHECK(Number(mesh, "RegionsLost") == 0.0);
+    CHECK(Number(mesh, "CornersMissed") == 0.0);
+    CHECK(Number(mesh, "LargestAreaError") < 1e-9);
+    auto* parts = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("Part"));
+    auto* materials =
+      vtkStringArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("Material"));
+    CHECK(parts && materials);
+    for (vtkIdType f = 0; parts && materials && f < mesh->GetNumberOfCells(); ++f)
+    {
+      double bounds[6];
+      mesh->GetCell(f)->GetBounds(bounds);
+      // Faces end at the border.
+      CHECK(parts->GetValue(f) == (bounds[1] > 0.4 + 1e-6 ? 7 : -2));
+      CHECK(parts->GetValue(f) == 7 ? bounds[0] > 0.4 - 1e-6 : bounds[1] < 0.4 + 1e-6);
+      CHECK(materials->GetValue(f) == (parts->GetValue(f) == 7 ? "steel" : "copper"));
+    }
+  }
+  CHECK(messages->Errors.empty());
+  std::size_t errors = 0;
+  for (const char* name : { "Thickness", "Number", "NoSuchArray" })
+  {
+    filter->SetRegionArray(name);
+    filter->Update();
+    CHECK(messages->Errors.size() == ++errors);
+    CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+  }
+  filter->SetRegionArray("None");
+  filter->Update();
+  CHECK(messages->Errors.size() == errors);
+  CHECK(filter->GetOutput()->GetFieldData()->GetArray("Regions") == nullptr);
 }
 
 /// The field that the input has is followed; one of another degree is not, which is said.
@@ -210,6 +291,7 @@ int TestFieldAlignedRemesh(int, char*[])
 {
   TestParameters();
   TestDataIsCarriedOver();
+  TestRegions();
   TestFieldOfTheInput();
   TestErrorsAndUnusualInput();
   TestKeptStages();

@@ -40,11 +40,11 @@ RemeshOptions ReadOptions(const Bytes& bytes)
   return options;
 }
 
-bool AreValid(const RemeshOptions& options, std::size_t points)
+bool AreValid(const RemeshOptions& options, const Surface& surface)
 {
   try
   {
-    Check(options, points);
+    Check(options, surface.Points.size(), surface.Triangles.size());
   }
   catch (const std::invalid_argument&)
   {
@@ -80,7 +80,7 @@ std::string FuzzedRemesh(const std::uint8_t* data, std::size_t size)
   {
     options.Sizing.push_back(ReadNumber(bytes));
   }
-  const bool isValid = AreValid(options, surface->Points.size());
+  const bool isValid = AreValid(options, *surface);
   Remesh remesh(surface);
   RemeshResult mesh;
   try

@@ -83,8 +83,25 @@ def test_options():
     assert below > 0.54 * mesh.GetNumberOfPoints(), below / mesh.GetNumberOfPoints()
 
 
+def test_regions():
+    """Bands of a plane: their borders are edges, and faces have their numbers."""
+    cells = PointDatatoCellData(Input=Calculator(
+        Input=Plane(XResolution=20, YResolution=20), Function="coordsX", ResultArrayName="X"))
+    bands = Calculator(Input=cells, AttributeType="Cell Data", Function="floor(2*X+1)", ResultArrayName="Band")
+    remesh = FieldAlignedRemesh(Input=bands, NumberOfFaces=400, RegionArray="Band")
+    mesh = servermanager.Fetch(remesh)
+    assert number(mesh, "Regions") == 2 and number(mesh, "BordersKept") > 1 - 1e-9
+    values = mesh.GetCellData().GetArray("Band")
+    for cell in range(mesh.GetNumberOfCells()):
+        left, right = mesh.GetCell(cell).GetBounds()[:2]
+        assert values.GetTuple1(cell) == (1 if left + right > 0 else 0)
+        assert left > -1e-6 or right < 1e-6
+    assert "2 regions with 100 % of their borders" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+
+
 test_properties()
 test_scan()
 test_field()
 test_options()
+test_regions()
 print("passed")

@@ -8,6 +8,25 @@
 
 namespace DirectionFields::Internal
 {
+Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
+{
+  const int size = Faces::Size(face);
+  Vector3 middle = Vector3::Zero();
+  for (int c = 0; c < size; ++c)
+  {
+    middle += points[face[c]] / size;
+  }
+  return middle;
+}
+
+double AreaOf(const std::vector<Vector3>& points, const Faces::Face& face)
+{
+  const Vector3 a = points[face[2]] - points[face[0]];
+  const Vector3& first = points[face[1]];
+  const Vector3& last = Faces::Size(face) == 4 ? points[face[3]] : points[face[0]];
+  return 0.5 * a.cross(last - first).norm();
+}
+
 double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& face)
 {
   const int size = Faces::Size(face);

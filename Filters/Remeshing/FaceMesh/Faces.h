@@ -21,6 +21,12 @@ struct Faces
   static int Size(const Face& face) { return face[3] == None ? 3 : 4; }
 };
 
+/// The mean of the corners of a face.
+Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face);
+
+/// The area of a face; of a quad that of its projection along the product of its diagonals.
+double AreaOf(const std::vector<Vector3>& points, const Faces::Face& face);
+
 /// The scaled Jacobian of a face, as the Verdict library and vtkMeshQuality define it: the least
 /// sine of the angles at its corners, negative where the face is folded; of a triangle relative to
 /// 60 degrees.

@@ -24,17 +24,6 @@ double LargestRoot(const std::vector<double>& squares)
 }
 }
 
-Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
-{
-  const int size = Faces::Size(face);
-  Vector3 middle = Vector3::Zero();
-  for (int c = 0; c < size; ++c)
-  {
-    middle += points[face[c]] / size;
-  }
-  return middle;
-}
-
 PointSources SourcesOf(
   const PreparedSurface& prepared, const ClosestPoints& surface, const std::vector<Vector3>& points)
 {

@@ -30,9 +30,6 @@ struct FaceSources
 };
 FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surface,
   const std::vector<Vector3>& points, const std::vector<Faces::Face>& faces);
-
-/// The mean of the corners of a face.
-Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face);
 /// The distance of each of some places from faces; quads are four triangles around their middle. 0
 /// without faces.
 std::vector<double> DistancesTo(const std::vector<Vector3>& points,

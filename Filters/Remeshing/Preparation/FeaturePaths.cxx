@@ -7,8 +7,23 @@
 
 namespace DirectionFields::Internal
 {
-FeaturePaths::FeaturePaths(
-  const TriangleMesh& mesh, const std::vector<char>& isFeature, const Decimation& decimation)
+FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isHard)
+{
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    if (isHard[e] != 0)
+    {
+      const Index a = mesh.Point(mesh.Tail(mesh.HalfEdge(e)));
+      const Index b = mesh.Point(mesh.Head(mesh.HalfEdge(e)));
+      const std::array<Index, 2> ends = { std::min(a, b), std::max(a, b) };
+      this->Paths.push_back({ ends, { ends[0], ends[1] }, true });
+    }
+  }
+  this->Sort();
+}
+
+FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
+  const Decimation& decimation, const std::vector<char>& isHard)
 {
   // The neighbours along the features; where there are more than two the vertex is still there.
   std::vector<std::array<Index, 2>> neighbours(mesh.GetNumberOfVertices(), { None, None });
@@ -24,9 +39,11 @@ FeaturePaths::FeaturePaths(
       neighbours[b][neighbours[b][0] == None ? 0 : 1] = a;
     }
   }
-  const auto follow = [&](Index start, Index next)
+  const auto follow = [&](Index start, Index next, Index first)
   {
     Path path;
+    // Where only two features meet, both are hard or none is.
+    path.IsHard = !isHard.empty() && isHard[first] != 0;
     path.Points.push_back(mesh.Point(start));
     Index before = start;
     Index v = next;
@@ -51,11 +68,11 @@ FeaturePaths::FeaturePaths(
     const Index b = mesh.Head(mesh.HalfEdge(e));
     if (isOn(e) && decimation.IsVertex(a))
     {
-      follow(a, b);
+      follow(a, b, e);
     }
     if (isOn(e) && decimation.IsVertex(b))
     {
-      follow(b, a);
+      follow(b, a, e);
     }
   }
   this->Sort();
@@ -73,6 +90,18 @@ const FeaturePaths::Path* FeaturePaths::Find(Index p, Index q) const
   const auto found = std::lower_bound(this->Paths.begin(), this->Paths.end(), ends,
     [](const Path& path, const std::array<Index, 2>& wanted) { return path.Ends < wanted; });
   return found != this->Paths.end() && found->Ends == ends ? &*found : nullptr;
+}
+
+std::vector<char> FeaturePaths::FindHard(const TriangleMesh& mesh) const
+{
+  std::vector<char> isHard(mesh.GetNumberOfEdges(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    const Path* path = this->Find(mesh.Point(mesh.Tail(h)), mesh.Point(mesh.Head(h)));
+    isHard[e] = mesh.Twin(h) != None && path != nullptr && path->IsHard ? 1 : 0;
+  }
+  return isHard;
 }
 
 Index FeaturePaths::MiddleOf(Index p, Index q) const
@@ -95,9 +124,10 @@ void FeaturePaths::Halve(const std::vector<Split>& splits)
     const auto middle = static_cast<std::ptrdiff_t>(path->Points.size() / 2);
     const bool isInner = path->Points.size() > 2;
     Path first{ { path->Ends[0], split.Middle },
-      { path->Points.begin(), path->Points.begin() + middle } };
+      { path->Points.begin(), path->Points.begin() + middle }, path->IsHard };
     Path second{ { path->Ends[1], split.Middle },
-      { path->Points.rbegin(), path->Points.rend() - (isInner ? middle + 1 : middle) } };
+      { path->Points.rbegin(), path->Points.rend() - (isInner ? middle + 1 : middle) },
+      path->IsHard };
     for (Path* half : { &first, &second })
     {
       half->Points.push_back(split.Middle);

@@ -18,8 +18,11 @@ class FeaturePaths
 public:
   FeaturePaths() = default;
   /// @param isFeature not 0 for edges that are features; boundary edges always count
-  FeaturePaths(
-    const TriangleMesh& mesh, const std::vector<char>& isFeature, const Decimation& decimation);
+  /// @param isHard    not 0 for features that are kept whatever their shape; empty for none
+  FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
+    const Decimation& decimation, const std::vector<char>& isHard);
+  /// The hard edges of a mesh that is not decimated: each a path by itself.
+  FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isHard);
 
   struct Path
   {
@@ -27,9 +30,13 @@ public:
     std::array<Index, 2> Ends{ None, None };
     /// The points from the first one to the second, both included.
     std::vector<Index> Points;
+    /// It is kept whatever its shape.
+    bool IsHard = false;
   };
   /// The path between two points, or null.
   const Path* Find(Index p, Index q) const;
+  /// Not 0 for each inner edge of a mesh that is a hard path.
+  std::vector<char> FindHard(const TriangleMesh& mesh) const;
   /// An edge that gets a point in its middle.
   struct Split
   {

@@ -11,28 +11,26 @@
 
 namespace DirectionFields::Internal
 {
-PreparedField::PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
+PreparedField::PreparedField(const Surface& input, int degree, KeptEdges kept,
   WorkingLengths lengths, const std::vector<Vector3>& given, const ShapeAlignment& alignment,
   const Progress& progress)
   : Degree(degree)
+  , Kept(std::move(kept))
   , Lengths(std::move(lengths))
   , Given(given)
   , Alignment(alignment)
-  , Prepared(input, degree, settings, this->Lengths, progress.Part(0.0, PreparingShare))
+  , Prepared(input, degree, this->Kept, this->Lengths, progress.Part(0.0, PreparingShare))
   , InputTriangles(this->Prepared.GetTriangles())
-  , IsFeature(this->Prepared.FindFeatures(settings))
+  , IsFeature(this->Prepared.FindFeatures(this->Kept.Features))
   , IsFrameless(FramelessVertices(this->GetGeometry(), degree, this->IsFeature))
-  , Section(given.empty()
-        ? OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
-            { degree, settings.AreKept, alignment }, progress.Part(0.4, 0.95))
-        : this->GivenField())
+  , Section(given.empty() ? this->ComputeField(progress.Part(0.4, 0.95)) : this->GivenField())
   , Matching(this->GetGeometry(), degree, this->Section)
   , Joints(this->GetGeometry().Mesh, this->Prepared.GetOriginals())
   , Caches(this->GetGeometry().Mesh.GetComponents().size())
 {
   if (given.empty() && this->Lengths.MostNeedless != None)
   {
-    this->SmoothForField(settings, progress.Part(0.95, 1.0));
+    this->SmoothForField(progress.Part(0.95, 1.0));
   }
   progress.Report(1.0);
 }
@@ -86,7 +84,14 @@ Index PreparedField::CountNeedless() const
   return all - std::abs(sum);
 }
 
-void PreparedField::SmoothForField(const FeatureSettings& settings, const Progress& progress)
+std::vector<Complex> PreparedField::ComputeField(const Progress& progress) const
+{
+  const bool followsFeatures = this->Kept.Features.AreKept || !this->Kept.Regions.empty();
+  return OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
+    { this->Degree, followsFeatures, this->Alignment }, progress);
+}
+
+void PreparedField::SmoothForField(const Progress& progress)
 {
   constexpr int firstSteps = 4;
   constexpr int mostRounds = 6;
@@ -101,22 +106,20 @@ void PreparedField::SmoothForField(const FeatureSettings& settings, const Progre
     this->Needless = std::max(this->Needless, needless);
     this->Prepared.Smooth(this->IsFeature, steps);
     steps *= 4;
-    this->IsFeature = this->Prepared.FindFeatures(settings);
+    this->IsFeature = this->Prepared.FindFeatures(this->Kept.Features);
     this->IsFrameless = FramelessVertices(this->GetGeometry(), this->Degree, this->IsFeature);
-    this->Section = OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
-      { this->Degree, settings.AreKept, this->Alignment },
+    this->Section = this->ComputeField(
       progress.Part(static_cast<double>(k) / mostRounds, (k + 1.0) / mostRounds));
     this->Matching = FieldMatching(this->GetGeometry(), this->Degree, this->Section);
   }
 }
 
-bool PreparedField::IsFor(int degree, const FeatureSettings& settings,
-  const WorkingLengths& lengths, const std::vector<Vector3>& given,
-  const ShapeAlignment& alignment) const
+bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
+  const std::vector<Vector3>& given, const ShapeAlignment& alignment) const
 {
-  return this->Degree == degree && this->Given == given && this->Lengths == lengths &&
-    (!given.empty() || this->Alignment == alignment) &&
-    this->IsFeature == this->Prepared.FindFeatures(settings);
+  return this->Degree == degree && this->Kept.Regions == kept.Regions && this->Given == given &&
+    this->Lengths == lengths && (!given.empty() || this->Alignment == alignment) &&
+    this->IsFeature == this->Prepared.FindFeatures(kept.Features);
 }
 
 std::vector<Complex> PreparedField::GivenField() const

@@ -30,12 +30,11 @@ public:
   /// @param given     any of the directions of a field at each point of the input; empty for an
   ///                  OwnField
   /// @param alignment of that
-  PreparedField(const Surface& input, int degree, const FeatureSettings& settings,
-    WorkingLengths lengths, const std::vector<Vector3>& given, const ShapeAlignment& alignment,
-    const Progress& progress);
+  PreparedField(const Surface& input, int degree, KeptEdges kept, WorkingLengths lengths,
+    const std::vector<Vector3>& given, const ShapeAlignment& alignment, const Progress& progress);
 
   /// Whether the same field would be prepared from these.
-  bool IsFor(int degree, const FeatureSettings& settings, const WorkingLengths& lengths,
+  bool IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
     const std::vector<Vector3>& given, const ShapeAlignment& alignment) const;
 
   const PreparedSurface& GetSurface() const { return this->Prepared; }
@@ -57,14 +56,16 @@ public:
   double GetAreaLeft() const;
 
 private:
+  std::vector<Complex> ComputeField(const Progress& progress) const;
   std::vector<Complex> GivenField() const;
   /// Smooths the surface, more and more, until its field has few singularities that it does not
   /// need: those of noise are no shape that the faces could show.
-  void SmoothForField(const FeatureSettings& settings, const Progress& progress);
+  void SmoothForField(const Progress& progress);
   /// By how much there are more singularities, away from features, than all together make up.
   Index CountNeedless() const;
 
   int Degree;
+  KeptEdges Kept;
   WorkingLengths Lengths;
   std::vector<Vector3> Given;
   ShapeAlignment Alignment;

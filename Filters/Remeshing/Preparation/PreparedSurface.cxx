@@ -6,9 +6,11 @@
 #include "Charts/FeatureLines.h"
 #include "Mesh/MergePoints.h"
 #include "MeshError.h"
+#include "Preparation/RegionBorders.h"
 #include "Refinement/FlatFlips.h"
 #include "Refinement/LongEdges.h"
 #include "Refinement/SmoothedPoints.h"
+#include "Refinement/SplitTriangle.h"
 
 #include <algorithm>
 #include <map>
@@ -61,14 +63,6 @@ std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3
   return isChosen;
 }
 
-/// The points at the ends of a half-edge, the lower one first.
-std::array<Index, 2> EndsOf(const TriangleMesh& mesh, Index h)
-{
-  const Index p = mesh.Point(mesh.Tail(h));
-  const Index q = mesh.Point(mesh.Head(h));
-  return { std::min(p, q), std::max(p, q) };
-}
-
 /// Sums of a few coordinates, as middles of faces take, must not overflow.
 void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
 {
@@ -86,9 +80,10 @@ void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
 }
 }
 
-PreparedSurface::PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
+PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdges& kept,
   const WorkingLengths& lengths, const Progress& progress)
   : IsDecimated(!lengths.Decimated.empty())
+  , HasRegions(!kept.Regions.empty())
 {
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
@@ -100,6 +95,11 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
   }
   const auto surface = std::make_shared<Surface>(this->CutOpen(input, merged));
   this->Prepared = surface;
+  std::vector<Index> own;
+  for (std::size_t t = 0; this->HasRegions && t < this->Used.size(); ++t)
+  {
+    own.push_back(kept.Regions[this->Used[t].Input]);
+  }
   if (this->IsDecimated)
   {
     const bool isCut = surface->Points.size() > input.Points.size();
@@ -107,16 +107,30 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const Feature
     {
       merged = MergedMesh{ {}, TriangleMesh(*surface) };
     }
-    surface->Triangles = this->Decimated(*surface, std::move(merged), settings,
-      this->Continued(lengths.Decimated), progress.Part(0.2, 0.9));
+    const SurfaceGeometry geometry(std::move(merged.Mesh), *surface);
+    std::vector<char> isHard = EdgesBetween(geometry.Mesh, isCut ? own : kept.Regions);
+    this->Stairs = DropStairs(geometry, isHard, lengths.Face);
+    progress.Report(0.3);
+    surface->Triangles = this->Decimated(
+      geometry, kept.Features, isHard, this->Continued(lengths.Decimated), progress.Part(0.3, 0.9));
+    this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
   }
-  this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
-  this->Refine(*surface, settings, lengths);
+  else
+  {
+    this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+    if (this->HasRegions)
+    {
+      std::vector<char> isHard = EdgesBetween(this->Geometry->Mesh, own);
+      this->Stairs = DropStairs(*this->Geometry, isHard, lengths.Face);
+      this->Paths = FeaturePaths(this->Geometry->Mesh, isHard);
+    }
+  }
+  this->Refine(*surface, kept.Features, lengths);
   constexpr int mostRounds = 4;
   bool isSplit = true;
   for (int k = 0; k < mostRounds && isSplit; ++k)
   {
-    isSplit = this->SplitBetweenFrameless(*surface, degree, settings);
+    isSplit = this->SplitBetweenFrameless(*surface, degree, kept.Features);
   }
 }
 
@@ -230,14 +244,13 @@ PreparedSurface::UsedTriangle PreparedSurface::UsedTriangle::Of(
   return used;
 }
 
-std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMesh&& merged,
-  const FeatureSettings& settings, const std::vector<double>& edgeLength, const Progress& progress)
+std::vector<Triangle> PreparedSurface::Decimated(const SurfaceGeometry& geometry,
+  const FeatureSettings& settings, const std::vector<char>& isHard,
+  const std::vector<double>& edgeLength, const Progress& progress)
 {
-  const SurfaceGeometry geometry(std::move(merged.Mesh), input);
   const TriangleMesh& mesh = geometry.Mesh;
-  progress.Report(0.3);
-  const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings);
-  progress.Report(0.4);
+  const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings, isHard);
+  progress.Report(0.15);
   Decimation::Limits limits;
   limits.EdgeLength.resize(mesh.GetNumberOfVertices());
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -245,8 +258,8 @@ std::vector<Triangle> PreparedSurface::Decimated(const Surface& input, MergedMes
     limits.EdgeLength[v] = edgeLength[mesh.Point(v)];
   }
   Decimation decimation(mesh, geometry.Positions, isFeature, limits);
-  decimation.Run(progress.Part(0.4, 1.0));
-  this->Paths = FeaturePaths(mesh, isFeature, decimation);
+  decimation.Run(progress.Part(0.15, 1.0));
+  this->Paths = FeaturePaths(mesh, isFeature, decimation, isHard);
   std::vector<Triangle> triangles;
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
   {
@@ -263,7 +276,7 @@ std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings)
 {
   if (!this->IsDecimated)
   {
-    return Internal::FindFeatures(*this->Geometry, settings);
+    return Internal::FindFeatures(*this->Geometry, settings, this->FindHard());
   }
   const TriangleMesh& mesh = this->Geometry->Mesh;
   std::vector<char> isFeature(mesh.GetNumberOfEdges(), 0);
@@ -275,8 +288,13 @@ std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings)
       ? 1
       : 0;
   }
-  DropShortFeatures(*this->Geometry, settings, isFeature);
+  DropShortFeatures(*this->Geometry, settings, isFeature, this->FindHard());
   return isFeature;
+}
+
+std::vector<char> PreparedSurface::FindHard() const
+{
+  return this->HasRegions ? this->Paths.FindHard(this->Geometry->Mesh) : std::vector<char>();
 }
 
 std::vector<Index> PreparedSurface::GetOriginals() const
@@ -310,96 +328,45 @@ std::vector<Index> PreparedSurface::PathAlong(Index p, Index q) const
                                    : std::vector<Index>(path->Points.rbegin(), path->Points.rend());
 }
 
+std::vector<ClosestPoints::Corners> PreparedSurface::SegmentsOf(
+  const SurfaceGeometry& geometry, const FeatureLines::Chain& chain) const
+{
+  const std::vector<Vector3>& points = this->Prepared->Points;
+  std::vector<ClosestPoints::Corners> segments;
+  for (const FeatureLines::Step& step : chain.Steps)
+  {
+    const std::vector<Index> path =
+      this->PathAlong(geometry.Mesh.Point(FeatureLines::Start(geometry.Mesh, step)),
+        geometry.Mesh.Point(FeatureLines::End(geometry.Mesh, step)));
+    for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    {
+      segments.push_back({ points[path[k]], points[path[k + 1]], points[path[k + 1]] });
+    }
+  }
+  return segments;
+}
+
 std::vector<ClosestPoints> PreparedSurface::LinesOf(
   const SurfaceGeometry& geometry, const FeatureLines& features) const
 {
-  const std::vector<Vector3>& points = this->Prepared->Points;
   std::vector<ClosestPoints> lines;
   for (const FeatureLines::Chain& chain : features.Chains)
   {
-    std::vector<ClosestPoints::Corners> segments;
-    for (const FeatureLines::Step& step : chain.Steps)
-    {
-      const std::vector<Index> path =
-        this->PathAlong(geometry.Mesh.Point(FeatureLines::Start(geometry.Mesh, step)),
-          geometry.Mesh.Point(FeatureLines::End(geometry.Mesh, step)));
-      for (std::size_t k = 0; k + 1 < path.size(); ++k)
-      {
-        segments.push_back({ points[path[k]], points[path[k + 1]], points[path[k + 1]] });
-      }
-    }
-    lines.emplace_back(std::move(segments));
+    lines.emplace_back(this->SegmentsOf(geometry, chain));
   }
   return lines;
 }
 
 std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
 {
+  const std::vector<Vector3>& points = this->Prepared->Points;
   std::vector<ClosestPoints::Corners> triangles;
   triangles.reserve(this->Used.size());
   for (const UsedTriangle& used : this->Used)
   {
-    triangles.push_back({ this->Prepared->Points[used.Points[0]],
-      this->Prepared->Points[used.Points[1]], this->Prepared->Points[used.Points[2]] });
+    triangles.push_back({ points[used.Points[0]], points[used.Points[1]], points[used.Points[2]] });
   }
   return triangles;
-}
-
-namespace
-{
-/// The corners of a triangle and the middles of its edges, in their order around it.
-struct SplitTriangle
-{
-  std::vector<Index> Points;
-  std::vector<char> IsMiddle;
-
-  SplitTriangle(
-    const TriangleMesh& mesh, Index t, const std::map<std::array<Index, 2>, Index>& middles)
-  {
-    for (Index h = 3 * t; h < 3 * t + 3; ++h)
-    {
-      this->Points.push_back(mesh.Point(mesh.Tail(h)));
-      this->IsMiddle.push_back(0);
-      const auto found = middles.find(EndsOf(mesh, h));
-      if (found != middles.end())
-      {
-        this->Points.push_back(found->second);
-        this->IsMiddle.push_back(1);
-      }
-    }
-  }
-
-  /// Cuts it into triangles with area: the corners between two middles are cut off, which leaves a
-  /// triangle, or a quadrangle that starts at a middle.
-  void Cut(std::vector<Triangle>& triangles) const
-  {
-    const std::size_t count = this->Points.size();
-    std::vector<Index> rest;
-    std::size_t start = 0;
-    bool hasStart = false;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const std::size_t before = (i + count - 1) % count;
-      const std::size_t after = (i + 1) % count;
-      if (this->IsMiddle[i] == 0 && this->IsMiddle[before] != 0 && this->IsMiddle[after] != 0)
-      {
-        triangles.push_back({ this->Points[before], this->Points[i], this->Points[after] });
-        continue;
-      }
-      if (this->IsMiddle[i] != 0 && !hasStart)
-      {
-        start = rest.size();
-        hasStart = true;
-      }
-      rest.push_back(this->Points[i]);
-    }
-    for (std::size_t i = 1; i + 1 < rest.size(); ++i)
-    {
-      triangles.push_back(
-        { rest[start], rest[(start + i) % rest.size()], rest[(start + i + 1) % rest.size()] });
-    }
-  }
-};
 }
 
 PreparedSurface::MiddlePoints PreparedSurface::AddMiddles(

@@ -28,6 +28,8 @@ struct WorkingLengths
   std::vector<double> Decimated;
   /// Longest edge at each point of the input that is not split; empty for no splitting.
   std::vector<double> Split;
+  /// Of a usual face; a shorter step of a region's border may be one of stairs.
+  double Face = 0.0;
   /// How many points splitting may add.
   Index MostMiddles = 0;
   /// How many singularities a field may have that the surface does not need, before the surface is
@@ -37,8 +39,24 @@ struct WorkingLengths
   bool operator==(const WorkingLengths& other) const
   {
     return this->Decimated == other.Decimated && this->Split == other.Split &&
-      this->MostMiddles == other.MostMiddles && this->MostNeedless == other.MostNeedless;
+      this->Face == other.Face && this->MostMiddles == other.MostMiddles &&
+      this->MostNeedless == other.MostNeedless;
   }
+};
+
+/// What a mesh keeps of a surface: features by their shape, and the borders of regions.
+struct KeptEdges
+{
+  // NOLINTNEXTLINE(google-explicit-constructor): features alone are enough.
+  KeptEdges(const FeatureSettings& features, std::vector<Index> regions = {})
+    : Features(features)
+    , Regions(std::move(regions))
+  {
+  }
+  FeatureSettings Features;
+  /// The region of each triangle of the input; empty for one region. Edges between two of them are
+  /// hard: kept whatever their shape.
+  std::vector<Index> Regions;
 };
 
 /// A surface that can be mapped: connected across seams, one-sided components cut open, wound
@@ -49,7 +67,7 @@ class PreparedSurface
 {
 public:
   /// Throws MeshError and Stopped.
-  PreparedSurface(const Surface& input, int degree, const FeatureSettings& settings,
+  PreparedSurface(const Surface& input, int degree, const KeptEdges& kept,
     const WorkingLengths& lengths = {}, const Progress& progress = {});
 
   /// Its points are the input's, then copies of points where a one-sided component was cut open,
@@ -66,10 +84,18 @@ public:
 
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
+  /// Not 0 for each edge of the prepared surface between two regions; empty where there is only
+  /// one.
+  std::vector<char> FindHard() const;
+  /// The part of the length of the borders of regions that runs in stairs, which are not kept.
+  double GetStairs() const { return this->Stairs; }
   /// The points of the input along an edge of a feature or the boundary, from end to end.
   std::vector<Index> PathAlong(Index p, Index q) const;
 
-  /// The segments of each feature, as triangles without area.
+  /// The segments of a feature, as triangles without area.
+  std::vector<ClosestPoints::Corners> SegmentsOf(
+    const SurfaceGeometry& geometry, const FeatureLines::Chain& chain) const;
+  /// Those of each feature.
   std::vector<ClosestPoints> LinesOf(
     const SurfaceGeometry& geometry, const FeatureLines& features) const;
 
@@ -132,8 +158,8 @@ private:
   /// The surface of consistently wound triangles, one-sided components cut open.
   Surface CutOpen(const Surface& input, const MergedMesh& merged);
   /// Returns the triangles that remain.
-  std::vector<Triangle> Decimated(const Surface& input, MergedMesh&& merged,
-    const FeatureSettings& settings, const std::vector<double>& edgeLength,
+  std::vector<Triangle> Decimated(const SurfaceGeometry& geometry, const FeatureSettings& settings,
+    const std::vector<char>& isHard, const std::vector<double>& edgeLength,
     const Progress& progress);
   /// Adds the middles of edges.
   MiddlePoints AddMiddles(Surface& surface, const std::vector<char>& isSplit);
@@ -145,6 +171,8 @@ private:
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
   bool IsDecimated = false;
+  bool HasRegions = false;
+  double Stairs = 0.0;
   FeaturePaths Paths;
   std::vector<UsedTriangle> Used;
   std::vector<std::array<Index, 2>> Middles;

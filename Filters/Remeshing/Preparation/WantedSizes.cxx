@@ -143,6 +143,7 @@ WorkingLengths LengthsFor(
     return lengths;
   };
   WorkingLengths lengths;
+  lengths.Face = std::sqrt(area / usual);
   if (static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces))
   {
     lengths.Decimated = times(longest);

@@ -116,6 +116,17 @@ std::vector<IrregularVertex> IrregularVertices(const RemeshResult& mesh, int deg
   return irregular;
 }
 
+namespace
+{
+std::string AboutRegions(const RemeshResult& mesh)
+{
+  const RegionFigures& shown = mesh.RegionsShown;
+  return shown.Regions < 2 ? std::string()
+                           : ", " + std::to_string(shown.Regions) + " regions with " +
+      Figure(100.0 * shown.BordersKept) + " % of their borders on edges";
+}
+}
+
 std::string Summary(const RemeshResult& mesh, double leastScaledJacobian)
 {
   if (mesh.Faces.empty())
@@ -134,7 +145,7 @@ std::string Summary(const RemeshResult& mesh, double leastScaledJacobian)
   return text +
     Count(
       static_cast<std::size_t>(mesh.IrregularVertices), "irregular vertex", "irregular vertices") +
-    ", edge length " + Figure(mesh.EdgeLength) + ", scaled Jacobian " +
+    AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + ", scaled Jacobian " +
     Figure(leastScaledJacobian) + " or more, " + Figure(mesh.MaximumDistance) +
     " or less from the surface";
 }

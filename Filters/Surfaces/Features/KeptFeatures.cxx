@@ -6,6 +6,7 @@
 #include "Features/FeatureChains.h"
 #include "Geometry/DihedralAngles.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace DirectionFields::Internal
@@ -18,10 +19,12 @@ constexpr int MostRounds = 4;
 class ShortChains
 {
 public:
-  ShortChains(const SurfaceGeometry& geometry, std::vector<char>& isFeature)
+  ShortChains(
+    const SurfaceGeometry& geometry, std::vector<char>& isFeature, const std::vector<char>& isHard)
     : Geometry(geometry)
     , Mesh(geometry.Mesh)
     , IsFeature(isFeature)
+    , IsHard(isHard)
   {
   }
 
@@ -39,6 +42,7 @@ public:
       }
     }
     this->IsSeen.assign(this->Mesh.GetNumberOfEdges(), 0);
+    bool hasDropped = false;
     std::vector<Index> dropped;
     for (const bool fromNodes : { true, false })
     {
@@ -59,9 +63,13 @@ public:
     }
     for (const Index e : dropped)
     {
-      this->IsFeature[e] = 0;
+      if (this->IsHard.empty() || this->IsHard[e] == 0)
+      {
+        this->IsFeature[e] = 0;
+        hasDropped = true;
+      }
     }
-    return !dropped.empty();
+    return hasDropped;
   }
 
 private:
@@ -106,12 +114,14 @@ private:
   const SurfaceGeometry& Geometry;
   const TriangleMesh& Mesh;
   std::vector<char>& IsFeature;
+  const std::vector<char>& IsHard;
   std::vector<std::vector<Index>> EdgesAt;
   std::vector<char> IsSeen;
 };
 }
 
-std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings)
+std::vector<char> FindFeatures(
+  const SurfaceGeometry& geometry, const FeatureSettings& settings, const std::vector<char>& isHard)
 {
   std::vector<char> isFeature(geometry.Mesh.GetNumberOfEdges(), 0);
   if (settings.AreKept)
@@ -123,15 +133,22 @@ std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSet
     {
       isFeature[e] = chains.IsFeature(e) ? 1 : 0;
     }
-    DropShortFeatures(geometry, settings, isFeature);
+  }
+  for (std::size_t e = 0; e < isHard.size(); ++e)
+  {
+    isFeature[e] = isFeature[e] != 0 || isHard[e] != 0 ? 1 : 0;
+  }
+  if (settings.AreKept)
+  {
+    DropShortFeatures(geometry, settings, isFeature, isHard);
   }
   return isFeature;
 }
 
-void DropShortFeatures(
-  const SurfaceGeometry& geometry, const FeatureSettings& settings, std::vector<char>& isFeature)
+void DropShortFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings,
+  std::vector<char>& isFeature, const std::vector<char>& isHard)
 {
-  ShortChains shortChains(geometry, isFeature);
+  ShortChains shortChains(geometry, isFeature, isHard);
   for (int k = 0; k < MostRounds && shortChains.Drop(settings.ShortestChain); ++k)
   {
   }
@@ -140,6 +157,8 @@ void DropShortFeatures(
 std::vector<Vector3> FeatureDirections(
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature)
 {
+  // Flat features count for less than all sharp ones.
+  constexpr double least = 1e-3;
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<double> dihedral = DihedralAngles(geometry);
   std::vector<Vector3> direction(mesh.GetNumberOfVertices(), Vector3::Zero());
@@ -155,9 +174,10 @@ std::vector<Vector3> FeatureDirections(
       (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).normalized();
     for (const Index v : { mesh.Tail(h), mesh.Head(h) })
     {
-      if (std::abs(dihedral[e]) > sharpest[v] && !mesh.IsBoundary(v) && along.allFinite())
+      const double angle = std::max(std::abs(dihedral[e]), least);
+      if (angle > sharpest[v] && !mesh.IsBoundary(v) && along.allFinite())
       {
-        sharpest[v] = std::abs(dihedral[e]);
+        sharpest[v] = angle;
         direction[v] = along;
       }
     }

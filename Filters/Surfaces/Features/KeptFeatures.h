@@ -23,15 +23,18 @@ struct FeatureSettings
   double ShortestChain;
 };
 
-/// Not 0 for each sharp edge that is to be kept. Takes time linear in the edges.
-std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings);
+/// Not 0 for each edge that is to be kept: of the sharp ones as the settings say, and of the hard
+/// ones all. Takes time linear in the edges.
+/// @param isHard not 0 for edges that are kept whatever their angles and lengths; empty for none
+std::vector<char> FindFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings,
+  const std::vector<char>& isHard = {});
 
-/// Takes those chains out that settings.ShortestChain says.
-void DropShortFeatures(
-  const SurfaceGeometry& geometry, const FeatureSettings& settings, std::vector<char>& isFeature);
+/// Takes those chains out that settings.ShortestChain says, but for hard edges.
+void DropShortFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings,
+  std::vector<char>& isFeature, const std::vector<char>& isHard = {});
 
 /// The direction of the sharpest feature at each vertex, of length 1; zero where there is none, and
-/// on the boundary.
+/// on the boundary. Of flat features any.
 std::vector<Vector3> FeatureDirections(
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature);
 }

@@ -9,6 +9,7 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
+#include "Conversion/Regions/CellRegions.h"
 #include "Support/AlgorithmProgress.h"
 
 #include <DirectionFields/Reports/RemeshReports.h>
@@ -19,6 +20,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkFieldAlignedRemesh);
@@ -51,6 +53,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->NumberOfFaces = defaults.NumberOfFaces;
   this->EdgeLength = defaults.EdgeLength;
   this->SizingArray = nullptr;
+  this->RegionArray = nullptr;
   this->PureQuads = defaults.PureQuads;
   this->KeepThinParts = defaults.KeepThinParts;
   this->KeepFeatures = defaults.KeepFeatures;
@@ -68,6 +71,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
 vtkFieldAlignedRemesh::~vtkFieldAlignedRemesh()
 {
   this->SetSizingArray(nullptr);
+  this->SetRegionArray(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +83,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
+  os << indent << "RegionArray: " << (this->RegionArray ? this->RegionArray : "(none)") << "\n";
   os << indent << "PureQuads: " << this->PureQuads << "\n";
   os << indent << "KeepThinParts: " << this->KeepThinParts << "\n";
   os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
@@ -92,7 +97,8 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* input) const
+DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
+  vtkPolyData* input, const DirectionFields::TriangulatedPolyData& surface) const
 {
   DirectionFields::RemeshOptions options;
   options.Element = static_cast<DirectionFields::Element>(this->Element);
@@ -100,6 +106,10 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(vtkPolyData* i
   options.NumberOfFaces = this->NumberOfFaces;
   options.EdgeLength = this->EdgeLength;
   options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
+  DirectionFields::CellRegions regions =
+    DirectionFields::FindRegions(input, surface, this->RegionArray);
+  options.Regions = std::move(regions.OfTriangles);
+  options.RegionNames = std::move(regions.Names);
   options.PureQuads = this->PureQuads;
   options.KeepThinParts = this->KeepThinParts;
   options.KeepFeatures = this->KeepFeatures;
@@ -125,7 +135,7 @@ void vtkFieldAlignedRemesh::Execute(
     this->Last = std::make_unique<Stages>(
       DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)));
   }
-  const DirectionFields::RemeshOptions options = this->MakeOptions(input);
+  const DirectionFields::RemeshOptions options = this->MakeOptions(input, this->Last->Surface);
   const int degree = this->Element == QUADS ? 4 : 6;
   const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
   std::vector<DirectionFields::Vector3> directions;

@@ -38,6 +38,11 @@
  * - field data `EdgeLength`, the one that was asked for; `MaximumDistance`, how far the middle of a
  *   face is from the surface; and `MaximumDistanceToMesh`, how far a point of the surface is from
  *   the mesh: double, in the input's unit.
+ * - with a RegionArray: field data `Regions`, their number, and `RegionsLost`, of those without
+ *   faces: int; `BordersKept`, the part of the length of their borders that is on edges between
+ *   them, to a tenth of EdgeLength: double, 0 to 1; `CornersMissed`, the places where three meet,
+ *   or two at the boundary, that are no vertices: int; `LargestAreaError`, of all regions with
+ *   faces, relative to the area on the surface: double.
  * - field data `EulerCharacteristic`: int, two components, of the surface and of the mesh.
  * - field data `Repairs` and `Warnings`, as vtkDirectionField.
  *
@@ -67,6 +72,7 @@
 namespace DirectionFields
 {
 struct RemeshOptions;
+struct TriangulatedPolyData;
 }
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkFieldAlignedRemesh : public vtkDirectionFieldAlgorithm
@@ -130,6 +136,18 @@ public:
    */
   vtkSetStringMacro(SizingArray);
   vtkGetStringMacro(SizingArray);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of 1 component that divides the surface into regions: integers, strings,
+   * or numbers that are whole. Edges between cells of different values become edges of the mesh,
+   * whatever KeepFeatures is, places where three regions meet become vertices, and each face has
+   * the value of the region that it is in. An error if there is none, and if the values are others
+   * or number the cells. Null, the default, an empty name and "None" are no array: one region.
+   */
+  vtkSetStringMacro(RegionArray);
+  vtkGetStringMacro(RegionArray);
   ///@}
 
   ///@{
@@ -251,13 +269,15 @@ private:
   vtkFieldAlignedRemesh(const vtkFieldAlignedRemesh&) = delete;
   void operator=(const vtkFieldAlignedRemesh&) = delete;
 
-  DirectionFields::RemeshOptions MakeOptions(vtkPolyData* input) const;
+  DirectionFields::RemeshOptions MakeOptions(
+    vtkPolyData* input, const DirectionFields::TriangulatedPolyData& surface) const;
 
   int Element;
   int SizeMode;
   int NumberOfFaces;
   double EdgeLength;
   char* SizingArray;
+  char* RegionArray;
   bool PureQuads;
   bool KeepThinParts;
   bool KeepFeatures;

@@ -147,7 +147,7 @@ TEST(PreparedField, IsOnlyForTheInputItWasPreparedFor)
   const PreparedField field(cube, 4, Sharp, {}, {}, { 0.25, 1.5 }, Progress());
   EXPECT_TRUE(field.IsFor(4, Sharp, {}, {}, { 0.25, 1.5 }));
   EXPECT_FALSE(field.IsFor(6, Sharp, {}, {}, { 0.25, 1.5 }));
-  EXPECT_FALSE(field.IsFor(4, { true, 100.0, 0.5, 0.0 }, {}, {}, { 0.25, 1.5 }));
+  EXPECT_FALSE(field.IsFor(4, FeatureSettings{ true, 100.0, 0.5, 0.0 }, {}, {}, { 0.25, 1.5 }));
   EXPECT_FALSE(
     field.IsFor(4, Sharp, { std::vector<double>(cube.Points.size(), 1.0), {} }, {}, { 0.25, 1.5 }));
   EXPECT_FALSE(field.IsFor(4, Sharp, {}, cube.Points, { 0.25, 1.5 }));

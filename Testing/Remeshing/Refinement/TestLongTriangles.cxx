@@ -78,7 +78,7 @@ TEST(LongTriangles, NoEdgeOfAPreparedSurfaceIsLongerThanItMayBe)
   EXPECT_GT(lengths.MostMiddles, 2000);
   EXPECT_LT(lengths.MostMiddles, 10000);
   lengths.MostMiddles = 100000;
-  const PreparedSurface prepared(prism, 4, { true, 40.0, 0.5, 0.0 }, lengths);
+  const PreparedSurface prepared(prism, 4, FeatureSettings{ true, 40.0, 0.5, 0.0 }, lengths);
   const SurfaceGeometry& geometry = prepared.GetGeometry();
   for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
   {

@@ -88,6 +88,15 @@ double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Re
   AddNumber<vtkDoubleArray>("EdgeLength", mesh.EdgeLength, data);
   AddNumber<vtkDoubleArray>("MaximumDistance", mesh.MaximumDistance, data);
   AddNumber<vtkDoubleArray>("MaximumDistanceToMesh", mesh.MaximumDistanceToMesh, data);
+  if (!mesh.Regions.empty())
+  {
+    const RegionFigures& shown = mesh.RegionsShown;
+    AddNumber<vtkIntArray>("Regions", shown.Regions, data);
+    AddNumber<vtkIntArray>("RegionsLost", static_cast<int>(shown.Lost.size()), data);
+    AddNumber<vtkDoubleArray>("BordersKept", shown.BordersKept, data);
+    AddNumber<vtkIntArray>("CornersMissed", shown.MissedCorners, data);
+    AddNumber<vtkDoubleArray>("LargestAreaError", shown.LargestAreaError, data);
+  }
   auto euler = MakeArray<vtkIntArray>("EulerCharacteristic", 2, 1);
   euler->SetComponentName(0, "Input");
   euler->SetComponentName(1, "Output");

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Regions/RegionReport.h"
+
+#include "Regions/FaceRegions.h"
+#include "Support/Sentences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// A border is on an edge, and a corner is a vertex, within this part of the wanted length.
+constexpr double Tolerance = 0.1;
+/// Samples of a segment of a border are closer than this part of the wanted length.
+constexpr double PerSample = 0.1;
+constexpr int MostSamples = 1000;
+/// The user is told where less of the borders is on edges.
+constexpr double EnoughKept = 0.98;
+/// The user is told of a larger error of a region's area.
+constexpr double MostAreaError = 0.05;
+
+ClosestPoints::Corners Degenerate(const Vector3& a, const Vector3& b)
+{
+  return { a, b, b };
+}
+
+/// The edges of the mesh whose faces are in different regions, and the vertices at their ends.
+struct BorderEdges
+{
+  std::vector<ClosestPoints::Corners> Edges;
+  std::vector<ClosestPoints::Corners> Ends;
+
+  BorderEdges(const FaceMesh& mesh, const std::vector<Index>& ofFaces)
+  {
+    std::map<std::array<Index, 2>, std::vector<Index>> regionsAt;
+    for (std::size_t f = 0; f < mesh.Cells.Corners.size(); ++f)
+    {
+      const Faces::Face& face = mesh.Cells.Corners[f];
+      const int size = Faces::Size(face);
+      for (int c = 0; c < size; ++c)
+      {
+        const Index a = face[c];
+        const Index b = face[(c + 1) % size];
+        regionsAt[{ std::min(a, b), std::max(a, b) }].push_back(ofFaces[f]);
+      }
+    }
+    for (const auto& [ends, regions] : regionsAt)
+    {
+      if (regions.size() > 1 &&
+        std::any_of(regions.begin(), regions.end(), [&](Index r) { return r != regions[0]; }))
+      {
+        this->Edges.push_back(Degenerate(mesh.Points[ends[0]], mesh.Points[ends[1]]));
+        for (const Index v : ends)
+        {
+          this->Ends.push_back(Degenerate(mesh.Points[v], mesh.Points[v]));
+        }
+      }
+    }
+  }
+};
+
+/// The part of the length of some segments that is near others.
+double PartNear(const std::vector<ClosestPoints::Corners>& segments,
+  const std::vector<ClosestPoints::Corners>& others, double edgeLength)
+{
+  const ClosestPoints places(others);
+  double near = 0.0;
+  double all = 0.0;
+  for (const ClosestPoints::Corners& segment : segments)
+  {
+    const Vector3 along = segment[1] - segment[0];
+    const double length = along.norm();
+    const auto samples = static_cast<int>(
+      std::clamp(std::ceil(length / (PerSample * edgeLength)), 1.0, 1.0 * MostSamples));
+    all += length;
+    for (int k = 0; k < samples; ++k)
+    {
+      const ClosestPoints::Answer at = places.Find(
+        segment[0] + (k + 0.5) / samples * along, Vector3::Zero(), Tolerance * edgeLength);
+      near += at.Triangle != None ? length / samples : 0.0;
+    }
+  }
+  return all > 0.0 ? near / all : 1.0;
+}
+
+std::map<Index, double> AreasOf(const Surface& surface, const std::vector<Index>& regions)
+{
+  std::map<Index, double> areas;
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Triangle& corners = surface.Triangles[t];
+    const Vector3 a = surface.Points[corners[1]] - surface.Points[corners[0]];
+    const Vector3 b = surface.Points[corners[2]] - surface.Points[corners[0]];
+    areas[regions[t]] += 0.5 * a.cross(b).norm();
+  }
+  return areas;
+}
+
+std::map<Index, double> AreasOf(const FaceMesh& mesh, const std::vector<Index>& ofFaces)
+{
+  std::map<Index, double> areas;
+  for (std::size_t f = 0; f < ofFaces.size(); ++f)
+  {
+    areas[ofFaces[f]] += AreaOf(mesh.Points, mesh.Cells.Corners[f]);
+  }
+  return areas;
+}
+}
+
+RegionLines::RegionLines(const PreparedSurface& surface, const FeatureLines& features)
+  : IsBorder(features.Chains.size() + 1, 0)
+{
+  const SurfaceGeometry& geometry = surface.GetGeometry();
+  const TriangleMesh& mesh = geometry.Mesh;
+  const std::vector<char> isHard = surface.FindHard();
+  if (isHard.empty())
+  {
+    return;
+  }
+  for (std::size_t k = 0; k < features.Chains.size(); ++k)
+  {
+    const FeatureLines::Chain& chain = features.Chains[k];
+    if (isHard[mesh.Edge(chain.Steps.front().HalfEdge)] != 0)
+    {
+      this->IsBorder[k + 1] = 1;
+      const std::vector<ClosestPoints::Corners> segments = surface.SegmentsOf(geometry, chain);
+      this->Segments.insert(this->Segments.end(), segments.begin(), segments.end());
+    }
+  }
+  std::vector<int> borders(mesh.GetNumberOfVertices(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    if (isHard[e] != 0)
+    {
+      ++borders[mesh.Tail(mesh.HalfEdge(e))];
+      ++borders[mesh.Head(mesh.HalfEdge(e))];
+    }
+  }
+  const std::vector<Vector3> positions = surface.GetGivenPositions();
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (borders[v] > 2 || (borders[v] > 0 && mesh.IsBoundary(v)))
+    {
+      this->Corners.push_back(positions[v]);
+    }
+  }
+}
+
+RegionFigures FiguresOf(const Surface& surface, const std::vector<Index>& regions,
+  const RegionLines& lines, const FaceMesh& mesh, const std::vector<Index>& ofFaces,
+  double edgeLength)
+{
+  RegionFigures figures;
+  const BorderEdges edges(mesh, ofFaces);
+  figures.BordersKept = PartNear(lines.Segments, edges.Edges, edgeLength);
+  const ClosestPoints ends(edges.Ends);
+  for (const Vector3& corner : lines.Corners)
+  {
+    const bool isMissed =
+      ends.Find(corner, Vector3::Zero(), Tolerance * edgeLength).Triangle == None;
+    figures.MissedCorners += isMissed ? 1 : 0;
+  }
+  const std::map<Index, double> wanted = AreasOf(surface, regions);
+  std::map<Index, double> found = AreasOf(mesh, ofFaces);
+  for (const auto& [region, area] : wanted)
+  {
+    ++figures.Regions;
+    if (found.count(region) == 0)
+    {
+      figures.Lost.push_back(region);
+    }
+    else if (area > 0.0)
+    {
+      figures.LargestAreaError =
+        std::max(figures.LargestAreaError, std::abs(found[region] - area) / area);
+    }
+  }
+  return figures;
+}
+
+namespace
+{
+/// @param names of the regions, by their numbers; empty for the numbers themselves
+std::vector<std::string> RegionAdvice(
+  const RegionFigures& figures, const std::vector<std::string>& names)
+{
+  std::vector<std::string> sentences;
+  if (!figures.Lost.empty())
+  {
+    const Index first = figures.Lost.front();
+    const std::size_t others = figures.Lost.size() - 1;
+    sentences.push_back("Region " + (names.empty() ? std::to_string(first) : names[first]) +
+      (others > 0 ? " and " + Count(others, "other") + " have" : " has") +
+      " no faces, since there is less room than for one. More faces, or shorter edges, show "
+      "narrower regions.");
+  }
+  if (figures.Stairs > 0.0)
+  {
+    sentences.push_back(Figure(100.0 * figures.Stairs) +
+      " % of the borders of regions run in stairs along the triangles of the surface, or closer "
+      "to each other than faces are, so that rows of faces cannot follow. They are not kept, and each "
+      "face there has the region that it is closest to. Regions that a cut divides, as Clip makes, "
+      "have smooth borders.");
+  }
+  if (figures.LargestAreaError > MostAreaError)
+  {
+    sentences.push_back("The faces of a region have another area than it has on the surface, by " +
+      Figure(100.0 * figures.LargestAreaError) +
+      " %: they overlap, or cut off what is narrow. Another number of faces may avoid that.");
+  }
+  if (figures.BordersKept + figures.Stairs < EnoughKept || figures.MissedCorners > 0)
+  {
+    sentences.push_back(Figure(100.0 * (1.0 - figures.BordersKept - figures.Stairs)) +
+      " % of the borders of regions are not on edges of the mesh, and of the places where they meet " +
+      std::to_string(figures.MissedCorners) +
+      " are no vertices, since regions are narrow there, or round. More faces, or shorter edges, "
+      "come closer.");
+  }
+  return sentences;
+}
+}
+
+RegionReport ReportRegions(const Surface& input, const std::vector<Index>& regions,
+  const std::vector<std::string>& names, const PreparedSurface& surface,
+  const FeatureLines& features, const FaceMesh& mesh, double edgeLength,
+  std::vector<Index>& closest)
+{
+  RegionReport report;
+  const RegionLines lines(surface, features);
+  report.OfFaces = RegionsOfFaces(mesh, regions, closest, lines.IsBorder);
+  FindInRegions(surface, mesh, regions, report.OfFaces, closest);
+  report.Shown = FiguresOf(input, regions, lines, mesh, report.OfFaces, edgeLength);
+  report.Shown.Stairs = surface.GetStairs();
+  report.Shown.BordersKept *= 1.0 - surface.GetStairs();
+  report.Sentences = RegionAdvice(report.Shown, names);
+  return report;
+}
+}

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remesh.h"
+
+#include "Meshes/Remeshed.h"
+#include "Meshes/Surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+using namespace DirectionFields;
+
+namespace
+{
+std::vector<Index> Labelled(
+  const Surface& surface, const std::function<Index(const Vector3&)>& label)
+{
+  std::vector<Index> regions;
+  for (const Triangle& t : surface.Triangles)
+  {
+    regions.push_back(
+      label((surface.Points[t[0]] + surface.Points[t[1]] + surface.Points[t[2]]) / 3.0));
+  }
+  return regions;
+}
+
+/// The same number of triangles in each region, one after the other.
+std::vector<Index> InTurn(const Surface& surface, std::size_t triangles)
+{
+  std::vector<Index> regions;
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    regions.push_back(static_cast<Index>(t / triangles));
+  }
+  return regions;
+}
+
+RemeshResult Remeshed(const Surface& surface, const std::vector<Index>& regions, Index faces,
+  RemeshOptions options = {})
+{
+  options.NumberOfFaces = faces;
+  options.Regions = regions;
+  return Remesh(std::make_shared<Surface>(surface)).Compute(options);
+}
+
+RemeshOptions PureQuads()
+{
+  RemeshOptions options;
+  options.PureQuads = true;
+  return options;
+}
+
+/// The vertices with faces of at least this number of regions.
+Index CountMeetings(const RemeshResult& mesh, std::size_t least)
+{
+  std::vector<std::set<Index>> at(mesh.Points.size());
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    for (const Index v : mesh.Faces[f])
+    {
+      if (v != None)
+      {
+        at[v].insert(mesh.Regions[f]);
+      }
+    }
+  }
+  return static_cast<Index>(std::count_if(
+    at.begin(), at.end(), [&](const std::set<Index>& own) { return own.size() >= least; }));
+}
+
+/// Everything that holds for a mesh of regions with room for their faces.
+void ExpectAllKept(const RemeshResult& mesh, const Surface& surface,
+  const std::vector<Index>& regions, double areaError)
+{
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.5);
+  EXPECT_TRUE(mesh.RegionsShown.Lost.empty());
+  EXPECT_GT(mesh.RegionsShown.BordersKept, 1.0 - 1e-9);
+  EXPECT_EQ(mesh.RegionsShown.MissedCorners, 0);
+  EXPECT_EQ(mesh.RegionsShown.Stairs, 0.0);
+  ASSERT_EQ(mesh.Regions.size(), mesh.Faces.size());
+  std::map<Index, double> wanted;
+  std::map<Index, double> found;
+  for (std::size_t t = 0; t < regions.size(); ++t)
+  {
+    const Triangle& p = surface.Triangles[t];
+    wanted[regions[t]] += 0.5 *
+      (surface.Points[p[1]] - surface.Points[p[0]])
+        .cross(surface.Points[p[2]] - surface.Points[p[0]])
+        .norm();
+  }
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    EXPECT_EQ(mesh.Regions[f], regions[mesh.FaceSource[f]]);
+    const std::array<Index, 4>& p = mesh.Faces[f];
+    const Vector3& last = mesh.Points[p[3] == None ? p[0] : p[3]];
+    found[mesh.Regions[f]] +=
+      0.5 * (mesh.Points[p[2]] - mesh.Points[p[0]]).cross(last - mesh.Points[p[1]]).norm();
+  }
+  ASSERT_EQ(found.size(), wanted.size());
+  for (const auto& [region, area] : wanted)
+  {
+    EXPECT_NEAR(found[region], area, areaError * area) << region;
+  }
+}
+}
+
+TEST(Regions, CurvedBordersAreEdgesAndTheirMeetingsVertices)
+{
+  // Great circles divide the sphere into the faces of an icosahedron, five of which meet at a point.
+  const Surface sphere = Meshes::Icosphere(4);
+  const std::vector<Index> regions = InTurn(sphere, 256);
+  for (const RemeshOptions& options : { RemeshOptions(), PureQuads() })
+  {
+    const RemeshResult mesh = Remeshed(sphere, regions, 3000, options);
+    ExpectAllKept(mesh, sphere, regions, 0.005);
+    EXPECT_EQ(mesh.Triangles, 0);
+    EXPECT_EQ(CountMeetings(mesh, 5), 12);
+    // Twelve places of five edges, and one in each of the triangles, where three sectors meet.
+    EXPECT_EQ(mesh.IrregularVertices, 32);
+  }
+}
+
+TEST(Regions, FlatRegionsAreKeptWhateverTheFeaturesAre)
+{
+  RemeshOptions options;
+  options.KeepFeatures = false;
+  const Surface disk = Meshes::Disk(24);
+  // Three sectors, and around them a ring.
+  const auto label = [](const Vector3& p)
+  {
+    const double turn = 3.0 * (std::atan2(p[1], p[0]) / (2.0 * Pi) + 1.0);
+    return p.norm() > 0.5 ? 3 : static_cast<Index>(turn) % 3;
+  };
+  const std::vector<Index> regions = Labelled(disk, label);
+  const RemeshResult mesh = Remeshed(disk, regions, 1000, options);
+  ExpectAllKept(mesh, disk, regions, 0.01);
+  // The middle, and the ends of the sectors' sides.
+  EXPECT_EQ(CountMeetings(mesh, 3), 4);
+}
+
+TEST(Regions, BandsAreClosedRowsOfFaces)
+{
+  const Surface torus = Meshes::Torus(64, 32);
+  const std::vector<Index> regions = InTurn(torus, 64 * 8);
+  const RemeshResult mesh = Remeshed(torus, regions, 2000);
+  ExpectAllKept(mesh, torus, regions, 0.01);
+  EXPECT_EQ(mesh.IrregularVertices, 0);
+}
+
+TEST(Regions, TeesAndIslandsOfASquareAreExact)
+{
+  const Surface square = Meshes::Square(40);
+  const auto label = [](const Vector3& p)
+  {
+    const bool isIsland = std::abs(p[0] - 0.7) < 0.1 && std::abs(p[1] - 0.25) < 0.1;
+    return isIsland ? 3 : p[1] > 0.5 ? 0 : p[0] > 0.3 ? 1 : 2;
+  };
+  const std::vector<Index> regions = Labelled(square, label);
+  const RemeshResult mesh = Remeshed(square, regions, 400);
+  ExpectAllKept(mesh, square, regions, 1e-9);
+  EXPECT_EQ(CountMeetings(mesh, 3), 1);
+}
+
+TEST(Regions, DecimatedSurfacesKeepThem)
+{
+  const Surface sphere = Meshes::Icosphere(6);
+  const std::vector<Index> regions = InTurn(sphere, 4096);
+  const RemeshResult mesh = Remeshed(sphere, regions, 1500);
+  ExpectAllKept(mesh, sphere, regions, 0.01);
+}
+
+TEST(Regions, SizesAndNumbersDoNotMatter)
+{
+  const Surface sphere = Meshes::Icosphere(3);
+  const std::vector<Index> regions = InTurn(sphere, 160);
+  const RemeshResult mesh = Remeshed(sphere, regions, 500);
+  std::vector<Index> others;
+  for (const Index r : regions)
+  {
+    others.push_back(1000 - 7 * r);
+  }
+  const RemeshResult other = Remeshed(sphere, others, 500);
+  EXPECT_EQ(other.Points, mesh.Points);
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    EXPECT_EQ(other.Regions[f], 1000 - 7 * mesh.Regions[f]);
+  }
+  const Surface small = Meshes::Transformed(
+    sphere, Vector3::Constant(std::ldexp(1.0, -20)).asDiagonal(), Vector3::Zero());
+  const RemeshResult tiny = Remeshed(small, regions, 500);
+  EXPECT_EQ(tiny.Regions, mesh.Regions);
+  EXPECT_EQ(tiny.RegionsShown.BordersKept, mesh.RegionsShown.BordersKept);
+}
+
+TEST(Regions, OneRegionIsNone)
+{
+  const Surface sphere = Meshes::Icosphere(3);
+  const RemeshResult mesh = Remeshed(sphere, {}, 500);
+  const RemeshResult one = Remeshed(sphere, std::vector<Index>(sphere.Triangles.size(), 5), 500);
+  EXPECT_EQ(one.Points, mesh.Points);
+  EXPECT_TRUE(mesh.Regions.empty());
+  EXPECT_EQ(one.Regions, std::vector<Index>(one.Faces.size(), 5));
+}
+
+TEST(Regions, ChangedRegionsOfTheSameSurfaceMakeAnotherMesh)
+{
+  const Surface square = Meshes::Square(20);
+  RemeshOptions options;
+  options.NumberOfFaces = 100;
+  Remesh remesh(std::make_shared<Surface>(square));
+  for (const double border : { 0.25, 0.65 })
+  {
+    options.Regions = Labelled(square, [&](const Vector3& p) { return p[0] > border ? 1 : 0; });
+    ExpectAllKept(remesh.Compute(options), square, options.Regions, 1e-9);
+  }
+}
+
+TEST(Regions, BordersInStairsAreSaidAndSpoilNothing)
+{
+  const Surface sphere = Meshes::Icosphere(4);
+  const std::vector<Index> wavy = Labelled(sphere,
+    [](const Vector3& p) { return p[2] > 0.2 * std::sin(5.0 * std::atan2(p[1], p[0])) ? 1 : 0; });
+  std::vector<Index> noise;
+  for (std::size_t t = 0; t < sphere.Triangles.size(); ++t)
+  {
+    noise.push_back(static_cast<Index>((t * 2654435761U >> 7U) % 3));
+  }
+  const RemeshResult plain = Remeshed(sphere, {}, 800);
+  for (const std::vector<Index>& regions : { wavy, noise })
+  {
+    const RemeshResult mesh = Remeshed(sphere, regions, 800);
+    EXPECT_EQ(mesh.Points, plain.Points);
+    EXPECT_EQ(mesh.RegionsShown.Stairs, 1.0);
+    EXPECT_EQ(mesh.RegionsShown.BordersKept, 0.0);
+    EXPECT_GT(mesh.Notes.size(), plain.Notes.size());
+    for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+    {
+      EXPECT_EQ(mesh.Regions[f], regions[mesh.FaceSource[f]]);
+    }
+  }
+}
+
+TEST(Regions, LostOnesAreNamed)
+{
+  const Surface sphere = Meshes::Icosphere(4);
+  std::vector<Index> regions(sphere.Triangles.size(), 0);
+  regions[77] = 1;
+  RemeshOptions options;
+  options.RegionNames = { "steel", "weld" };
+  const RemeshResult mesh = Remeshed(sphere, regions, 500, options);
+  EXPECT_EQ(mesh.RegionsShown.Lost, std::vector<Index>{ 1 });
+  EXPECT_TRUE(std::any_of(mesh.Notes.begin(), mesh.Notes.end(),
+    [](const std::string& note) { return note.find("Region weld has no faces") == 0; }));
+}
+
+TEST(Regions, NumbersThatDoNotFitAreRefused)
+{
+  const auto square = std::make_shared<Surface>(Meshes::Square(2));
+  RemeshOptions options;
+  options.Regions = { 0, 1 };
+  EXPECT_THROW(Remesh(square).Compute(options), std::invalid_argument);
+  options.Regions.assign(square->Triangles.size(), 2);
+  options.RegionNames = { "a", "b" };
+  EXPECT_THROW(Remesh(square).Compute(options), std::invalid_argument);
+}
