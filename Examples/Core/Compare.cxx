@@ -30,7 +30,7 @@ int main()
       std::sin(Pi / 9.0) * result.Direction(k / 4, (k + 1) % 4));
   }
   const GivenField one(sphere, DirectionsOf(result));
-  const FieldDifference difference = Compare(one, DirectionsOf(4, turned));
+  const FieldDifference difference = Compare(one, DirectionsOf(result), DirectionsOf(4, turned));
   const std::vector<ComparedSingularity> matches =
     MatchSingularities(one, GivenField(sphere, DirectionsOf(4, turned)));
   const auto matched = std::count_if(matches.begin(), matches.end(),

@@ -29,7 +29,8 @@ int main()
 
   const FieldFile file = ReadFieldFile("sphere.rosy");
   const ImportedField imported = ImportField(file, sphere, FieldOn::Points, true);
-  const FieldDifference difference = Compare(field, DirectionsOf(imported.Field));
+  const FieldDifference difference =
+    Compare(field, DirectionsOf(result), DirectionsOf(imported.Field));
   std::printf("%d rows of degree %d, the directions differ by %.4f degrees\n",
     static_cast<int>(file.Rows()), file.Degree, difference.Maximum);
   return difference.Maximum < 1e-4 && imported.Field.SingularityIndex == result.SingularityIndex

@@ -16,6 +16,7 @@
 #include "Preparation/SizeAdvice.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Preparation/WantedSizes.h"
+#include "Refinement/LongEdges.h"
 #include "Regions/RegionReport.h"
 #include "Support/Threads.h"
 
@@ -458,7 +459,8 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   const KeptEdges kept = KeptOf(options, sizes.MapLength);
   const ShapeAlignment alignment = AlignmentOf(options);
   // Smaller faces at thin parts have the working surface of the others, which is not made anew.
-  WorkingLengths lengths = LengthsFor(sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input));
+  WorkingLengths lengths = LengthsFor(
+    sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input), LargestValence(*this->Input));
   sizes.Shrink(thin.GetLengths(), *this->Input, area, options.UseEdgeLength);
   if (!directions.empty() || !options.Sizing.empty())
   {

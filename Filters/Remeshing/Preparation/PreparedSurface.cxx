@@ -11,6 +11,7 @@
 #include "Refinement/LongEdges.h"
 #include "Refinement/SmoothedPoints.h"
 #include "Refinement/SplitTriangle.h"
+#include "Refinement/Thinning.h"
 
 #include <algorithm>
 #include <map>
@@ -139,7 +140,7 @@ void PreparedSurface::Refine(
 {
   // Each halves the longest edges.
   constexpr int mostRounds = 20;
-  if (lengths.Split.empty() || !IsMostlyFlat(*this->Geometry))
+  if (lengths.Split.empty() || !(lengths.HasHub || IsMostlyFlat(*this->Geometry)))
   {
     return;
   }
@@ -162,6 +163,12 @@ void PreparedSurface::Refine(
       return;
     }
     room -= static_cast<Index>(surface.Points.size()) - before;
+    if (lengths.HasHub)
+    {
+      surface.Triangles =
+        ThinInside(*this->Geometry, this->FindFeatures(settings), this->Continued(lengths.Split));
+      this->Geometry = std::make_unique<const SurfaceGeometry>(surface);
+    }
   }
 }
 
@@ -251,25 +258,11 @@ std::vector<Triangle> PreparedSurface::Decimated(const SurfaceGeometry& geometry
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings, isHard);
   progress.Report(0.15);
-  Decimation::Limits limits;
-  limits.EdgeLength.resize(mesh.GetNumberOfVertices());
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    limits.EdgeLength[v] = edgeLength[mesh.Point(v)];
-  }
+  const Decimation::Limits limits = DecimationLimits(geometry, edgeLength);
   Decimation decimation(mesh, geometry.Positions, isFeature, limits);
   decimation.Run(progress.Part(0.15, 1.0));
   this->Paths = FeaturePaths(mesh, isFeature, decimation, isHard);
-  std::vector<Triangle> triangles;
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    if (decimation.IsTriangle(t) && mesh.IsFront(t))
-    {
-      triangles.push_back({ mesh.Point(decimation.Corner(3 * t)),
-        mesh.Point(decimation.Corner(3 * t + 1)), mesh.Point(decimation.Corner(3 * t + 2)) });
-    }
-  }
-  return triangles;
+  return TrianglesLeft(mesh, decimation);
 }
 
 std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings) const

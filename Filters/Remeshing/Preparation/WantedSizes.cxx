@@ -3,6 +3,8 @@
 
 #include "Preparation/WantedSizes.h"
 
+#include "Refinement/LongEdges.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -114,7 +116,7 @@ double RelativeArea(const Surface& surface, const std::vector<double>& sizes)
 }
 
 WorkingLengths LengthsFor(
-  const std::vector<double>& sizes, double area, double edgeLength, double extent)
+  const std::vector<double>& sizes, double area, double edgeLength, double extent, Index valence)
 {
   constexpr double usualFaces = 5000.0;
   constexpr double mostPerFace = 6.0;
@@ -144,7 +146,9 @@ WorkingLengths LengthsFor(
   };
   WorkingLengths lengths;
   lengths.Face = std::sqrt(area / usual);
-  if (static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces))
+  lengths.HasHub = valence > MostValence;
+  if (lengths.HasHub ||
+    static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces))
   {
     lengths.Decimated = times(longest);
   }

@@ -11,6 +11,22 @@
 
 namespace DirectionFields::Internal
 {
+Index LargestValence(const Surface& surface)
+{
+  std::vector<Index> valences(surface.Points.size() + 1, 0);
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const Index p : t)
+    {
+      // Others are an error later.
+      const bool isPoint = p >= 0 && p < static_cast<Index>(surface.Points.size());
+      ++valences[isPoint ? p : static_cast<Index>(surface.Points.size())];
+    }
+  }
+  valences.back() = 0;
+  return *std::max_element(valences.begin(), valences.end());
+}
+
 bool IsMostlyFlat(const SurfaceGeometry& geometry)
 {
   constexpr double flat = 1.0 * Pi / 180.0;

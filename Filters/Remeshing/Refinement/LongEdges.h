@@ -5,11 +5,18 @@
 #define DirectionFields_LongEdges_h
 
 #include "Geometry/SurfaceGeometry.h"
+#include "Surface.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
+/// Around a point with more triangles they are slivers, which the map cannot do with.
+constexpr Index MostValence = 150;
+
+/// The most triangles that a point has; 0 without any.
+Index LargestValence(const Surface& surface);
+
 /// Whether most of the area is of triangles that have a neighbour in their plane, as CAD programs
 /// write them, or none at all. The triangles of others are their shape: parts of them have no
 /// curvature.

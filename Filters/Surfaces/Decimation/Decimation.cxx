@@ -84,7 +84,7 @@ Decimation::Decimation(const TriangleMesh& mesh, const std::vector<Vector3>& pos
                          {
                            const Index h = mesh.HalfEdge(e);
                            sum += (positions[mesh.Head(h)] - positions[mesh.Tail(h)]).norm() /
-                             limits.EdgeLength[mesh.Tail(h)];
+                             this->Longest(mesh.Tail(h));
                          }
                          return sum;
                        }) /
@@ -126,7 +126,7 @@ void Decimation::FindKinds(const TriangleMesh& mesh)
   for (Index v = 0; v < vertices; ++v)
   {
     this->Kinds[v] = count[v] == 0 ? Kind::Free : count[v] == 2 ? Kind::OnFeature : Kind::Fixed;
-    if (isShared[v] != 0)
+    if (isShared[v] != 0 || (this->Limit.KeepsLines && count[v] != 0))
     {
       this->Kinds[v] = Kind::Fixed;
     }
@@ -244,7 +244,7 @@ double Decimation::Quality(Index v, const Star& star, std::size_t i, double part
   const std::size_t size = star.Ring.size();
   const Index w = star.Ring[i];
   const Vector3& q = star.Places[i];
-  const double length = part * std::min(this->Limit.EdgeLength[v], this->Limit.EdgeLength[w]);
+  const double length = part * std::min(this->Longest(v), this->Longest(w));
   for (std::size_t k = 0; k < size; ++k)
   {
     if ((star.Places[k] - q).squaredNorm() > length * length)

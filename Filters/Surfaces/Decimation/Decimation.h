@@ -25,8 +25,12 @@ public:
   {
     /// The longest edge that may come about at each vertex, in the input's unit.
     std::vector<double> EdgeLength;
-    /// How far the surface may move at most, in these lengths.
+    /// The same where edges are longer already and others need not be shorter; empty for none.
+    std::vector<double> LongestEdge = {};
+    /// How far the surface may move at most, in lengths of EdgeLength.
     double Deviation = 0.1;
+    /// Whether all vertices of features and of the boundary stay.
+    bool KeepsLines = false;
   };
 
   /// @param positions of the vertices
@@ -70,6 +74,11 @@ private:
   /// one.
   std::size_t MarkNeighbours(Index w, const Star& star, char* isNeighbour) const;
   void Collapse(Index v, const Star& star, std::size_t i);
+
+  double Longest(Index v) const
+  {
+    return this->Limit.LongestEdge.empty() ? this->Limit.EdgeLength[v] : this->Limit.LongestEdge[v];
+  }
 
   const std::vector<Vector3>& Positions;
   const Limits& Limit;

@@ -43,6 +43,19 @@ Surface Prism(int sides, double height)
   }
   return prism;
 }
+
+/// Triangles around one point.
+Surface Cone(int sides, double height)
+{
+  Surface cone;
+  cone.Points.emplace_back(0.0, 0.0, height);
+  for (int k = 0; k < sides; ++k)
+  {
+    cone.Points.emplace_back(std::cos(2.0 * Pi * k / sides), std::sin(2.0 * Pi * k / sides), 0.0);
+    cone.Triangles.push_back({ 0, k + 1, (k + 1) % sides + 1 });
+  }
+  return cone;
+}
 }
 
 TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
@@ -68,13 +81,36 @@ TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
   }
 }
 
+TEST(LongTriangles, FansOfHundredsAndThousandsAreRemeshedAsOthers)
+{
+  struct Case
+  {
+    int Sides;
+    double Height;
+    int MostIrregular;
+  };
+  // A disk has four irregular vertices, where the field says so.
+  for (const Case& one : { Case{ 300, 0.0, 4 }, { 3000, 0.0, 4 }, { 1000, 1.0, 40 } })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = 2000;
+    const RemeshResult mesh =
+      Remesh(std::make_shared<Surface>(Cone(one.Sides, one.Height))).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_LE(mesh.IrregularVertices, one.MostIrregular) << one.Sides;
+    EXPECT_LT(mesh.Triangles, 10) << one.Sides;
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.2) << one.Sides;
+    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 2000.0, 200.0) << one.Sides;
+  }
+}
+
 TEST(LongTriangles, NoEdgeOfAPreparedSurfaceIsLongerThanItMayBe)
 {
   const Surface prism = Prism(50, 4.0);
   const double area = RelativeArea(prism, std::vector<double>(prism.Points.size(), 1.0));
   const double wanted = std::sqrt(area / 2000.0);
   WorkingLengths lengths =
-    LengthsFor(std::vector<double>(prism.Points.size(), 1.0), area, wanted, 4.5);
+    LengthsFor(std::vector<double>(prism.Points.size(), 1.0), area, wanted, 4.5, 50);
   EXPECT_GT(lengths.MostMiddles, 2000);
   EXPECT_LT(lengths.MostMiddles, 10000);
   lengths.MostMiddles = 100000;

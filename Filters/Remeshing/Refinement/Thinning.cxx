@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Refinement/Thinning.h"
+
+#include "Refinement/LongEdges.h"
+
+#include <algorithm>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Edges of this part of the longest are not split again.
+constexpr double ShortPart = 0.64;
+
+/// The longest edge at each vertex, or the given length where that is longer.
+std::vector<double> LongestEdges(
+  const SurfaceGeometry& geometry, const std::vector<double>& lengths)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  std::vector<double> longest = lengths;
+  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Index tail = mesh.Tail(h);
+    const Index head = mesh.Head(h);
+    const double length = (geometry.Positions[head] - geometry.Positions[tail]).norm();
+    longest[tail] = std::max(longest[tail], length);
+    longest[head] = std::max(longest[head], length);
+  }
+  return longest;
+}
+
+std::vector<double> AtVertices(
+  const TriangleMesh& mesh, const std::vector<double>& atPoints, double factor)
+{
+  std::vector<double> values(mesh.GetNumberOfVertices());
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    values[v] = factor * atPoints[mesh.Point(v)];
+  }
+  return values;
+}
+
+/// Whether a vertex has more than MostValence triangles.
+bool HasHub(const TriangleMesh& mesh)
+{
+  std::vector<Index> valences(mesh.GetNumberOfVertices(), 0);
+  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    ++valences[mesh.Tail(h)];
+  }
+  return std::any_of(valences.begin(), valences.end(), [](Index n) { return n > MostValence; });
+}
+}
+
+std::vector<Triangle> TrianglesLeft(const TriangleMesh& mesh, const Decimation& decimation)
+{
+  std::vector<Triangle> triangles;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    if (decimation.IsTriangle(t) && mesh.IsFront(t))
+    {
+      triangles.push_back({ mesh.Point(decimation.Corner(3 * t)),
+        mesh.Point(decimation.Corner(3 * t + 1)), mesh.Point(decimation.Corner(3 * t + 2)) });
+    }
+  }
+  return triangles;
+}
+
+Decimation::Limits DecimationLimits(
+  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength)
+{
+  Decimation::Limits limits;
+  limits.EdgeLength = AtVertices(geometry.Mesh, edgeLength, 1.0);
+  if (HasHub(geometry.Mesh))
+  {
+    limits.LongestEdge = LongestEdges(geometry, limits.EdgeLength);
+  }
+  return limits;
+}
+
+std::vector<Triangle> ThinInside(const SurfaceGeometry& geometry,
+  const std::vector<char>& isFeature, const std::vector<double>& longest)
+{
+  Decimation::Limits limits;
+  limits.EdgeLength = AtVertices(geometry.Mesh, longest, ShortPart);
+  limits.LongestEdge = LongestEdges(geometry, limits.EdgeLength);
+  limits.KeepsLines = true;
+  Decimation decimation(geometry.Mesh, geometry.Positions, isFeature, limits);
+  decimation.Run();
+  return TrianglesLeft(geometry.Mesh, decimation);
+}
+}

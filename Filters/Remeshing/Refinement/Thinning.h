@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Thinning_h
+#define DirectionFields_Thinning_h
+
+#include "Decimation/Decimation.h"
+#include "Geometry/SurfaceGeometry.h"
+
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// The triangles of the front that a decimation leaves, as points of the surface.
+std::vector<Triangle> TrianglesLeft(const TriangleMesh& mesh, const Decimation& decimation);
+
+/// What a decimation of a surface may do. Around a point of more than MostValence triangles edges
+/// may be as long as others are there, so that the slivers become fewer.
+/// @param edgeLength longest edge at each point of the surface
+Decimation::Limits DecimationLimits(
+  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength);
+
+/// Collapses edges inside that are much shorter than others around them, as splitting leaves them
+/// around a point of hundreds of triangles. Features and the boundary stay. Returns the triangles
+/// that are left.
+/// @param isFeature not 0 for edges to be kept
+/// @param longest   longest edge at each point of the surface
+std::vector<Triangle> ThinInside(const SurfaceGeometry& geometry,
+  const std::vector<char>& isFeature, const std::vector<double>& longest);
+}
+
+#endif
