@@ -4,7 +4,9 @@
 #ifndef Arrays_h
 #define Arrays_h
 
+#include <DirectionFields/Coordinates.h>
 #include <DirectionFields/Interpolation/GivenField.h>
+#include <DirectionFields/MeshError.h>
 #include <DirectionFields/Surface.h>
 
 #include <pybind11/numpy.h>
@@ -98,6 +100,33 @@ inline std::vector<double> NumbersOrNone(const py::object& numbers)
   return numbers.is_none() ? std::vector<double>() : numbers.cast<std::vector<double>>();
 }
 
+/// Throws MeshError where a point of a triangle is so far that sums of its coordinates have no
+/// number; what is not finite is refused with the mesh.
+inline void RequirePlaces(const Surface& surface)
+{
+  std::vector<char> isUsed(surface.Points.size(), 0);
+  for (const Triangle& triangle : surface.Triangles)
+  {
+    for (const Index point : triangle)
+    {
+      isUsed[point] = 1;
+    }
+  }
+  CoordinateCheck check(false);
+  for (std::size_t i = 0; i < isUsed.size(); ++i)
+  {
+    if (isUsed[i] != 0 && surface.Points[i].allFinite() && !check.MayBe(surface.Points[i].data()))
+    {
+      check.Refuse(i, surface.Points[i].data());
+    }
+  }
+  if (!check.GetError().empty())
+  {
+    throw MeshError(
+      MeshError::Kind::NonFinitePoint, static_cast<Index>(check.GetFirst()), check.GetError());
+  }
+}
+
 /// A surface that other functions take, of ids that there are.
 inline SharedSurface MakeSurface(const py::array& points, const py::array& triangles)
 {
@@ -107,6 +136,7 @@ inline SharedSurface MakeSurface(const py::array& points, const py::array& trian
   ForEachNumber<std::int64_t, std::int32_t>(triangles,
     [&surface](std::size_t i, std::size_t k, std::int64_t id)
     { surface->Triangles[i][k] = static_cast<Index>(id); });
+  RequirePlaces(*surface);
   return surface;
 }
 

@@ -128,6 +128,8 @@ class Errors(unittest.TestCase):
         broken = points.copy()
         broken[3, 1] = np.nan
         self.refused(df.MeshError, "3", broken, triangles)
+        self.refused(df.MeshError, "(?s)point.*1e\\+?300", 1.1e300 * points, triangles)
+        df.field(1e299 * points, triangles)
         self.refused(ValueError, r"\(n, 3\)", points[:, :2], triangles)
         self.refused(ValueError, r"\(n, 3\)", points, triangles[:, :2])
         self.refused(ValueError, "empty", points, triangles[:0])
