@@ -33,6 +33,9 @@ def tile(append, mesh, folder, after=None, glyphs=None, **options):
 def add(append, view, folder):
     """Adds a picture of a view, which is deleted, to a row of pictures."""
     path = os.path.join(folder, f"{append.GetNumberOfInputConnections(0)}.png")
+    for display in view.Representations:
+        if display.GetProperty("ShowSummary"):
+            display.ShowSummary = 0
     simple.SaveScreenshot(path, view, ImageResolution=[FACTOR * pixels for pixels in SIZE])
     reader = vtkPNGReader()
     reader.SetFileName(path)

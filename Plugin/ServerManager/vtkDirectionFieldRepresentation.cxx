@@ -11,9 +11,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkCoordinate.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -24,9 +22,6 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkStringArray.h"
-#include "vtkTextActor.h"
-#include "vtkTextProperty.h"
 
 vtkStandardNewMacro(vtkDirectionFieldRepresentation);
 
@@ -37,9 +32,6 @@ constexpr double Teal[3] = { 0.0, 0.42, 0.46 };
 // That of the strokes of Guidance From Curves.
 constexpr double Orange[3] = { 0.85, 0.45, 0.05 };
 constexpr float LineWidth = 3.0F;
-// Points, as the caption of the button's picture.
-constexpr int NoteSize = 14;
-constexpr const char* NoteArray = "Note";
 // The surface is the data of port 0.
 constexpr int GlyphPort = 1;
 constexpr int LinePort = 2;
@@ -60,14 +52,6 @@ vtkDirectionFieldRepresentation::vtkDirectionFieldRepresentation()
   this->Lines.Actor->GetProperty()->SetColor(Orange[0], Orange[1], Orange[2]);
   this->Lines.Actor->GetProperty()->SetLineWidth(LineWidth);
   this->Lines.Actor->GetProperty()->LightingOff();
-  this->Note->VisibilityOff();
-  this->Note->PickableOff();
-  this->Note->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  this->Note->SetPosition(0.5, 0.97);
-  vtkTextProperty* const text = this->Note->GetTextProperty();
-  text->SetJustificationToCentered();
-  text->SetVerticalJustificationToTop();
-  text->SetFontSize(NoteSize);
 }
 
 //------------------------------------------------------------------------------
@@ -112,12 +96,10 @@ int vtkDirectionFieldRepresentation::RequestData(
   vtkNew<vtkAppendPolyData> glyphs;
   vtkNew<vtkAppendPolyData> lines;
   std::size_t blocks = 0;
-  vtkPolyData* first = nullptr;
   const auto add = [&](vtkDataObject* data)
   {
     auto* const block = vtkPolyData::SafeDownCast(data);
     blocks += this->AddBlock(block, blocks, glyphs, lines) ? 1 : 0;
-    first = !first && block && block->GetFieldData()->HasArray(NoteArray) ? block : first;
   };
   if (auto* const composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -144,11 +126,6 @@ int vtkDirectionFieldRepresentation::RequestData(
     this->Glyphs.Data->GetPointData()->SetNormals(all->GetPointData()->GetNormals());
     this->Lines.Data->CopyStructure(lines->GetOutput());
   }
-  if (first)
-  {
-    // With the lines it gets to where they are drawn.
-    this->Lines.Data->GetFieldData()->AddArray(first->GetFieldData()->GetAbstractArray(NoteArray));
-  }
   this->Glyphs.Data->Modified();
   this->Lines.Data->Modified();
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -162,7 +139,6 @@ int vtkDirectionFieldRepresentation::ProcessViewRequest(
   {
     this->Glyphs.Actor->VisibilityOff();
     this->Lines.Actor->VisibilityOff();
-    this->Note->VisibilityOff();
     return 0;
   }
   if (request == vtkPVView::REQUEST_UPDATE())
@@ -187,28 +163,8 @@ int vtkDirectionFieldRepresentation::ProcessViewRequest(
       actor->SetScale(surface->GetScale());
       actor->SetUserTransform(surface->GetUserTransform());
     }
-    this->WriteNote(vtkPVRenderView::GetPieceProducer(input, this, LinePort));
   }
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkDirectionFieldRepresentation::WriteNote(vtkAlgorithmOutput* lines)
-{
-  vtkDataObject* const data =
-    lines ? lines->GetProducer()->GetOutputDataObject(lines->GetIndex()) : nullptr;
-  auto* const note = data
-    ? vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(NoteArray))
-    : nullptr;
-  const bool isThere = note && note->GetNumberOfValues() > 0;
-  this->Note->SetVisibility(isThere && this->GetRenderedProp()->GetVisibility());
-  if (isThere && this->Renderer)
-  {
-    this->Note->SetInput(note->GetValue(0).c_str());
-    const double* const color = this->Renderer->GetBackground();
-    const double ink = color[0] + color[1] + color[2] > 1.5 ? 0.15 : 1.0;
-    this->Note->GetTextProperty()->SetColor(ink, ink, ink);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -217,8 +173,6 @@ void vtkDirectionFieldRepresentation::SetVisibility(bool visible)
   this->Superclass::SetVisibility(visible);
   this->Glyphs.Actor->SetVisibility(visible);
   this->Lines.Actor->SetVisibility(visible);
-  // What there is to write is known when it is rendered.
-  this->Note->VisibilityOff();
 }
 
 //------------------------------------------------------------------------------
@@ -229,8 +183,6 @@ bool vtkDirectionFieldRepresentation::AddToView(vtkView* view)
   {
     renderView->GetRenderer()->AddActor(this->Glyphs.Actor);
     renderView->GetRenderer()->AddActor(this->Lines.Actor);
-    renderView->GetNonCompositedRenderer()->AddActor(this->Note);
-    this->Renderer = renderView->GetRenderer();
   }
   return renderView && this->Superclass::AddToView(view);
 }
@@ -243,8 +195,6 @@ bool vtkDirectionFieldRepresentation::RemoveFromView(vtkView* view)
   {
     renderView->GetRenderer()->RemoveActor(this->Glyphs.Actor);
     renderView->GetRenderer()->RemoveActor(this->Lines.Actor);
-    renderView->GetNonCompositedRenderer()->RemoveActor(this->Note);
-    this->Renderer = nullptr;
   }
   return renderView && this->Superclass::RemoveFromView(view);
 }

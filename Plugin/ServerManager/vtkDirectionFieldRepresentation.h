@@ -8,8 +8,7 @@
  * in a colour of their own, and as orange lines the edges that the field was made to follow: sharp
  * edges, boundaries, edges of more than two triangles. They are made where the data are, of each
  * block and of each process's piece, and only while the representation is shown. Data without a
- * field look as a surface does. The field data `Note` of the first block that has it, a string, is
- * written into the view, at the top.
+ * field look as a surface does.
  */
 
 #ifndef vtkDirectionFieldRepresentation_h
@@ -19,19 +18,16 @@
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNew.h"          // For the actors
 #include "vtkSmartPointer.h" // For the filters
-#include "vtkWeakPointer.h"  // For the renderer
 
 #include <cstddef>
 #include <vector>
 
 class vtkActor;
-class vtkAlgorithmOutput;
 class vtkAppendPolyData;
 class vtkDirectionFieldGlyphs;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
-class vtkTextActor;
 
 class VTKDIRECTIONFIELDSSERVERMANAGER_EXPORT vtkDirectionFieldRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -63,9 +59,6 @@ private:
     vtkNew<vtkActor> Actor;
   };
 
-  /// Writes the note that came with the lines.
-  void WriteNote(vtkAlgorithmOutput* lines);
-
   /// Makes what is drawn of a block; false where it has no directions.
   bool AddBlock(
     vtkPolyData* block, std::size_t number, vtkAppendPolyData* glyphs, vtkAppendPolyData* lines);
@@ -74,8 +67,6 @@ private:
   std::vector<vtkSmartPointer<vtkDirectionFieldGlyphs>> Filters;
   Part Glyphs;
   Part Lines;
-  vtkNew<vtkTextActor> Note;
-  vtkWeakPointer<vtkRenderer> Renderer;
 
   vtkDirectionFieldRepresentation(const vtkDirectionFieldRepresentation&) = delete;
   void operator=(const vtkDirectionFieldRepresentation&) = delete;

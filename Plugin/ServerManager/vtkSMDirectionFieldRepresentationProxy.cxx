@@ -5,6 +5,7 @@
 
 #include "ColorMaps.h"
 #include "DisplayHints.h"
+#include "vtkCaptionedRepresentation.h"
 #include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
@@ -16,7 +17,11 @@
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
 
+#include <algorithm>
 #include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMDirectionFieldRepresentationProxy);
 
@@ -33,12 +38,59 @@ vtkSMProxy* InputOf(vtkSMProxy* proxy)
     : nullptr;
 }
 
-bool HasPoints(vtkSMProxy* display)
+/// What is known of the data that a display shows; null where there are none.
+vtkPVDataInformation* DataOf(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", /*quiet=*/true);
   auto* producer =
     vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
-  return producer && producer->GetDataInformation(input.GetOutputPort())->GetNumberOfPoints() > 0;
+  return producer ? producer->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+
+bool HasPoints(vtkSMProxy* display)
+{
+  vtkPVDataInformation* const data = DataOf(display);
+  return data && data->GetNumberOfPoints() > 0;
+}
+
+/// A line as several that end before the legend begins in a view of 600 pixels, as those of the
+/// button's summary do. Only a single word may be longer.
+std::string Wrapped(const std::string& line)
+{
+  constexpr std::size_t width = 56;
+  std::istringstream words(line);
+  std::string text;
+  std::size_t length = 0;
+  for (std::string word; words >> word;)
+  {
+    const bool isFirst = text.empty();
+    const bool fits = length + 1 + word.size() <= width;
+    text += (isFirst ? "" : fits ? " " : "\n") + word;
+    length = isFirst || !fits ? word.size() : length + 1 + word.size();
+  }
+  return text;
+}
+
+/// The summaries of all blocks and, below them, the warnings. Those of one block on several processes
+/// are the same, and are there once.
+std::vector<std::string> CaptionOf(vtkPVDataInformation* data)
+{
+  std::vector<std::string> lines;
+  for (const auto& [array, prefix] : { std::pair<const char*, const char*>{ "Summary", "" },
+         std::pair<const char*, const char*>{ "Warnings", "Warning: " } })
+  {
+    vtkPVArrayInformation* const words =
+      data ? data->GetArrayInformation(array, vtkDataObject::FIELD) : nullptr;
+    for (int i = 0; words && i < words->GetNumberOfStringValues(); ++i)
+    {
+      const std::string line = Wrapped(prefix + std::string(words->GetStringValue(i)));
+      if (data->IsCompositeDataSet() || std::find(lines.begin(), lines.end(), line) == lines.end())
+      {
+        lines.push_back(line);
+      }
+    }
+  }
+  return lines;
 }
 
 /// Whether a view shows points with the colors of a map.
@@ -177,6 +229,16 @@ void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       this->FindArray(coloring.GetInputArrayAssociation(), coloring.GetInputArrayNameToProcess()));
   }
   this->HideEmptyLegend(view);
+  this->WriteCaption();
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::WriteCaption()
+{
+  if (auto* const display = vtkCaptionedRepresentation::SafeDownCast(this->GetClientSideObject()))
+  {
+    display->SetSummary(CaptionOf(DataOf(this)));
+  }
 }
 
 //------------------------------------------------------------------------------

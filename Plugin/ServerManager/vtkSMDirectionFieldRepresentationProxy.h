@@ -60,9 +60,10 @@ public:
   void ReplaceField() { this->HidesDirections = this->ReplacesField = true; }
 
   /**
-   * Called by a view after its data are up to date, before it draws. A coloring by
-   * an array with a symmetric color map goes and comes with it, and that map is stretched. A legend of the filter's hints
-   * is hidden where nothing is left that has its colors, as where a field has become one without
+   * Called by a view after its data are up to date, before it draws. What the data say of themselves
+   * becomes the caption of the display, if it has one. A coloring by an array with a symmetric color
+   * map goes and comes with it, and that map is stretched. A legend of the filter's hints is hidden
+   * where nothing is left that has its colors, as where a field has become one without
    * singularities, and comes back when they do.
    */
   void ViewUpdated(vtkSMProxy* view) override;
@@ -92,6 +93,7 @@ private:
   void ForSymmetricColorMaps(
     const std::function<void(const std::string&, vtkPVXMLElement*)>& visit);
   void HideEmptyLegend(vtkSMProxy* view);
+  void WriteCaption();
 
   /// The array to color by once there is one of that name; empty: none.
   std::string AwaitedArray;

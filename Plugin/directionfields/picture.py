@@ -80,6 +80,7 @@ def draw(field, view, glyphs, legend):
     bar = words = None
     if legend:
         bar, words = show_legend(field, balls, view)
+        leave_caption(field, view)
     # Only now, since ParaView places the camera anew where something is shown in an empty view.
     hide_others(field, [marks, surface, balls and balls.Input, words], view)
     if is_free:
@@ -200,6 +201,15 @@ def show_singularities(field, view):
     """The display of the singularities, where the field comes with such an output."""
     port = singularities_port(field)
     return None if port is None else simple.Show(simple.OutputPort(field, port), view)
+
+
+def leave_caption(field, view):
+    """The displays of a field do not write what the caption of the picture says."""
+    proxy = proxy_of(field)
+    for port in range(proxy.GetNumberOfOutputPorts()):
+        display = view.FindRepresentation(proxy, port)
+        if display and display.GetProperty("ShowSummary"):
+            servermanager._getPyProxy(display).ShowSummary = 0
 
 
 def number_of(points):

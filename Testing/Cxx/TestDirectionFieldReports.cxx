@@ -17,6 +17,7 @@
 #include "vtkDoubleArray.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -168,6 +169,13 @@ void TestMesh()
   const auto at = summary.find("scaled Jacobian ");
   REQUIRE(at != std::string::npos);
   CHECK(std::abs(std::atof(summary.c_str() + at + 16) - range[0]) < 0.006);
+  // Both ways.
+  double there = 0.0, back = 0.0;
+  REQUIRE(std::sscanf(summary.c_str() + at,
+            "scaled Jacobian %*f or more, %lf or less from the surface, which is %lf or less",
+            &there, &back) == 2);
+  CHECK(std::abs(there - FieldValue(remesh->GetOutput(), "MaximumDistance")) < 0.006 * there);
+  CHECK(std::abs(back - FieldValue(remesh->GetOutput(), "MaximumDistanceToMesh")) < 0.006 * back);
   vtkPolyData* const irregular = OutputOf(remesh, 1);
   vtkDataArray* const valence = irregular->GetPointData()->GetArray("Valence");
   vtkDataArray* const missing = irregular->GetPointData()->GetArray("MissingEdges");

@@ -168,7 +168,6 @@ void TestErrorsAndWarnings()
   CHECK(filter->GetOutput(0)->GetNumberOfPoints() == 0);
   CHECK(filter->GetOutput(1)->GetPointData()->HasArray("Direction3"));
   CHECK(!filter->GetOutput(1)->GetCellData()->HasArray("Stripe"));
-  CHECK(filter->GetOutput(1)->GetFieldData()->HasArray("Note"));
   filter->SetInputData(PolyMeshes::Pebble(2));
   message(true, { "Direction0", "Apply Direction Field first" });
   filter->SetInputData(Field(PolyMeshes::Pebble(3), 2));

@@ -125,6 +125,13 @@ def white_view():
     return view
 
 
+def without_summaries(view):
+    """Leaves out what the displays write into a view: what a panel shows is said below it."""
+    for display in view.Representations:
+        if display.GetProperty("ShowSummary"):
+            display.ShowSummary = 0
+
+
 class Panel:
     """A picture of a field, one of the parts of a figure."""
 
@@ -152,6 +159,7 @@ class Panel:
         simple.ResetCamera(self.view)
         self.view.CameraParallelProjection = 1
         self.view.CameraParallelScale /= zoom
+        without_summaries(self.view)
         simple.Render(self.view)
         simple.SaveScreenshot(path, self.view, ImageResolution=PANEL)
         image = read(path)

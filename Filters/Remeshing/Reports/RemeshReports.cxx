@@ -147,6 +147,7 @@ std::string Summary(const RemeshResult& mesh, double leastScaledJacobian)
       static_cast<std::size_t>(mesh.IrregularVertices), "irregular vertex", "irregular vertices") +
     AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + ", scaled Jacobian " +
     Figure(leastScaledJacobian) + " or more, " + Figure(mesh.MaximumDistance) +
-    " or less from the surface";
+    " or less from the surface, which is " + Figure(mesh.MaximumDistanceToMesh) +
+    " or less from the mesh";
 }
 }

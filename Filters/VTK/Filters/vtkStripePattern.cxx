@@ -12,12 +12,9 @@
 
 #include <DirectionFields/Reports/DrawingReports.h>
 
-#include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <functional>
 #include <string>
@@ -89,12 +86,9 @@ void vtkStripePattern::Execute(
     {
       bands->ShallowCopy(input);
     }
-    Summarize("no stripes, for the field has " + number + " directions per point", outputs);
-    vtkNew<vtkStringArray> note;
-    note->SetName("Note");
-    note->InsertNextValue("No stripes: they follow one or two directions per point, here are " +
-      number + ".\nSet Directions Per Point of Direction Field to 2.");
-    bands->GetFieldData()->AddArray(note);
+    Summarize("no stripes, for the field has " + number +
+        " directions per point: set Directions Per Point of Direction Field to 2",
+      outputs);
     return;
   }
   const std::vector<double> spacings =

@@ -42,9 +42,8 @@
  * - with TextureCoordinates point data `StripePhase`: 2-component float, active texture
  *   coordinates: the phase in cycles, 0 on lines, and 0. Polygons share no points then.
  *
- * A field of more directions has no stripes, which a warning says: then this is the input as it is,
- * with the field data `Note`: string, what ParaView writes into the picture. The other ports are
- * empty.
+ * A field of more directions has no stripes, which a warning and `Summary` say: then this is the
+ * input as it is. The other ports are empty.
  *
  * Port 2, "Branch Points": points (vertex cells) in the middles of the triangles that stripes do
  * not run straight through: `StripeIndex`, int, the number of lines that end there, of degree 1
