@@ -27,6 +27,8 @@ def check_trace_and_replay():
         # ParaView 6 sets all properties in one call, one a line.
         assert (f"directionField1.{name} = {value}\n" in text
                 or re.search(rf"directionField1\.Set\([^)]*\b{name}={value}\b", text)), (name, text)
+    # In the window a filter is named after its mesh.
+    assert FindSource("Field of bunny.ply") == filters()[0], list(GetSources())
     # One press of Apply shows a surface in a solid colour with its directions, and the singularities.
     view = GetActiveView()
     display = GetRepresentation(filters()[0], view)
@@ -53,6 +55,7 @@ def check_undo():
 
 def check_redo():
     assert [field.Degree for field in filters()] == [6], filters()
+    assert FindSource("Field of bunny.ply") == filters()[0], list(GetSources())
     assert GetRepresentation(filters()[0]).Visibility == 1
 
 
