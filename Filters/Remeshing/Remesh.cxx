@@ -326,9 +326,9 @@ void Report(const Request& request, const FeatureLines& features,
   result.Repaired = field.GetSurface().GetRepairs();
   if (!request.Options.Regions.empty())
   {
-    RegionReport report =
-      ReportRegions(request.Input, request.Options.Regions, request.Options.RegionNames,
-        field.GetSurface(), features, finished.Faces, result.EdgeLength, result.FaceSource);
+    const RemeshOptions& options = request.Options;
+    RegionReport report = ReportRegions(request.Input, options.Regions, options.RegionNames,
+      field.GetSurface(), features, finished.Faces, result.EdgeLength, result.FaceSource);
     result.Regions = std::move(report.OfFaces);
     result.RegionsShown = std::move(report.Shown);
     result.Notes.insert(result.Notes.end(), report.Sentences.begin(), report.Sentences.end());
@@ -403,7 +403,12 @@ void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   RemeshResult last;
   // Roughness of the surface is no part of it that gets lost.
   const bool isRough = this->Cache->GetNeedless() > 0;
-  for (int k = 0; k < MostShrinkings && options.KeepThinParts && !isRough; ++k)
+  // The boundary may make many more faces than are wanted, which are not to become more.
+  constexpr double mostCrowded = 4.0;
+  const bool isCrowded = !options.UseEdgeLength &&
+    static_cast<double>(result.Faces.size()) > mostCrowded * options.NumberOfFaces;
+  const int most = options.KeepThinParts && !isRough && !isCrowded ? MostShrinkings : 0;
+  for (int k = 0; k < most; ++k)
   {
     const RemeshResult& former = k == 0 ? result : last;
     if (!(StandingOf(former).Farthest > edgeLength) ||

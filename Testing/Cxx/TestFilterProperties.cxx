@@ -35,7 +35,9 @@ constexpr Finding Findings[] = { { FilterGroup::Streamlines, 344 },
   { FilterGroup::Streamlines, 359 }, { FilterGroup::Streamlines, 1036 },
   { FilterGroup::Edits, 1855 }, { FilterGroup::Edits, 5496 }, { FilterGroup::Comparison, 103403 },
   { FilterGroup::Pairs, 628 }, { FilterGroup::Pairs, 2629 }, { FilterGroup::Pairs, 3767 },
-  { FilterGroup::Pairs, 3769 }, { FilterGroup::Pairs, 6828 } };
+  { FilterGroup::Pairs, 3769 }, { FilterGroup::Pairs, 6828 }, { FilterGroup::Streamlines, 300341 },
+  { FilterGroup::Edits, 300341 }, { FilterGroup::Comparison, 300341 },
+  { FilterGroup::Pairs, 300341 } };
 
 int FromEnvironment(const char* name, int standard)
 {

@@ -122,7 +122,8 @@ std::array<double, 3> ClosestPoints::ClosestWeights(const Vector3& p, const Corn
     return { 0.0, 1.0, 0.0 };
   }
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+  // Corners at one place are no edge to divide by.
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3)
   {
     const double v = d1 / (d1 - d3);
     return { 1.0 - v, v, 0.0 };
@@ -135,7 +136,7 @@ std::array<double, 3> ClosestPoints::ClosestWeights(const Vector3& p, const Corn
     return { 0.0, 0.0, 1.0 };
   }
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6)
   {
     const double w = d2 / (d2 - d6);
     return { 1.0 - w, 0.0, w };

@@ -125,6 +125,27 @@ TEST(ClosestPoints, SideAndDistanceAreKeptTo)
   EXPECT_NE(tree.Find(Vector3(0.0, 0.0, 3.0), Vector3::Zero(), 2.5).Triangle, None);
 }
 
+TEST(ClosestPoints, AnyTwoCornersMayBeAtOnePlace)
+{
+  const Vector3 a(0.25, 0.25, 0.25);
+  const Vector3 b(-0.25, -0.25, 0.25);
+  for (const ClosestPoints::Corners& corners :
+    { ClosestPoints::Corners{ a, a, b }, ClosestPoints::Corners{ a, b, a },
+      ClosestPoints::Corners{ b, a, a }, ClosestPoints::Corners{ a, a, a } })
+  {
+    const ClosestPoints places(std::vector<ClosestPoints::Corners>{ corners });
+    for (const double t : { -0.5, 0.0, 0.25, 1.0, 1.5 })
+    {
+      const Vector3 place = a + t * (b - a) + Vector3(0.0, 0.0, 0.5);
+      const ClosestPoints::Answer at = places.Find(place);
+      ASSERT_EQ(at.Triangle, 0);
+      const bool isPoint = corners[0] == corners[1] && corners[1] == corners[2];
+      const Vector3 expected = isPoint ? a : Vector3(a + std::clamp(t, 0.0, 1.0) * (b - a));
+      EXPECT_LT((at.Position - expected).norm(), 1e-15) << t;
+    }
+  }
+}
+
 TEST(ClosestPoints, SegmentsAreTrianglesWithoutArea)
 {
   const Vector3 p(0.0, 0.0, 0.0);
