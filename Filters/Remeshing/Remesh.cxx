@@ -11,6 +11,7 @@
 #include "Finishing/MeshAdvice.h"
 #include "Finishing/ThinParts.h"
 #include "Parametrization/ComponentMap.h"
+#include "Preparation/AffordableFeatures.h"
 #include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/SizeAdvice.h"
@@ -19,8 +20,6 @@
 #include "Refinement/LongEdges.h"
 #include "Regions/RegionReport.h"
 #include "Support/Threads.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -66,17 +65,6 @@ ShapeAlignment AlignmentOf(const RemeshOptions& options)
     options.Alignment == FieldAlignment::Shape && options.Element == Element::Quads;
   return isDrawn ? ShapeAlignment{ options.AlignmentStrength, options.SingularityCost }
                  : ShapeAlignment();
-}
-
-/// The diagonal of the box around a surface.
-double Extent(const Surface& surface)
-{
-  Eigen::AlignedBox3d box;
-  for (const Vector3& point : surface.Points)
-  {
-    box.extend(point);
-  }
-  return box.isEmpty() ? 0.0 : (box.max() - box.min()).stableNorm();
 }
 
 /// The length of edges that is asked for, or that gives the wanted number of faces.
@@ -449,6 +437,7 @@ void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& 
   const FinishedMesh finished =
     Finish(request, input.Features, extracted, progress.Part(AfterCells, AfterFinishing));
   Report(request, input.Features, extracted, finished, result);
+  result.Notes.insert(result.Notes.end(), this->AboutFeatures.begin(), this->AboutFeatures.end());
 }
 
 WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vector3>& directions,
@@ -461,7 +450,11 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
   sizes.MapLength = sizes.EdgeLength;
   const int degree = DegreeOf(options.Element);
-  const KeptEdges kept = KeptOf(options, sizes.MapLength);
+  KeptEdges kept = KeptOf(options, sizes.MapLength);
+  const AffordableFeatures affordable(
+    *this->Input, kept.Features, degree, area / (sizes.MapLength * sizes.MapLength));
+  kept.Features = affordable.Settings;
+  this->AboutFeatures = affordable.Sentences();
   const ShapeAlignment alignment = AlignmentOf(options);
   // Smaller faces at thin parts have the working surface of the others, which is not made anew.
   WorkingLengths lengths = LengthsFor(

@@ -65,7 +65,8 @@ struct RemeshOptions
   bool KeepThinParts = true;
   /// Sharp edges become edges of the new mesh. The boundary always does.
   bool KeepFeatures = true;
-  /// As in Options.
+  /// As in Options, but 0.5 for less. Where features of less than 30 degrees meet at more points
+  /// than a 20th of the faces, the least sharp are left out, and a note says so.
   double FeatureAngle = DefaultFeatureAngle;
   double MinimumFeatureLength = DefaultMinimumFeatureLength;
   /// The region of each triangle of the surface, any numbers; empty for one region. Borders between
@@ -190,6 +191,8 @@ private:
   double Unit;
   std::shared_ptr<const Surface> Input;
   std::unique_ptr<Internal::PreparedField> Cache;
+  /// What the user is told about features that are left out; empty for none.
+  std::vector<std::string> AboutFeatures;
 };
 }
 

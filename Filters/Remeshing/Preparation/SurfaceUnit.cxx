@@ -3,6 +3,8 @@
 
 #include "Preparation/SurfaceUnit.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,5 +67,15 @@ std::shared_ptr<const Surface> InUnit(std::shared_ptr<const Surface> surface, do
     point *= 1.0 / unit;
   }
   return scaled;
+}
+
+double Extent(const Surface& surface)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : surface.Points)
+  {
+    box.extend(point);
+  }
+  return box.isEmpty() ? 0.0 : (box.max() - box.min()).stableNorm();
 }
 }

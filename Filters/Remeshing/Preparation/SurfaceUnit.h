@@ -16,6 +16,9 @@ double UnitFor(const Surface& surface);
 
 /// The surface in another unit.
 std::shared_ptr<const Surface> InUnit(std::shared_ptr<const Surface> surface, double unit);
+
+/// The diagonal of the box around a surface.
+double Extent(const Surface& surface);
 }
 
 #endif

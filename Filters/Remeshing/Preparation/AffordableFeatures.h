@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_AffordableFeatures_h
+#define DirectionFields_AffordableFeatures_h
+
+#include "Features/KeptFeatures.h"
+
+#include <string>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+/// Edges of a lower dihedral angle than this, in degrees, are taken for flat: rounding bends them.
+/// With the others the edges that split a plane would be features, at which no vertex could move.
+constexpr double LeastFeatureAngle = 0.5;
+
+/// The angle from which on edges are features, if those that are wanted meet at more points than
+/// the faces can follow: each is a point of the grid that its neighbours depend on, so that memory
+/// grows with the square of their number, and time with its cube.
+struct AffordableFeatures
+{
+  /// It takes a time linear in the triangles, and almost none at the usual angle and above. Throws
+  /// MeshError.
+  /// @param faces how many are wanted
+  AffordableFeatures(const Surface& input, const FeatureSettings& wanted, int degree, double faces);
+
+  /// What the user is told; none where the angle is the wanted one.
+  std::vector<std::string> Sentences() const;
+
+  FeatureSettings Settings;
+  double Wanted;
+  /// The points where features of the wanted angle meet or end.
+  Index Meeting = 0;
+};
+}
+
+#endif
