@@ -6,8 +6,9 @@
 //   BenchmarkRemesh [MOST_TRIANGLES]
 //
 // For surfaces of 20 000 triangles and more, up to a number (1 600 000), and several numbers of faces: the time of
-// the mesh, that of the field, their ratio, the memory that the mesh takes for each triangle, and the part of the
-// time that it takes once more for other lengths of edges.
+// the mesh, that of the field, their ratio, the memory that the mesh takes for each triangle and face, and the part
+// of the time that it takes once more for other lengths of edges. Above 20 000 also for surfaces that are hard to
+// remesh: of noise, of many handles, and of long triangles.
 
 #include "BenchmarkMeshes.h"
 
@@ -55,15 +56,9 @@ void ForgetPeak()
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-struct Size
+void Measure(const std::string& name, int wanted)
 {
-  int Triangles;
-  int Faces;
-};
-
-void Measure(const Size& size)
-{
-  const auto surface = BenchmarkMeshes::Make(std::to_string(size.Triangles));
+  const auto surface = BenchmarkMeshes::Make(name);
   double fieldTime = 0.0;
   {
     vtkNew<vtkDirectionField> field;
@@ -73,19 +68,19 @@ void Measure(const Size& size)
   }
   vtkNew<vtkFieldAlignedRemesh> remesh;
   remesh->SetInputData(surface);
-  remesh->SetNumberOfFaces(size.Faces);
+  remesh->SetNumberOfFaces(wanted);
   ForgetPeak();
   const double before = MemoryStatus("VmRSS");
   const double time = TimeOf(remesh);
-  const auto triangles = static_cast<double>(surface->GetNumberOfPolys());
-  const double memory = (MemoryStatus("VmHWM") - before) / triangles;
   const vtkIdType faces = remesh->GetOutput(0)->GetNumberOfPolys();
-  remesh->SetNumberOfFaces(size.Faces * 4 / 5);
+  const auto cells = static_cast<double>(surface->GetNumberOfPolys() + faces);
+  const double memory = (MemoryStatus("VmHWM") - before) / cells;
+  remesh->SetNumberOfFaces(wanted * 4 / 5);
   const double again = TimeOf(remesh);
   std::cout << std::setw(9) << surface->GetNumberOfPolys() << std::setw(9) << faces << std::fixed
             << std::setprecision(2) << std::setw(9) << time << std::setw(9) << fieldTime
             << std::setw(8) << time / fieldTime << std::setw(8) << memory / 1000.0 << std::setw(8)
-            << again / time << "\n"
+            << again / time << "  " << name << "\n"
             << std::flush;
 }
 }
@@ -93,13 +88,25 @@ void Measure(const Size& size)
 int main(int argc, char* argv[])
 {
   const int most = argc > 1 ? std::atoi(argv[1]) : 1600000;
-  std::cout << "triangles    faces   mesh/s  field/s   ratio    kB/t   again\n";
-  for (const Size& size : { Size{ 20000, 5000 }, { 100000, 5000 }, { 100000, 100000 },
+  std::cout << "triangles    faces   mesh/s  field/s   ratio kB/cell   again  surface\n";
+  struct Row
+  {
+    int Triangles;
+    int Faces;
+  };
+  for (const Row& row : { Row{ 20000, 5000 }, { 100000, 5000 }, { 100000, 100000 },
          { 400000, 5000 }, { 1600000, 5000 } })
   {
-    if (size.Triangles <= most)
+    if (row.Triangles <= most)
     {
-      Measure(size);
+      Measure(std::to_string(row.Triangles), row.Faces);
+    }
+  }
+  for (const char* name : { "noisy:20000:0.5", "noisy:20000:1", "gyroid:40000:4", "holes:2000:30" })
+  {
+    if (most > 20000)
+    {
+      Measure(name, 5000);
     }
   }
   return EXIT_SUCCESS;

@@ -16,6 +16,7 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -180,6 +181,45 @@ Surface Strip(int triangles, double width)
   return surface;
 }
 
+/// A square with round holes in rows, as CAD programs write it: there is no point but on its edges.
+Surface Holes(int triangles, double holes)
+{
+  const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(holes))));
+  // Each hole has as many triangles as points, and one for each side of its cell.
+  const int quarter = std::max(1, (triangles / (rows * rows) - 4) / 4);
+  Surface surface;
+  for (Index j = 0; j <= rows; ++j)
+  {
+    for (Index i = 0; i <= rows; ++i)
+    {
+      surface.Points.emplace_back(i, j, 0.0);
+    }
+  }
+  for (Index cell = 0; cell < rows * rows; ++cell)
+  {
+    const Index corner = cell / rows * (rows + 1) + cell % rows;
+    const std::array<Index, 4> corners = { corner, corner + 1, corner + rows + 2,
+      corner + rows + 1 };
+    const auto first = static_cast<Index>(surface.Points.size());
+    const Vector3 middle = surface.Points[corner] + Vector3(0.5, 0.5, 0.0);
+    for (int k = 0; k < 4 * quarter; ++k)
+    {
+      const double angle = 0.5 * Pi * k / quarter - 0.75 * Pi;
+      surface.Points.push_back(middle + 0.3 * Vector3(std::cos(angle), std::sin(angle), 0.0));
+    }
+    for (int side = 0; side < 4; ++side)
+    {
+      const auto rim = [&](int k) { return first + (side * quarter + k) % (4 * quarter); };
+      surface.Triangles.push_back({ corners[side], corners[(side + 1) % 4], rim(quarter) });
+      for (int k = 0; k < quarter; ++k)
+      {
+        surface.Triangles.push_back({ corners[side], rim(k + 1), rim(k) });
+      }
+    }
+  }
+  return surface;
+}
+
 vtkSmartPointer<vtkPolyData> AsFloats(const Surface& surface)
 {
   return Meshes::ToPolyData(surface, VTK_FLOAT);
@@ -201,6 +241,7 @@ vtkSmartPointer<vtkPolyData> MakeCliff(const std::string& name)
     { "flat", [](int n, double) { return AsFloats(Flat(n)); } },
     { "strip", [](int n, double x) { return AsFloats(Strip(n, x)); } },
     { "blobs", [](int n, double x) { return Blobs(n, x > 0.0 ? x : 512.0); } },
+    { "holes", [](int n, double x) { return AsFloats(Holes(n, x)); } },
     { "polygon", [](int n, double) { return StarPolygon(n + 2); } },
   };
   const std::size_t colon = name.find(':');

@@ -20,6 +20,7 @@ namespace BenchmarkMeshes
 ///   flat       a square in a plane
 ///   strip      a flat strip of quads, AMOUNT wide, cut in two triangles each
 ///   blobs      an isosurface of about AMOUNT closed components of different size
+///   holes      a flat square with about AMOUNT round holes, which has no point inside
 ///   polygon    a single concave polygon, of two corners more than triangles
 /// The numbers of triangles are about the ones asked for. Null for another name.
 vtkSmartPointer<vtkPolyData> MakeCliff(const std::string& name);

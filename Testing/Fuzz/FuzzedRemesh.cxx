@@ -5,11 +5,14 @@
 
 #include "FuzzedSurface.h"
 #include "Meshes/Remeshed.h"
+#include "Meshes/Surfaces.h"
 #include "Remesh.h"
 
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 using namespace DirectionFields;
 
@@ -53,6 +56,51 @@ bool AreValid(const RemeshOptions& options, const Surface& surface)
   return true;
 }
 
+/// Bytes from here on make a surface hard to remesh.
+constexpr unsigned FirstHard = 192;
+
+/// A surface with noise, handles or long triangles, as scanners, isosurfaces and CAD programs make them.
+Surface Harder(unsigned byte, Surface surface)
+{
+  using namespace Meshes;
+  const bool isSound = std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
+    [&](const Triangle& t) {
+      return std::all_of(t.begin(), t.end(), [&](Index point) { return Exists(point, surface); });
+    });
+  if (byte < FirstHard || !isSound)
+  {
+    return surface;
+  }
+  const int amount = static_cast<int>(byte - FirstHard) / 4;
+  switch (byte % 4)
+  {
+    case 0:
+      // Up to nearly two edges.
+      return Roughened(std::move(surface), 0.125 * amount, byte);
+    case 1:
+      return Roughened(FlatlySubdivided(DoubleTorus(), 1), 0.02 * amount, byte);
+    case 2:
+      // One triangle from end to end.
+      return Joined(surface, Cylinder(3 + 3 * amount, 1, 1.0 + amount));
+    default:
+      return Transformed(surface,
+        Vector3(1.0, 1.0, 1.0 + 4.0 * amount).asDiagonal().toDenseMatrix(), Vector3::Zero());
+  }
+}
+
+/// One region, runs of triangles, noise, or two halves.
+std::vector<Index> Regions(unsigned byte, Index triangles)
+{
+  std::vector<Index> regions;
+  for (Index t = 0; byte % 4 != 0 && t < triangles; ++t)
+  {
+    regions.push_back(byte % 4 == 1 ? t / 16
+        : byte % 4 == 2             ? static_cast<Index>((t * 2654435761U >> 7U) % 3)
+                                    : static_cast<Index>(2 * t < triangles));
+  }
+  return regions;
+}
+
 /// Whether a surface may be refused: for ids, and for coordinates of which there are no lengths.
 bool MayBeRefused(const Surface& surface)
 {
@@ -74,12 +122,15 @@ std::string FuzzedRemesh(const std::uint8_t* data, std::size_t size)
   RemeshOptions options = ReadOptions(bytes);
   const unsigned again = bytes.At(11);
   const unsigned sizing = bytes.At(12);
+  const unsigned regions = bytes.At(14);
+  const unsigned hardness = bytes.At(15);
   bytes.Skip(OptionsSize);
-  const auto surface = std::make_shared<Surface>(ReadSurface(bytes));
+  const auto surface = std::make_shared<Surface>(Harder(hardness, ReadSurface(bytes)));
   for (std::size_t p = 0; sizing % 2 != 0 && p < surface->Points.size(); ++p)
   {
     options.Sizing.push_back(ReadNumber(bytes));
   }
+  options.Regions = Regions(regions, static_cast<Index>(surface->Triangles.size()));
   const bool isValid = AreValid(options, *surface);
   Remesh remesh(surface);
   RemeshResult mesh;
