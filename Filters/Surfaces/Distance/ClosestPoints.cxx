@@ -292,9 +292,9 @@ bool ClosestPoints::HasOverlappingBoxes() const
 
 namespace
 {
-/// The direction in the plane of a triangle that is normal to its longest edge; any normal to that
-/// where the triangle has no area.
-Vector3 AcrossNeedle(const ClosestPoints::Corners& t)
+/// The direction in the plane of a triangle that is normal to its longest edge, and the normal of
+/// the triangle; any that are normal to that edge, or to each other, where it has no area.
+std::array<Vector3, 2> DirectionsOfNeedle(const ClosestPoints::Corners& t)
 {
   Vector3 longest = Vector3::Zero();
   for (std::size_t c = 0; c < 3; ++c)
@@ -302,83 +302,91 @@ Vector3 AcrossNeedle(const ClosestPoints::Corners& t)
     const Vector3 edge = t[(c + 1) % 3] - t[c];
     longest = edge.squaredNorm() > longest.squaredNorm() ? edge : longest;
   }
+  const Vector3 along =
+    longest.isZero(0.0) ? Vector3(Vector3::UnitX()) : longest.stableNormalized();
   const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  const Vector3 across = normal.stableNormalized().cross(longest.stableNormalized());
-  if (longest.isZero(0.0))
-  {
-    return Vector3::UnitX();
-  }
-  return across.isZero(0.0) ? longest.stableNormalized().unitOrthogonal()
-                            : across.stableNormalized();
+  Vector3 across = normal.stableNormalized().cross(along);
+  across = across.isZero(0.0) ? along.unitOrthogonal() : across.stableNormalized();
+  return { across, along.cross(across).normalized() };
 }
 }
 
 void ClosestPoints::BuildSlabs()
 {
-  std::vector<Vector3> normals(this->Triangles.size());
-  ParallelFor(static_cast<Index>(normals.size()), MediumPiece,
+  std::vector<Directions> directions(this->Triangles.size());
+  ParallelFor(static_cast<Index>(directions.size()), MediumPiece,
     [&](Index begin, Index end)
     {
       for (Index t = begin; t < end; ++t)
       {
-        normals[t] = AcrossNeedle(this->Triangles[t]);
+        directions[t] = DirectionsOfNeedle(this->Triangles[t]);
       }
     });
   Index covered = 1;
   for (std::size_t level = 0; level < this->Levels.size(); ++level)
   {
-    this->AddLevelOfSlabs(normals, covered);
+    this->AddLevelOfSlabs(directions, covered);
     covered *= Width;
   }
 }
 
-/// @param normals of the parts, becomes that of the nodes: the mean where parts lie on both sides
-/// @param covered the triangles of a part
-void ClosestPoints::AddLevelOfSlabs(std::vector<Vector3>& normals, Index covered)
+/// @param directions of the parts, become those of the nodes: the mean of both signs
+/// @param covered    the triangles of a part
+void ClosestPoints::AddLevelOfSlabs(std::vector<Directions>& directions, Index covered)
 {
   // Shorter than 1 by more than rounding, so that heights are no larger than distances.
   constexpr double length = 1.0 - 1e-14;
   const auto triangles = static_cast<std::int64_t>(this->Triangles.size());
-  const auto below = static_cast<Index>(normals.size());
+  const auto below = static_cast<Index>(directions.size());
   std::vector<Slabs> level(NumberOfPieces(below, Width));
-  std::vector<Vector3> means(level.size());
+  std::vector<Directions> means(level.size());
+  const auto fill = [&](Index child)
+  {
+    const Index k = std::min(child, below - 1);
+    Slabs& slabs = level[child / Width];
+    const std::int64_t first = static_cast<std::int64_t>(k) * covered;
+    const std::int64_t last = std::min<std::int64_t>(triangles, first + covered);
+    for (std::size_t d = 0; d < 2; ++d)
+    {
+      const Vector3 direction = length * directions[k][d];
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (std::int64_t t = first; t < last; ++t)
+      {
+        for (const Vector3& corner : this->Triangles[t])
+        {
+          low = std::min(low, direction.dot(corner));
+          high = std::max(high, direction.dot(corner));
+        }
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        slabs.Direction[d][axis][child % Width] = direction[axis];
+      }
+      slabs.Low[d][child % Width] = low;
+      slabs.High[d][child % Width] = high;
+      Vector3& mean = means[child / Width][d];
+      mean = child % Width == 0
+        ? directions[k][d]
+        : Vector3(mean + (mean.dot(directions[k][d]) < 0.0 ? -1.0 : 1.0) * directions[k][d]);
+    }
+  };
   ParallelFor(static_cast<Index>(level.size()), std::max<Index>(1, MediumPiece / covered),
     [&](Index begin, Index end)
     {
       for (Index child = Width * begin; child < Width * end; ++child)
       {
-        const Index k = std::min(child, below - 1);
-        const Vector3 normal = length * normals[k];
-        Slabs& slabs = level[child / Width];
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        const std::int64_t last =
-          std::min<std::int64_t>(triangles, (k + std::int64_t{ 1 }) * covered);
-        for (std::int64_t t = static_cast<std::int64_t>(k) * covered; t < last; ++t)
-        {
-          for (const Vector3& corner : this->Triangles[t])
-          {
-            low = std::min(low, normal.dot(corner));
-            high = std::max(high, normal.dot(corner));
-          }
-        }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          slabs.Normal[axis][child % Width] = normal[axis];
-        }
-        slabs.Low[child % Width] = low;
-        slabs.High[child % Width] = high;
-        Vector3& mean = means[child / Width];
-        mean = child % Width == 0
-          ? normals[k]
-          : Vector3(mean + (mean.dot(normals[k]) < 0.0 ? -1.0 : 1.0) * normals[k]);
+        fill(child);
       }
     });
-  for (Vector3& mean : means)
+  for (Directions& mean : means)
   {
-    mean.stableNormalize();
+    mean[0].stableNormalize();
+    const Vector3 rest = mean[1] - mean[1].dot(mean[0]) * mean[0];
+    mean[1] = rest.norm() > 1e-6 * mean[1].norm() ? rest.normalized() : mean[0].unitOrthogonal();
+    mean[1] = (mean[1] - mean[1].dot(mean[0]) * mean[0]).normalized();
   }
-  normals = std::move(means);
+  directions = std::move(means);
   this->LevelsOfSlabs.push_back(std::move(level));
 }
 

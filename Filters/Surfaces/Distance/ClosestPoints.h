@@ -17,7 +17,7 @@ namespace DirectionFields
 /// same), in a time of about the logarithm of their number. It is a tree of boxes, four to a node,
 /// each with a quarter of the node's triangles: halves of halves, cut along the axis on which the
 /// middles spread farthest. Where the triangles are needles that lie askew in their boxes, as in
-/// fans of cones, a node also has the slabs between two planes that its parts lie in. The tree is
+/// fans of cones, a node also has boxes that lie as its parts do. The tree is
 /// built in parallel on the threads of the calling thread's Threads::Scope, and takes a sixth of
 /// the time of a smoothest field on the surface.
 class ClosestPoints
@@ -71,24 +71,31 @@ private:
       return sum;
     }
   };
-  /// The slabs that the parts of a node lie in, whose normals are no longer than 1.
+  /// The slabs, each between two planes, that the parts of a node lie in: one across the needles
+  /// and one along their normals. The directions are at right angles, and no longer than 1.
   struct Slabs
   {
-    std::array<Node::Numbers, 3> Normal;
-    Node::Numbers Low;
-    Node::Numbers High;
+    std::array<std::array<Node::Numbers, 3>, 2> Direction;
+    std::array<Node::Numbers, 2> Low;
+    std::array<Node::Numbers, 2> High;
     Node::Numbers SquaredDistances(const Vector3& p, double error) const
     {
-      const Node::Numbers height =
-        this->Normal[0] * p[0] + this->Normal[1] * p[1] + this->Normal[2] * p[2];
-      return ((this->Low - height).max(height - this->High) - error).max(0.0).square();
+      Node::Numbers sum = Node::Numbers::Zero();
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        const std::array<Node::Numbers, 3>& d = this->Direction[k];
+        const Node::Numbers height = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+        sum += ((this->Low[k] - height).max(height - this->High[k]) - error).max(0.0).square();
+      }
+      return sum;
     }
   };
+  using Directions = std::array<Vector3, 2>;
   void Build(std::vector<Corners>&& triangles);
   void BuildLevels();
   bool HasOverlappingBoxes() const;
   void BuildSlabs();
-  void AddLevelOfSlabs(std::vector<Vector3>& normals, Index covered);
+  void AddLevelOfSlabs(std::vector<Directions>& directions, Index covered);
   /// Takes the closest point of a triangle if it is closer than the best one.
   void Consider(Index at, const Vector3& place, const Vector3& normal, Answer& best) const;
 
