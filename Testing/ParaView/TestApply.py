@@ -1,47 +1,26 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What one sees after Apply, with nothing set: TestApply.py PLUGIN MESH OUTDIR"""
-import os
 import sys
 
-import numpy
-from paraview import servermanager, simple
+from paraview import simple
 from paraview.modules.vtkRemotingServerManager import vtkSMSettings
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from Figures import blue, pixels, red, teal
+from Views import SIZE, apply, caption, color_of, new_view, orange, picture_of, shown_field, summary
 
-plugin, mesh, output = sys.argv[1:4]
+plugin, mesh = sys.argv[1:3]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 import directionfields
-
-SIZE = [800, 600]
-
-
-def picture_of(view, name):
-    path = os.path.join(output, name)
-    simple.SaveScreenshot(path, view, ImageResolution=SIZE)
-    return path
-
-
-def new_view():
-    view = simple.CreateView("RenderView")
-    view.ViewSize = SIZE
-    view.OrientationAxesVisibility = 0
-    return view
-
-
-def shown_field(view, source, **properties):
-    field = DirectionField(Input=source, **properties)
-    return field, simple.Show(field, view), simple.Show(simple.OutputPort(field, 1), view)
 
 
 def test_field():
     """The surface is quiet; the singularities are balls, red and blue, each at least 0.2 % of the
     picture, and nothing else is red or blue."""
     view = new_view()
-    field, surface, balls = shown_field(view, simple.PLYReader(FileNames=[mesh]))
+    field = DirectionField(Input=simple.PLYReader(FileNames=[mesh]))
+    surface, balls = shown_field(view, field)
     assert surface.Representation == "Direction Field" and not surface.ColorArrayName[1]
     assert max(surface.DiffuseColor) - min(surface.DiffuseColor) < 0.1
     assert balls.Representation == "3D Glyphs", balls.Representation
@@ -76,62 +55,6 @@ def test_field():
     simple.ResetSession()
 
 
-def color_of(lookup, value):
-    rgb = [0.0, 0.0, 0.0]
-    lookup.GetClientSideObject().GetColor(value, rgb)
-    return [255 * c for c in rgb]
-
-
-def apply(view, source):
-    """What Apply does in the window."""
-    controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
-    for port in range(source.GetNumberOfOutputPorts()):
-        controller.ShowInPreferredView(source.SMProxy, port, view.SMProxy)
-    simple.Render(view)
-    return [simple.GetRepresentation(simple.OutputPort(source, port), view)
-            if view.FindRepresentation(source.SMProxy, port) else None
-            for port in range(source.GetNumberOfOutputPorts())]
-
-
-def orange(r, g, b):
-    return (r > b + 100) & (r > g + 50) & (g > b + 30)
-
-
-def test_directions():
-    """Direction Field shows directions, on each block of a group, and they move with the surface."""
-    view = new_view()
-    field = DirectionField(Input=simple.PLYReader(FileNames=[mesh]))
-    surface, balls = apply(view, field)
-    assert balls.Representation == "3D Glyphs"
-    simple.ResetCamera(view)
-    count = pixels(picture_of(view, "ApplyDirections.png"), teal)
-    assert count > 0.02 * SIZE[0] * SIZE[1], count
-    # ParaView 5.13 has given the property another name.
-    place = surface.GetProperty("Translation") or surface.GetProperty("Position")
-    place.SetData([1000.0, 0.0, 0.0])
-    assert pixels(picture_of(view, "ApplyMoved.png"), teal) == 0
-    place.SetData([0.0, 0.0, 0.0])
-    surface.Representation = "Surface"
-    assert pixels(picture_of(view, "ApplyPlain.png"), teal) == 0
-    surface.Representation = "Direction Field"
-    again = pixels(picture_of(view, "ApplyAgain.png"), teal)
-    assert abs(again - count) < 0.02 * count, (again, count)
-    surface.Visibility = 0
-    assert pixels(picture_of(view, "ApplyHidden.png"), teal) == 0
-    simple.ResetSession()
-
-    view = new_view()
-    group = simple.GroupDatasets(Input=[simple.Sphere(Center=[-1, 0, 0]), simple.Sphere(Center=[1, 0, 0])])
-    apply(view, DirectionField(Input=group))
-    view.CameraPosition, view.CameraFocalPoint = [0.0, 0.0, 8.0], [0.0, 0.0, 0.0]
-    simple.ResetCamera(view)
-    path = picture_of(view, "ApplyGroup.png")
-    for half in (0, 1):
-        count = pixels(path, lambda r, g, b: teal(r, g, b) & half_of(r, half))
-        assert count > 1000, (half, count)
-    simple.ResetSession()
-
-
 def test_constraint_lines():
     """The edges that a field follows are drawn: those of a cube; on the bunny's scan they are so few
     that the field has no more singularities than the smoothest one."""
@@ -155,43 +78,6 @@ def test_constraint_lines():
     kinds = field.GetDataInformation(0).GetPointDataInformation().GetArrayInformation("ConstraintKind")
     assert kinds.GetComponentRange(0) == (0.0, 2.0) and found[1] <= found[0], found
     simple.ResetSession()
-
-
-def half_of(red, half):
-    columns = numpy.tile(numpy.arange(SIZE[0]), SIZE[1])
-    return (columns >= SIZE[0] // 2) == bool(half)
-
-
-def test_others_hide_directions():
-    """What is drawn along a field does not lie among its glyphs."""
-    view = new_view()
-    field = DirectionField(Input=simple.Sphere(ThetaResolution=48, PhiResolution=32), Degree=2)
-    surface, _ = apply(view, field)
-    glyphs = DirectionFieldGlyphs(Input=field)
-    [marks] = apply(view, glyphs)
-    assert (surface.Representation, marks.Visibility) == ("Surface", 1)
-    surface.Representation = "Direction Field"
-    apply(view, DirectionFieldStreamlines(Input=field))
-    assert (surface.Representation, marks.Visibility) == ("Surface", 0)
-    # The user's choice stays.
-    marks.Visibility = 1
-    simple.Render(view)
-    assert marks.Visibility == 1
-    simple.ResetSession()
-
-
-def caption(view):
-    """What stands at the top left of a view, by the displays that have made it."""
-    props = view.GetClientSideObject().GetNonCompositedRenderer().GetViewProps()
-    texts = [props.GetItemAsObject(i) for i in range(props.GetNumberOfItems())]
-    texts = [text for text in texts if text.IsA("vtkTextActor") and text.GetVisibility()]
-    assert len(texts) <= 1, texts
-    return texts[0].GetInput() if texts else ""
-
-
-def summary(source):
-    words = source.GetDataInformation(0).GetFieldDataInformation().GetArrayInformation("Summary")
-    return words.GetStringValue(0)
 
 
 def test_captions():
@@ -367,147 +253,12 @@ def test_menus():
     simple.ResetSession()
 
 
-def test_glyphs():
-    """Glyphs are teal, and `Coloring` by each of their arrays gives more than one colour."""
-    view = new_view()
-    field, _, _ = shown_field(view, simple.PLYReader(FileNames=[mesh]))
-    glyphs = DirectionFieldGlyphs(Input=field)
-    display = simple.Show(glyphs, view)
-    assert not display.ColorArrayName[1], display.ColorArrayName
-    plain = pixels(picture_of(view, "ApplyGlyphs.png"), teal)
-    assert plain > 0.03 * SIZE[0] * SIZE[1], plain
-    for array in ("Direction", "RepresentationMagnitude", "Branch"):
-        simple.ColorBy(display, ("CELLS", array))
-        if array == "Direction":
-            display.LookupTable.VectorMode = "Component"
-            display.LookupTable.RescaleTransferFunction(-1.0, 1.0)
-        path = picture_of(view, f"ApplyGlyphs{array}.png")
-        reddish = pixels(path, lambda r, g, b: (r > b + 60) & (r > g + 30))
-        bluish = pixels(path, lambda r, g, b: (b > r + 60) & (b > g + 20))
-        assert min(reddish, bluish) > 500, (array, reddish, bluish)
-    simple.ResetSession()
-
-
-def pull(stress, size):
-    """Makes a square source one that is pulled along x and pressed along y by 1."""
-    plane, tensors = vtkPlaneSource(), vtkDoubleArray()
-    plane.SetResolution(20, 20)
-    plane.Update()
-    square = plane.GetOutput()
-    tensors.SetName("Stress")
-    tensors.SetNumberOfComponents(6)
-    for _ in range(square.GetNumberOfPoints()):
-        tensors.InsertNextTuple((size, -1.0, 0.0, 0.0, 0.0, 0.0))
-    square.GetPointData().AddArray(tensors)
-    stress.GetClientSideObject().SetOutput(square)
-    stress.MarkModified(stress.SMProxy)
-    stress.UpdatePipeline()
-    return stress
-
-
-def map_range(display):
-    points = display.LookupTable.RGBPoints
-    return points[0], points[-4]
-
-
-def test_tension():
-    """Lines and glyphs along tensors are red where these pull and blue where they press, teal where there are
-    none; the colors are symmetric about 0 until the user gives them another range."""
-    view = new_view()
-    stress = pull(simple.TrivialProducer(), 2.0)
-    field = DirectionField(Input=stress, Degree=4, Alignment="Tensor", TensorArray=["POINTS", "Stress"])
-    surface, _ = apply(view, field)
-    simple.ResetCamera(view)
-    for name, made in (("Lines", DirectionFieldStreamlines), ("Glyphs", DirectionFieldGlyphs)):
-        marks = apply(view, made(Input=field))[0]
-        assert marks.ColorArrayName[1] == "PrincipalValue", marks.ColorArrayName
-        assert numpy.allclose(map_range(marks), (-2.0, 2.0), atol=1e-3), map_range(marks)
-        for condition, degree, least in ((red, 4, 2000), (blue, 4, 2000), (red, 2, 2000), (blue, 2, 0)):
-            field.Degree = degree
-            found = pixels(picture_of(view, f"ApplyTension{name}{degree}.png"), condition)
-            # The glyphs of a line field have no arms across.
-            assert found >= least and (least > 0 or found == 0), (name, degree, condition, found)
-        field.Degree = 4
-        marks.SetScalarBarVisibility(view, True)
-        bar = simple.GetScalarBar(marks.LookupTable, view)
-        assert (bar.Title, bar.Visibility) == ("Principal value", 1)
-        field.Alignment = "None"
-        path = picture_of(view, f"ApplyNoTension{name}.png")
-        assert pixels(path, teal) > 2000 and pixels(path, red) == pixels(path, blue) == 0, name
-        assert bar.Visibility == 0 and not marks.ColorArrayName[1], name
-        field.Alignment = "Tensor"
-        assert pixels(picture_of(view, f"ApplyTensionAgain{name}.png"), blue) > 2000
-        assert marks.ColorArrayName[1] == "PrincipalValue"
-        marks.SetScalarBarVisibility(view, False)
-        marks.Visibility = 0
-    # The range follows larger values, but not against the user.
-    marks.Visibility = 1
-    pull(stress, 3.0)
-    simple.Render(view)
-    assert numpy.allclose(map_range(marks), (-3.0, 3.0), atol=1e-3), map_range(marks)
-    marks.LookupTable.RescaleTransferFunction(-1.0, 5.0)
-    pull(stress, 8.0)
-    simple.Render(view)
-    assert numpy.allclose(map_range(marks), (-1.0, 5.0)), map_range(marks)
-    # The surface is quiet until it is colored, by the same colors.
-    assert not surface.ColorArrayName[1], surface.ColorArrayName
-    marks.Visibility = 0
-    for array, condition, most in (("MajorValue", red, 8.0), ("MinorValue", blue, 1.0)):
-        simple.ColorBy(surface, ("POINTS", array))
-        simple.Render(view)
-        assert numpy.allclose(map_range(surface), (-most, most), atol=1e-3), map_range(surface)
-    simple.ResetSession()
-
-    shown = directionfields.show(pull(simple.TrivialProducer(), 2.0), 2, new_view(), Alignment="Tensor",
-                                 TensorArray=["POINTS", "Stress"])
-    assert pixels(picture_of(shown.view, "ApplyTensionShown.png"), red) > 2000
-    # A number stays in the line of its unit.
-    lines = servermanager.Fetch(shown.caption).GetColumn(0).GetValue(0).split("\n")
-    assert lines[-1].endswith("0\xa0% isotropic"), lines
-    bars = [display for display in shown.view.Representations
-            if display.GetXMLName() == "ScalarBarWidgetRepresentation"]
-    assert [bar.Title for bar in bars if bar.Visibility] == ["Principal value"], bars
-    simple.ResetSession()
-
-
-def sphere(inside_out=False):
-    source = simple.Sphere(ThetaResolution=48, PhiResolution=32)
-    if not inside_out:
-        return source
-    turned = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals
-    return turned(Input=source, FlipNormals=1, Splitting=0)
-
-
-def glyph_pixels(source, sides):
-    """How many pixels glyphs take, seen from above and from below."""
-    view = new_view()
-    field, _, balls = shown_field(view, source)
-    balls.Visibility = 0
-    simple.Show(DirectionFieldGlyphs(Input=field), view)
-    view.CameraFocalPoint, view.CameraViewUp = [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]
-    counts = []
-    for side in sides:
-        view.CameraPosition = [0.0, 0.0, side]
-        simple.ResetCamera(view)
-        counts.append(pixels(picture_of(view, f"ApplySide{side}.png"), teal))
-    simple.ResetSession()
-    return counts
-
-
-def test_sides():
-    """Glyphs are seen on surfaces wound inside out as on others, and on open ones from both
-    sides."""
-    [plain], [turned] = glyph_pixels(sphere(), [5]), glyph_pixels(sphere(inside_out=True), [5])
-    assert plain > 10000 and abs(turned - plain) < 0.15 * plain, (plain, turned)
-    front, back = glyph_pixels(simple.Plane(XResolution=20, YResolution=20), [5, -5])
-    assert front > 10000 and abs(back - front) < 0.15 * front, (front, back)
-
-
 def test_one_singularity():
     """A field with a single singularity shows it as a ball of a size that fits."""
     view = new_view()
     half = simple.Sphere(EndPhi=90.0, ThetaResolution=48, PhiResolution=24)
-    field, _, _ = shown_field(view, half, Degree=1, ConstrainBoundary=1)
+    field = DirectionField(Input=half, Degree=1, ConstrainBoundary=1)
+    shown_field(view, field)
     count = field.GetDataInformation(1).GetNumberOfPoints()
     assert count == 1, count
     found = pixels(picture_of(view, "ApplyOne.png"), red)
@@ -519,7 +270,8 @@ def test_no_singularity():
     """A field without singularities shows none, says nothing, and has its colors ready for those
     that come with other properties."""
     view = new_view()
-    field, _, balls = shown_field(view, simple.Plane(XResolution=20, YResolution=20))
+    field = DirectionField(Input=simple.Plane(XResolution=20, YResolution=20))
+    _, balls = shown_field(view, field)
     assert field.GetDataInformation(1).GetNumberOfPoints() == 0
     path = picture_of(view, "ApplyNone.png")
     assert pixels(path, red) + pixels(path, blue) == 0 and not balls.ColorArrayName[1]
@@ -540,7 +292,7 @@ def test_user():
         ' "DiffuseColor": [0.0, 1.0, 0.0]}},'
         ' "standard_presets": {"SingularityIndex": "Grayscale"}}', 2.0)
     view = new_view()
-    _, surface, balls = shown_field(view, simple.Sphere())
+    surface, balls = shown_field(view, DirectionField(Input=simple.Sphere()))
     assert surface.Opacity == 0.5 and list(surface.DiffuseColor) == [0.0, 1.0, 0.0]
     assert list(balls.LookupTable.Annotations) == []
     settings.ClearAllSettings()
@@ -548,9 +300,7 @@ def test_user():
 
 
 test_field()
-test_directions()
 test_constraint_lines()
-test_others_hide_directions()
 test_captions()
 test_replaced()
 test_stripes()
@@ -558,9 +308,6 @@ test_no_stripes()
 test_remesh()
 test_guidance()
 test_menus()
-test_glyphs()
-test_tension()
-test_sides()
 test_one_singularity()
 test_no_singularity()
 test_user()

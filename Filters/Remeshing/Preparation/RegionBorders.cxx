@@ -3,8 +3,9 @@
 
 #include "Preparation/RegionBorders.h"
 
+#include "Features/EdgeChains.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace DirectionFields::Internal
@@ -30,144 +31,65 @@ namespace
 {
 /// A turn by less is no stair.
 constexpr double LeastTurn = Pi / 9.0;
-/// The part of a chain's vertices that may be stairs.
+/// The part of a chain's edges that may be stairs.
 constexpr double MostStairs = 0.05;
 
-class Chains
+double LengthOf(const std::vector<EdgeChain>& chains, const SurfaceGeometry& geometry)
 {
-public:
-  Chains(const SurfaceGeometry& geometry, std::vector<char>& isHard)
-    : Mesh(geometry.Mesh)
-    , Places(geometry.Positions)
-    , IsHard(isHard)
-    , Edges(geometry.Mesh.GetNumberOfVertices(), { None, None })
-    , IsNode(geometry.Mesh.GetNumberOfVertices(), 0)
-    , IsSeen(geometry.Mesh.GetNumberOfEdges(), 0)
+  double length = 0.0;
+  for (const EdgeChain& chain : chains)
   {
-    for (Index e = 0; e < this->Mesh.GetNumberOfEdges(); ++e)
-    {
-      for (const Index v : this->EndsOf(e))
-      {
-        if (isHard[e] != 0)
-        {
-          std::array<Index, 2>& own = this->Edges[v];
-          this->IsNode[v] = own[1] != None || this->Mesh.IsBoundary(v) ? 1 : this->IsNode[v];
-          own[own[0] == None ? 0 : 1] = e;
-        }
-      }
-    }
+    length += chain.Length(geometry);
   }
+  return length;
+}
 
-  double DropStairs(double shortest)
+double AreaOf(const SurfaceGeometry& geometry)
+{
+  const std::vector<Vector3>& places = geometry.Positions;
+  double area = 0.0;
+  for (Index t = 0; t < geometry.Mesh.GetNumberOfTriangles(); ++t)
   {
-    double all = 0.0;
-    double dropped = 0.0;
-    // From their ends first; what is left then is closed.
-    for (const bool areClosed : { false, true })
-    {
-      for (Index e = 0; e < this->Mesh.GetNumberOfEdges(); ++e)
-      {
-        for (const Index start : this->EndsOf(e))
-        {
-          if (this->IsHard[e] == 0 || this->IsSeen[e] != 0 ||
-            (!areClosed && this->IsNode[start] == 0))
-          {
-            continue;
-          }
-          const std::vector<Index> chain = this->Follow(start, e);
-          const double length = this->LengthOf(chain);
-          all += length;
-          if (this->IsOfStairs(chain, shortest))
-          {
-            dropped += length;
-            this->Dropped.insert(this->Dropped.end(), chain.begin(), chain.end());
-          }
-        }
-      }
-    }
-    for (const Index e : this->Dropped)
-    {
-      this->IsHard[e] = 0;
-    }
-    return all > 0.0 ? dropped / all : 0.0;
+    const Vector3& p = places[geometry.Mesh.Tail(3 * t)];
+    area += 0.5 *
+      (places[geometry.Mesh.Tail(3 * t + 1)] - p)
+        .cross(places[geometry.Mesh.Tail(3 * t + 2)] - p)
+        .norm();
   }
+  return area;
+}
 
-private:
-  std::array<Index, 2> EndsOf(Index e) const
+/// The change of a chain's direction at each of its vertices; zero at its ends.
+std::vector<Vector3> TurnsOf(const EdgeChain& chain, const std::vector<Vector3>& places)
+{
+  const std::size_t edges = chain.Edges.size();
+  std::vector<Vector3> turns(edges + 1, Vector3::Zero());
+  for (std::size_t i = chain.IsClosed ? 0 : 1; i < edges; ++i)
   {
-    const Index h = this->Mesh.HalfEdge(e);
-    return { this->Mesh.Tail(h), this->Mesh.Head(h) };
+    const Vector3& at = places[chain.Vertices[i]];
+    const Vector3& before = places[chain.Vertices[(i + edges - 1) % edges]];
+    turns[i] =
+      (before - at).stableNormalized() + (places[chain.Vertices[i + 1]] - at).stableNormalized();
   }
-  Index Other(Index e, Index v) const
-  {
-    const std::array<Index, 2> ends = this->EndsOf(e);
-    return ends[0] == v ? ends[1] : ends[0];
-  }
-  double LengthOf(const std::vector<Index>& chain) const
-  {
-    double length = 0.0;
-    for (const Index e : chain)
-    {
-      const std::array<Index, 2> ends = this->EndsOf(e);
-      length += (this->Places[ends[1]] - this->Places[ends[0]]).norm();
-    }
-    return length;
-  }
+  turns[edges] = turns[0];
+  return turns;
+}
 
-  std::vector<Index> Follow(Index v, Index e)
+bool RunsInStairs(const EdgeChain& chain, const std::vector<Vector3>& places, double shortest)
+{
+  const double least = 2.0 * std::sin(0.5 * LeastTurn);
+  const std::vector<Vector3> turns = TurnsOf(chain, places);
+  std::size_t steps = 0;
+  for (std::size_t i = 0; i < chain.Edges.size(); ++i)
   {
-    std::vector<Index> chain;
-    while (e != None && this->IsSeen[e] == 0)
-    {
-      this->IsSeen[e] = 1;
-      chain.push_back(e);
-      v = this->Other(e, v);
-      const std::array<Index, 2>& own = this->Edges[v];
-      e = this->IsNode[v] != 0 ? None : own[own[0] == e ? 1 : 0];
-    }
-    return chain;
+    const double a = turns[i].norm();
+    const double b = turns[i + 1].norm();
+    const bool isStep = a > least && b > least && turns[i].dot(turns[i + 1]) < -0.5 * a * b &&
+      (places[chain.Vertices[i + 1]] - places[chain.Vertices[i]]).norm() < shortest;
+    steps += isStep ? 1 : 0;
   }
-
-  /// The change of the border's direction at a vertex; zero at ends.
-  Vector3 TurnAt(Index v) const
-  {
-    const std::array<Index, 2>& own = this->Edges[v];
-    if (this->IsNode[v] != 0 || own[1] == None)
-    {
-      return Vector3::Zero();
-    }
-    const Vector3& at = this->Places[v];
-    return (this->Places[this->Other(own[0], v)] - at).stableNormalized() +
-      (this->Places[this->Other(own[1], v)] - at).stableNormalized();
-  }
-
-  bool IsOfStairs(const std::vector<Index>& chain, double shortest) const
-  {
-    const double least = 2.0 * std::sin(0.5 * LeastTurn);
-    std::size_t steps = 0;
-    for (const Index e : chain)
-    {
-      const std::array<Index, 2> ends = this->EndsOf(e);
-      const Vector3 a = this->TurnAt(ends[0]);
-      const Vector3 b = this->TurnAt(ends[1]);
-      const bool isStep = a.norm() > least && b.norm() > least &&
-        a.dot(b) < -0.5 * a.norm() * b.norm() &&
-        (this->Places[ends[1]] - this->Places[ends[0]]).norm() < shortest;
-      steps += isStep ? 1 : 0;
-    }
-    return static_cast<double>(steps) > MostStairs * static_cast<double>(chain.size());
-  }
-
-  const TriangleMesh& Mesh;
-  const std::vector<Vector3>& Places;
-  std::vector<char>& IsHard;
-  /// Two edges of the borders at each vertex.
-  std::vector<std::array<Index, 2>> Edges;
-  /// Not 0 where borders end or meet.
-  std::vector<char> IsNode;
-  std::vector<char> IsSeen;
-  std::vector<Index> Dropped;
-};
+  return static_cast<double>(steps) > MostStairs * static_cast<double>(chain.Edges.size());
+}
 }
 
 double DropStairs(const SurfaceGeometry& geometry, std::vector<char>& isHard, double shortest)
@@ -176,29 +98,25 @@ double DropStairs(const SurfaceGeometry& geometry, std::vector<char>& isHard, do
   {
     return 0.0;
   }
-  const TriangleMesh& mesh = geometry.Mesh;
-  double length = 0.0;
-  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
-  {
-    const Index h = mesh.HalfEdge(e);
-    length += isHard[e] == 0
-      ? 0.0
-      : (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).norm();
-  }
-  double area = 0.0;
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    const Vector3& p = geometry.Positions[mesh.Tail(3 * t)];
-    area += 0.5 *
-      (geometry.Positions[mesh.Tail(3 * t + 1)] - p)
-        .cross(geometry.Positions[mesh.Tail(3 * t + 2)] - p)
-        .norm();
-  }
-  if (area < shortest * length)
+  const std::vector<EdgeChain> chains = ChainsOf(geometry.Mesh, isHard);
+  const double length = LengthOf(chains, geometry);
+  if (AreaOf(geometry) < shortest * length)
   {
     std::fill(isHard.begin(), isHard.end(), 0);
     return 1.0;
   }
-  return Chains(geometry, isHard).DropStairs(shortest);
+  double dropped = 0.0;
+  for (const EdgeChain& chain : chains)
+  {
+    if (RunsInStairs(chain, geometry.Positions, shortest))
+    {
+      dropped += chain.Length(geometry);
+      for (const Index e : chain.Edges)
+      {
+        isHard[e] = 0;
+      }
+    }
+  }
+  return length > 0.0 ? dropped / length : 0.0;
 }
 }

@@ -3,7 +3,10 @@
 
 #include "Regions/FaceRegions.h"
 
+#include "FaceMesh/VertexStars.h"
+
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -14,80 +17,38 @@ namespace
 /// A part of the area of enclosed faces that decides for all of them.
 constexpr double Decisive = 0.95;
 
-std::array<Index, 2> EndsOf(Index a, Index b)
+/// The faces, with lines where borders are.
+VertexStars WithBorders(const FaceMesh& mesh, const std::vector<char>& isBorder)
 {
-  return { std::min(a, b), std::max(a, b) };
+  std::vector<FaceMesh::LineEdge> borders;
+  std::copy_if(mesh.LineEdges.begin(), mesh.LineEdges.end(), std::back_inserter(borders),
+    [&](const FaceMesh::LineEdge& edge) { return edge.Line > 0 && isBorder[edge.Line] != 0; });
+  return { mesh.Cells, static_cast<Index>(mesh.Points.size()), borders };
 }
 
-/// The faces on the other side of each side of a face that is no border.
-class OpenSides
+/// Calls visit(g) for the faces beside a face, but across borders.
+template <typename Visit>
+void ForNeighbours(const VertexStars& faces, Index f, const Visit& visit)
 {
-public:
-  OpenSides(const FaceMesh& mesh, const std::vector<char>& isBorder)
-    : Corners(mesh.Cells.Corners)
+  const Faces::Face& face = faces.Face(f);
+  const int size = Faces::Size(face);
+  for (int c = 0; c < size; ++c)
   {
-    for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
+    const Index v = face[c];
+    const Index w = face[(c + 1) % size];
+    const Index g = faces.IsLineEdge(v, w) ? None : faces.Across(f, v, w);
+    if (g != None)
     {
-      if (edge.Line > 0 && isBorder[edge.Line] != 0)
-      {
-        this->Borders.push_back(EndsOf(edge.Ends[0], edge.Ends[1]));
-      }
-    }
-    std::sort(this->Borders.begin(), this->Borders.end());
-    for (std::size_t f = 0; f < this->Corners.size(); ++f)
-    {
-      const int size = Faces::Size(this->Corners[f]);
-      for (int c = 0; c < size; ++c)
-      {
-        this->Sides.push_back(
-          { EndsOf(this->Corners[f][c], this->Corners[f][(c + 1) % size]), static_cast<Index>(f) });
-      }
-    }
-    std::sort(this->Sides.begin(), this->Sides.end());
-  }
-
-  template <typename Visit>
-  void ForNeighbours(Index face, const Visit& visit) const
-  {
-    const int size = Faces::Size(this->Corners[face]);
-    for (int c = 0; c < size; ++c)
-    {
-      const std::array<Index, 2> ends =
-        EndsOf(this->Corners[face][c], this->Corners[face][(c + 1) % size]);
-      if (std::binary_search(this->Borders.begin(), this->Borders.end(), ends))
-      {
-        continue;
-      }
-      auto first = std::lower_bound(this->Sides.begin(), this->Sides.end(), Side{ ends, 0 });
-      auto last = first;
-      while (last != this->Sides.end() && last->first == ends)
-      {
-        ++last;
-      }
-      // Where more than two sheets meet, each ends.
-      for (; last - first == 2 && first != last; ++first)
-      {
-        if (first->second != face)
-        {
-          visit(first->second);
-          break;
-        }
-      }
+      visit(g);
     }
   }
-
-private:
-  using Side = std::pair<std::array<Index, 2>, Index>;
-  const std::vector<Faces::Face>& Corners;
-  std::vector<std::array<Index, 2>> Borders;
-  std::vector<Side> Sides;
-};
+}
 }
 
 std::vector<Index> RegionsOfFaces(const FaceMesh& mesh, const std::vector<Index>& regions,
   const std::vector<Index>& closest, const std::vector<char>& isBorder)
 {
-  const OpenSides sides(mesh, isBorder);
+  const VertexStars faces = WithBorders(mesh, isBorder);
   const auto count = static_cast<Index>(mesh.Cells.Corners.size());
   std::vector<Index> region(count);
   std::vector<char> isSeen(count, 0);
@@ -107,7 +68,7 @@ std::vector<Index> RegionsOfFaces(const FaceMesh& mesh, const std::vector<Index>
       const double own = AreaOf(mesh.Points, mesh.Cells.Corners[f]);
       area[regions[closest[f]]] += own;
       whole += own;
-      sides.ForNeighbours(f,
+      ForNeighbours(faces, f,
         [&](Index g)
         {
           if (isSeen[g] == 0)

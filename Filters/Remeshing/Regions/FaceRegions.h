@@ -16,7 +16,7 @@ namespace DirectionFields::Internal
 /// face is in the region of its closest triangle.
 /// @param regions  of each triangle of the input
 /// @param closest  triangle of the input to the middle of each face
-/// @param isBorder not 0 for the lines, from 1 on, that are borders of regions
+/// @param isBorder not 0 for the lines, from 1 on, that no region crosses
 std::vector<Index> RegionsOfFaces(const FaceMesh& mesh, const std::vector<Index>& regions,
   const std::vector<Index>& closest, const std::vector<char>& isBorder);
 

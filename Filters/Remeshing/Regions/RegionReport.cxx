@@ -125,9 +125,11 @@ RegionLines::RegionLines(const PreparedSurface& surface, const FeatureLines& fea
   for (std::size_t k = 0; k < features.Chains.size(); ++k)
   {
     const FeatureLines::Chain& chain = features.Chains[k];
-    if (isHard[mesh.Edge(chain.Steps.front().HalfEdge)] != 0)
+    const Index h = chain.Steps.front().HalfEdge;
+    const bool isBetween = isHard[mesh.Edge(h)] != 0;
+    this->IsBorder[k + 1] = isBetween || mesh.Twin(h) == None ? 1 : 0;
+    if (isBetween)
     {
-      this->IsBorder[k + 1] = 1;
       const std::vector<ClosestPoints::Corners> segments = surface.SegmentsOf(geometry, chain);
       this->Segments.insert(this->Segments.end(), segments.begin(), segments.end());
     }

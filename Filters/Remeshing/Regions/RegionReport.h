@@ -16,7 +16,8 @@ namespace DirectionFields::Internal
 /// The features of a surface at which regions meet.
 struct RegionLines
 {
-  /// Not 0 for the lines, from 1 on, that are borders of regions.
+  /// Not 0 for the lines, from 1 on, that are borders of regions, or the boundary, where sheets may
+  /// meet.
   std::vector<char> IsBorder;
   /// All segments of the borders, as triangles without area.
   std::vector<ClosestPoints::Corners> Segments;

@@ -3,6 +3,7 @@
 
 #include "Features/KeptFeatures.h"
 
+#include "Features/EdgeChains.h"
 #include "Features/FeatureChains.h"
 #include "Geometry/DihedralAngles.h"
 
@@ -16,108 +17,28 @@ namespace
 /// Dropped chains let others grow together, which are looked at again.
 constexpr int MostRounds = 4;
 
-class ShortChains
+/// Returns whether any was dropped.
+bool DropShorter(const SurfaceGeometry& geometry, double shortest, std::vector<char>& isFeature,
+  const std::vector<char>& isHard)
 {
-public:
-  ShortChains(
-    const SurfaceGeometry& geometry, std::vector<char>& isFeature, const std::vector<char>& isHard)
-    : Geometry(geometry)
-    , Mesh(geometry.Mesh)
-    , IsFeature(isFeature)
-    , IsHard(isHard)
+  bool hasDropped = false;
+  for (const EdgeChain& chain : ChainsOf(geometry.Mesh, isFeature))
   {
-  }
-
-  /// Returns whether any was dropped.
-  bool Drop(double shortest)
-  {
-    this->EdgesAt.assign(this->Mesh.GetNumberOfVertices(), {});
-    for (Index e = 0; e < this->Mesh.GetNumberOfEdges(); ++e)
+    if (!(chain.IsClosed || chain.EndsFreely) || chain.Length(geometry) >= shortest)
     {
-      if (this->IsFeature[e] != 0)
-      {
-        const Index h = this->Mesh.HalfEdge(e);
-        this->EdgesAt[this->Mesh.Tail(h)].push_back(e);
-        this->EdgesAt[this->Mesh.Head(h)].push_back(e);
-      }
+      continue;
     }
-    this->IsSeen.assign(this->Mesh.GetNumberOfEdges(), 0);
-    bool hasDropped = false;
-    std::vector<Index> dropped;
-    for (const bool fromNodes : { true, false })
+    for (const Index e : chain.Edges)
     {
-      for (Index v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+      if (isHard.empty() || isHard[e] == 0)
       {
-        if (this->IsNode(v) != fromNodes)
-        {
-          continue;
-        }
-        for (const Index e : this->EdgesAt[v])
-        {
-          if (this->IsSeen[e] == 0)
-          {
-            this->Follow(v, e, shortest, dropped);
-          }
-        }
-      }
-    }
-    for (const Index e : dropped)
-    {
-      if (this->IsHard.empty() || this->IsHard[e] == 0)
-      {
-        this->IsFeature[e] = 0;
+        isFeature[e] = 0;
         hasDropped = true;
       }
     }
-    return hasDropped;
   }
-
-private:
-  bool IsNode(Index v) const { return this->EdgesAt[v].size() != 2 || this->Mesh.IsBoundary(v); }
-  bool IsFreeEnd(Index v) const
-  {
-    return this->EdgesAt[v].size() == 1 && !this->Mesh.IsBoundary(v);
-  }
-
-  void Follow(Index start, Index first, double shortest, std::vector<Index>& dropped)
-  {
-    std::vector<Index> chain;
-    double length = 0.0;
-    Index v = start;
-    Index e = first;
-    while (e != None)
-    {
-      this->IsSeen[e] = 1;
-      chain.push_back(e);
-      const Index h = this->Mesh.HalfEdge(e);
-      length += (this->Geometry.Positions[this->Mesh.Head(h)] -
-        this->Geometry.Positions[this->Mesh.Tail(h)])
-                  .norm();
-      v = this->Mesh.Tail(h) == v ? this->Mesh.Head(h) : this->Mesh.Tail(h);
-      e = None;
-      if (!this->IsNode(v))
-      {
-        for (const Index next : this->EdgesAt[v])
-        {
-          e = this->IsSeen[next] == 0 ? next : e;
-        }
-      }
-    }
-    const bool isClosed = v == start && !this->IsNode(v);
-    const bool endsFreely = this->IsFreeEnd(start) || this->IsFreeEnd(v);
-    if ((isClosed || endsFreely) && length < shortest)
-    {
-      dropped.insert(dropped.end(), chain.begin(), chain.end());
-    }
-  }
-
-  const SurfaceGeometry& Geometry;
-  const TriangleMesh& Mesh;
-  std::vector<char>& IsFeature;
-  const std::vector<char>& IsHard;
-  std::vector<std::vector<Index>> EdgesAt;
-  std::vector<char> IsSeen;
-};
+  return hasDropped;
+}
 }
 
 std::vector<char> FindFeatures(
@@ -148,8 +69,8 @@ std::vector<char> FindFeatures(
 void DropShortFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings,
   std::vector<char>& isFeature, const std::vector<char>& isHard)
 {
-  ShortChains shortChains(geometry, isFeature, isHard);
-  for (int k = 0; k < MostRounds && shortChains.Drop(settings.ShortestChain); ++k)
+  for (int k = 0;
+       k < MostRounds && DropShorter(geometry, settings.ShortestChain, isFeature, isHard); ++k)
   {
   }
 }

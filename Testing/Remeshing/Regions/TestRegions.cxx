@@ -159,13 +159,54 @@ TEST(Regions, TeesAndIslandsOfASquareAreExact)
   const Surface square = Meshes::Square(40);
   const auto label = [](const Vector3& p)
   {
-    const bool isIsland = std::abs(p[0] - 0.7) < 0.1 && std::abs(p[1] - 0.25) < 0.1;
+    // An island of one face, which would be too short for a sharp edge.
+    const bool isIsland = std::abs(p[0] - 0.725) < 0.02 && std::abs(p[1] - 0.225) < 0.02;
     return isIsland ? 3 : p[1] > 0.5 ? 0 : p[0] > 0.3 ? 1 : 2;
   };
   const std::vector<Index> regions = Labelled(square, label);
   const RemeshResult mesh = Remeshed(square, regions, 400);
   ExpectAllKept(mesh, square, regions, 1e-9);
   EXPECT_EQ(CountMeetings(mesh, 3), 1);
+}
+
+TEST(Regions, SheetsThatMeetInALineKeepTheirs)
+{
+  // Three rectangles of different regions around one edge, which needs no border. The first has
+  // nearly all of the area.
+  Surface sheets;
+  std::vector<Index> regions;
+  constexpr int cells = 12;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(k * 2.0 * Pi / 3.0, Vector3::UnitY()).toRotationMatrix();
+    const Eigen::Matrix3d widen = Vector3(k == 0 ? 8.0 : 0.15, 1.0, 1.0).asDiagonal();
+    const Surface sheet = Meshes::Transformed(Meshes::Square(cells), turn * widen, Vector3::Zero());
+    regions.resize(regions.size() + sheet.Triangles.size(), k);
+    sheets = k == 0 ? sheet : Meshes::Joined(sheets, sheet);
+  }
+  // The points on the edge are the first sheet's for all three.
+  const auto perSheet = static_cast<Index>(sheets.Points.size()) / 3;
+  for (Triangle& t : sheets.Triangles)
+  {
+    for (Index& p : t)
+    {
+      p = std::hypot(sheets.Points[p].x(), sheets.Points[p].z()) < 1e-9 ? p % perSheet : p;
+    }
+  }
+  const RemeshResult mesh = Remeshed(sheets, regions, 830);
+  std::map<Index, double> areas;
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    EXPECT_EQ(mesh.Regions[f], regions[mesh.FaceSource[f]]);
+    const std::array<Index, 4>& p = mesh.Faces[f];
+    areas[mesh.Regions[f]] += 0.5 *
+      (mesh.Points[p[2]] - mesh.Points[p[0]]).cross(mesh.Points[p[3]] - mesh.Points[p[1]]).norm();
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(areas[k], k == 0 ? 8.0 : 0.15, 1e-6) << k;
+  }
 }
 
 TEST(Regions, DecimatedSurfacesKeepThem)
