@@ -143,6 +143,34 @@ void vtkSMDirectionFieldRepresentationProxy::PrintSelf(ostream& os, vtkIndent in
 }
 
 //------------------------------------------------------------------------------
+int vtkSMDirectionFieldRepresentationProxy::CreateSubProxiesAndProperties(
+  vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
+{
+  // An XML cannot name another proxy for a sub-proxy of the one that it is based on. The element is
+  // that of ParaView's own display as well, hence is left as it was.
+  constexpr const char* own = "SurfaceOfDirectionField";
+  constexpr const char* base = "SurfaceRepresentation";
+  vtkPVXMLElement* surface = nullptr;
+  display_hints::ForNested(element, "SubProxy",
+    [&](vtkPVXMLElement* nested)
+    {
+      vtkPVXMLElement* const proxy = nested->FindNestedElementByName("Proxy");
+      const bool isSurface = proxy && std::string(base) == proxy->GetAttributeOrEmpty("proxyname");
+      surface = isSurface ? proxy : surface;
+    });
+  if (surface)
+  {
+    surface->SetAttribute("proxyname", own);
+  }
+  const int made = this->Superclass::CreateSubProxiesAndProperties(manager, element);
+  if (surface)
+  {
+    surface->SetAttribute("proxyname", base);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
 bool vtkSMDirectionFieldRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bool visible)
 {
   const auto find = [&]() -> vtkSMProxy*

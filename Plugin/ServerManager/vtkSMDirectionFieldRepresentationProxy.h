@@ -72,6 +72,13 @@ protected:
   vtkSMDirectionFieldRepresentationProxy();
   ~vtkSMDirectionFieldRepresentationProxy() override;
 
+  /**
+   * Makes the sub-proxies. In place of SurfaceRepresentation, from which ParaView's display has the
+   * array to color by, comes SurfaceOfDirectionField, which offers fewer of them.
+   */
+  int CreateSubProxiesAndProperties(
+    vtkSMSessionProxyManager* manager, vtkPVXMLElement* element) override;
+
   // VTK's wrapper of classes does not know the test.
 #ifndef __VTK_WRAP__
 #if !__has_include("vtkSMColorMapEditorHelper.h")

@@ -227,32 +227,6 @@ def test_guidance():
     simple.ResetSession()
 
 
-def menu(display):
-    """The arrays that the colour menu offers."""
-    domain = display.GetProperty("ColorArrayName").GetDomain("array_list")
-    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
-
-
-def test_menus():
-    """Menus of arrays are short, and are long where Diagnostics is on."""
-    view = new_view()
-    source = simple.Sphere(ThetaResolution=24, PhiResolution=16, EndPhi=120.0)
-    field = DirectionField(Input=simple.Transform(Input=source), Degree=2)
-    surface, _ = apply(view, field)
-    print(menu(surface))
-    for degree in (1, 2, 4):
-        field.Degree = degree
-        simple.Render(view)
-        # The sphere has normals of its own.
-        offered = [name for name in menu(surface) if name != "Normals"]
-        others = [name for name in offered if not name.startswith("Direction")]
-        assert len(offered) == degree + len(others) and len(others) <= 4, (degree, offered)
-    [lines] = apply(view, DirectionFieldStreamlines(Input=field))[:1]
-    print(menu(lines))
-    assert len(menu(lines)) <= 5, menu(lines)
-    simple.ResetSession()
-
-
 def test_one_singularity():
     """A field with a single singularity shows it as a ball of a size that fits."""
     view = new_view()
@@ -307,7 +281,6 @@ test_stripes()
 test_no_stripes()
 test_remesh()
 test_guidance()
-test_menus()
 test_one_singularity()
 test_no_singularity()
 test_user()
