@@ -9,7 +9,12 @@ from paraview.simple import *
 
 
 def check():
-    field = GetActiveSource()
+    # Names tell the mesh, through other filters of the plugin, and are not given twice.
+    another = FindSource("Field of bunny.ply (2)")
+    field = FindSource("Field of bunny.ply")
+    assert another and another.Input == field, list(GetSources())
+    Delete(another)
+    SetActiveSource(field)
     assert field.GetXMLName() == "DirectionField", field.GetXMLName()
     assert field.Input.GetXMLName() == "PLYReader", field.Input.GetXMLName()
     # The playback has set the degree and the edges in the panel, and left the iterations alone.
