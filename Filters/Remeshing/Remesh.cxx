@@ -80,8 +80,9 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
 }
 
 Remesh::Remesh(std::shared_ptr<const Surface> surface)
-  : Unit(UnitFor(*surface))
-  , Input(InUnit(std::move(surface), this->Unit))
+  : Origin(OriginFor(*surface))
+  , Unit(UnitFor(*surface))
+  , Input(InUnit(std::move(surface), this->Origin, this->Unit))
 {
 }
 Remesh::~Remesh() = default;
@@ -325,12 +326,12 @@ void Report(const Request& request, const FeatureLines& features,
   ReportQuality(request, finished.Faces, result);
 }
 
-/// A result whose lengths are in a unit of the surface given.
-RemeshResult InUnitOfSurface(RemeshResult&& result, double unit)
+/// A result whose places and lengths are those of the surface given.
+RemeshResult InUnitOfSurface(RemeshResult&& result, const Vector3& origin, double unit)
 {
   for (Vector3& point : result.Points)
   {
-    point *= unit;
+    point = unit * point + origin;
   }
   result.MaximumDistance *= unit;
   result.MaximumDistanceToMesh *= unit;
@@ -372,7 +373,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vecto
   {
     RemeshResult result;
     this->Make(options, directions, progress, result);
-    return InUnitOfSurface(std::move(result), this->Unit);
+    return InUnitOfSurface(std::move(result), this->Origin, this->Unit);
   }
   catch (const Stopped&)
   {
@@ -411,7 +412,7 @@ void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
     RemeshResult smaller;
     this->MakeOnce(
       options, directions, thin, progress.Part(afterRound(k), afterRound(k + 1)), smaller);
-    smaller.Notes.push_back(thin.Sentence(this->Unit));
+    smaller.Notes.push_back(thin.Sentence(this->Origin, this->Unit));
     last = std::move(smaller);
     if (IsCloser(StandingOf(last), StandingOf(result)))
     {

@@ -187,7 +187,9 @@ private:
     const std::vector<Vector3>& directions, const Internal::ThinParts& thin,
     const Progress& progress);
 
-  /// Of all lengths within: another one than that of the surface where that is very large or small.
+  /// Of all places and lengths within: others than those of the surface where that is very far from
+  /// 0 for its size, very large or small.
+  Vector3 Origin;
   double Unit;
   std::shared_ptr<const Surface> Input;
   std::unique_ptr<Internal::PreparedField> Cache;

@@ -308,6 +308,41 @@ TEST(Remesh, ScalesWithTheSurface)
   }
 }
 
+TEST(Remesh, IsTheSameVeryFarFromZero)
+{
+  // Whole coordinates from 0 on, which stay whole where they are moved.
+  Surface near = Meshes::Potato(3);
+  Vector3 least = near.Points.front();
+  for (Vector3& point : near.Points)
+  {
+    point = (std::ldexp(1.0, 15) * point).array().round();
+    least = least.cwiseMin(point);
+  }
+  Surface far = near;
+  const Vector3 shift(std::ldexp(1.0, 52), 0.0, -std::ldexp(1.0, 52));
+  for (std::size_t p = 0; p < near.Points.size(); ++p)
+  {
+    near.Points[p] -= Vector3(least[0], 0.0, least[2]);
+    far.Points[p] = near.Points[p] + shift;
+  }
+  const RemeshResult mesh = Remeshed(near, 300);
+  const RemeshResult moved = Remeshed(far, 300);
+  EXPECT_EQ(moved.Faces, mesh.Faces);
+  EXPECT_EQ(moved.MaximumDistance, mesh.MaximumDistance);
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    EXPECT_EQ(moved.Points[v], Vector3(mesh.Points[v] + shift));
+  }
+
+  // A square in a plane whose place, squared, is no number.
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  const RemeshResult plane =
+    Remeshed(Meshes::Transformed(Meshes::Square(7), identity, Vector3(0.0, 0.0, -1e200)), 100);
+  EXPECT_EQ(plane.Quads, 100);
+  EXPECT_LT(plane.MaximumDistance, 1e-12);
+  EXPECT_LT(plane.MaximumDistanceToMesh, 1e-12);
+}
+
 TEST(Remesh, PointsAreWhereTheirSourcesSay)
 {
   const Surface surface = Meshes::ChamferedCube(4);

@@ -214,7 +214,7 @@ bool ThinParts::Shrink(
   return true;
 }
 
-std::string ThinParts::Sentence(double unit) const
+std::string ThinParts::Sentence(const Vector3& origin, double unit) const
 {
   const Surface& surface = this->Given;
   if (this->Lengths.empty())
@@ -237,7 +237,7 @@ std::string ThinParts::Sentence(double unit) const
     count += this->Lengths[p] < Any && parts.Find(p) == p ? 1 : 0;
   }
   const auto least = std::min_element(this->Lengths.begin(), this->Lengths.end());
-  const Vector3 place = unit * surface.Points[least - this->Lengths.begin()];
+  const Vector3 place = unit * surface.Points[least - this->Lengths.begin()] + origin;
   return "Edges are shorter, down to " + Figure(unit * *least) + ", at " + std::to_string(count) +
     (count == 1 ? " place" : " places") + " where limbs or tips would be lost, as at (" +
     Figure(place[0]) + ", " + Figure(place[1]) + ", " + Figure(place[2]) +

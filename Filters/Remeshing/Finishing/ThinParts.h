@@ -74,8 +74,9 @@ public:
   const std::vector<double>& GetLengths() const { return this->Lengths; }
 
   /// Tells the user where edges are shorter. Empty where none are.
+  /// @param origin place around which the surface is given here
   /// @param unit of the surface
-  std::string Sentence(double unit) const;
+  std::string Sentence(const Vector3& origin, double unit) const;
 
 private:
   const Surface& Given;

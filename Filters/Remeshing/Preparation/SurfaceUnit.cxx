@@ -16,6 +16,9 @@ namespace
 /// Surfaces with triangles larger than this, or none larger than its inverse, are computed in
 /// another unit: the lengths of edges to high powers would not be numbers.
 constexpr double LargestSide = 1e20;
+/// Surfaces farther away than this, in lengths of the longest side of their box, are computed
+/// around a place of their own. Nearer ones keep six digits of a place in them at least.
+constexpr double FarthestPlace = 1e10;
 
 /// The greatest difference of coordinates from a triangle's first corner; points that no triangle
 /// has do not count, and of ids of no point, and of coordinates whose sums overflow, the surface's
@@ -55,16 +58,47 @@ double UnitFor(const Surface& surface)
   return std::ldexp(1.0, std::max(exponent, -1000));
 }
 
-std::shared_ptr<const Surface> InUnit(std::shared_ptr<const Surface> surface, double unit)
+Vector3 OriginFor(const Surface& surface)
 {
-  if (unit == 1.0)
+  const auto size = static_cast<Index>(surface.Points.size());
+  Eigen::AlignedBox3d box;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const Index p : t)
+    {
+      if (p >= 0 && p < size)
+      {
+        box.extend(surface.Points[p]);
+      }
+    }
+  }
+  Vector3 origin = Vector3::Zero();
+  const double longest = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+  // Coordinates whose sums overflow are left for the surface's preparation to refuse.
+  const bool haveSums =
+    (4.0 * box.min()).allFinite() && (4.0 * box.max()).allFinite() && std::isfinite(longest);
+  if (!haveSums || !(longest > 0.0))
+  {
+    return origin;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    origin[c] = std::abs(box.min()[c]) / FarthestPlace > longest ? box.min()[c] : 0.0;
+  }
+  return origin;
+}
+
+std::shared_ptr<const Surface> InUnit(
+  std::shared_ptr<const Surface> surface, const Vector3& origin, double unit)
+{
+  if (unit == 1.0 && origin.isZero(0.0))
   {
     return surface;
   }
   auto scaled = std::make_shared<Surface>(*surface);
   for (Vector3& point : scaled->Points)
   {
-    point *= 1.0 / unit;
+    point = (point - origin) * (1.0 / unit);
   }
   return scaled;
 }

@@ -14,8 +14,14 @@ namespace DirectionFields::Internal
 /// of two, so that points keep all digits.
 double UnitFor(const Surface& surface);
 
-/// The surface in another unit.
-std::shared_ptr<const Surface> InUnit(std::shared_ptr<const Surface> surface, double unit);
+/// The place that a surface is computed around: 0 in each coordinate, but where the surface is so
+/// far from there, for its size, that sums of coordinates would lose its shape. Differences of
+/// coordinates from that place are exact.
+Vector3 OriginFor(const Surface& surface);
+
+/// The surface around another place and in another unit.
+std::shared_ptr<const Surface> InUnit(
+  std::shared_ptr<const Surface> surface, const Vector3& origin, double unit);
 
 /// The diagonal of the box around a surface.
 double Extent(const Surface& surface);

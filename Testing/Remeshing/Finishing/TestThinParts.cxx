@@ -123,7 +123,7 @@ TEST(ThinParts, EdgesAreAsShortAsLostPartsAreThinAndGrowFromThere)
   ThinParts thin(body);
   EXPECT_FALSE(thin.Shrink(triangles, distance, length));
   EXPECT_TRUE(thin.GetLengths().empty());
-  EXPECT_EQ(thin.Sentence(1.0), "");
+  EXPECT_EQ(thin.Sentence(Vector3::Zero(), 1.0), "");
   // The tip of one limb is lost.
   for (std::size_t p = 0; p < distance.size(); ++p)
   {
@@ -143,7 +143,7 @@ TEST(ThinParts, EdgesAreAsShortAsLostPartsAreThinAndGrowFromThere)
       EXPECT_TRUE(std::isinf(thin.GetLengths()[p]));
     }
   }
-  EXPECT_NE(thin.Sentence(1.0).find("at 1 place where"), std::string::npos);
+  EXPECT_NE(thin.Sentence(Vector3::Zero(), 1.0).find("at 1 place where"), std::string::npos);
 }
 
 TEST(ThinParts, AnotherMeshIsTakenIfItIsBetterAndInNothingWorse)
