@@ -106,14 +106,16 @@ def test_decimal_comma():
     try:
         assert locale.localeconv()["decimal_point"] == ","
         field = DirectionField(Input=mesh())
-        clean("comma")
-        SaveData(os.path.join(FOLDER, "comma.rosy"), proxy=field)
-        opened = OpenDataFile(os.path.join(FOLDER, "comma.rosy"))
-        opened.UpdatePipeline()
-        found, wanted = (proxy.GetDataInformation().GetBounds() for proxy in (opened, field))
-        assert all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(found, wanted)), (found, wanted)
-        display = Show(opened, CreateRenderView())
-        assert list(display.AmbientColor) == [0.93, 0.91, 0.87], display.AmbientColor
+        for ending in ("rosy", "ffield", "rawfield"):
+            clean("comma")
+            SaveData(os.path.join(FOLDER, f"comma.{ending}"), proxy=field)
+            opened = OpenDataFile(os.path.join(FOLDER, f"comma.{ending}"))
+            opened.UpdatePipeline()
+            found, wanted = (proxy.GetDataInformation().GetBounds() for proxy in (opened, field))
+            assert all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(found, wanted)), (found, wanted)
+            assert opened.GetDataInformation(1).GetNumberOfPoints() > 0, ending
+            display = Show(opened, CreateRenderView())
+            assert list(display.AmbientColor) == [0.93, 0.91, 0.87], display.AmbientColor
     finally:
         locale.setlocale(locale.LC_ALL, "C")
 
