@@ -7,8 +7,8 @@
 A bumpy torus has a cross field aligned with its curvature, its singularities, and glyphs; nothing is
 rendered. The first strength is not counted, as it prepares for the others. The median and the least of
 the changes are printed: of the field, of its second output, of the glyphs, and of the three together;
-and beside them what ParaView takes to look through all arrays for its panels, which no filter can
-spare it. With --most the program fails where the median of the three together is longer."""
+and beside them what ParaView takes to look through all arrays for its panels, most of whose ranges
+the filters have kept. With --most the program fails where the median of the three together is longer."""
 import argparse
 import statistics
 import sys
