@@ -17,7 +17,8 @@ set(pictures
   "filters.ReadDirectionField=files"
   "filters.FieldAlignedRemesh=remesh"
   "sources.DirectionFieldFile=files"
-  "writers.DirectionFieldWriter=files")
+  "writers.DirectionFieldWriter=files"
+  "writers.AbaqusMeshWriter=remesh")
 file(GLOB pages RELATIVE "${HELP}" "${HELP}/filters.*.html" "${HELP}/sources.*.html"
   "${HELP}/writers.*.html")
 foreach (page IN LISTS pages)

@@ -70,6 +70,10 @@ benchmark_packages=(libbenchmark-dev)
 # shellcheck disable=SC2034
 distributed_packages=(libpetsc-complex-dev)
 
+# A solver of finite elements that computes with the meshes written for it.
+# shellcheck disable=SC2034
+solver_packages=(calculix-ccx)
+
 # For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY), its test with pip, and the one with
 # PyVista, which Debian 12 has not.
 # shellcheck disable=SC2034

@@ -3,6 +3,7 @@
 """Direction fields in plain VTK: from directionfields_vtk import vtkDirectionField."""
 
 from .vtkDirectionFieldsFilters import (
+    vtkAbaqusMeshWriter,
     vtkCompareDirectionFields,
     vtkDirectionField,
     vtkDirectionFieldGlyphs,
@@ -29,6 +30,7 @@ from .vtkDirectionFieldsFiltersParallel import (
 )
 
 __all__ = [
+    "vtkAbaqusMeshWriter",
     "vtkCompareDirectionFields",
     "vtkDirectionField",
     "vtkDirectionFieldGlyphs",

@@ -5,6 +5,7 @@
 // ParaView, for comparison with the server manager's. Switches and names of arrays have no range, names that
 // are not set are null.
 
+#include "vtkAbaqusMeshWriter.h"
 #include "vtkPCompareDirectionFields.h"
 #include "vtkPDirectionField.h"
 #include "vtkPDirectionFieldGlyphs.h"
@@ -206,6 +207,16 @@ void PrintWriter()
   RANGE(MinimumFeatureLength);
 }
 
+void PrintMeshWriter()
+{
+  Properties properties("AbaqusMeshWriter");
+  vtkNew<vtkAbaqusMeshWriter> filter;
+  VALUE(RegionArray);
+  VALUE(DirectionArray);
+  VALUE(SecondOrder);
+  RANGE(Thickness);
+}
+
 void PrintCurves()
 {
   Properties properties("GuidanceFromCurves");
@@ -238,6 +249,7 @@ int main()
   PrintEdit();
   PrintReader();
   PrintWriter();
+  PrintMeshWriter();
   PrintCurves();
   PrintComparison();
   std::cout << "\n}\n";

@@ -10,6 +10,7 @@
 #include "Fields.h"
 #include "PipelineChecks.h"
 
+#include "vtkAbaqusMeshWriter.h"
 #include "vtkDirectionFieldGlyphs.h"
 #include "vtkFieldAlignedRemesh.h"
 #include "vtkStripePattern.h"
@@ -69,6 +70,14 @@ std::vector<std::string> Seen(const std::string& name)
   add(remesh, mesh);
   vtkNew<vtkDirectionFieldGlyphs> glyphs;
   add(glyphs, field);
+
+  vtkNew<vtkAbaqusMeshWriter> writer;
+  writer->SetFileName((name + ".inp").c_str());
+  writer->SetInputData(remesh->GetOutput());
+  writer->SetThickness(1234.5);
+  CHECK(writer->Write() == 1);
+  seen.push_back(ReadFile(name + ".inp"));
+  CHECK(seen.back().find("\n1234.5\n") != std::string::npos);
 
   Remove(name);
   CHECK(Write(field, name + ".rawfield", true));

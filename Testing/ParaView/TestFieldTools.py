@@ -48,17 +48,19 @@ def make(name):
         return GuidanceFromCurves(Input=mesh(), Curves=SplineSource())
     if name == "CompareDirectionFields":
         return CompareDirectionFields(Input=field, Other=field)
+    if name == "AbaqusMeshWriter":
+        return servermanager.writers.AbaqusMeshWriter(Input=field)
     return servermanager.writers.DirectionFieldWriter(Input=field)
 
 
 def test_properties():
     """Defaults and ranges equal those of C++, and everything is documented."""
-    names = ("ReadDirectionField", "DirectionFieldWriter", "GuidanceFromCurves",
-             "CompareDirectionFields")
+    names = ("ReadDirectionField", "DirectionFieldWriter", "AbaqusMeshWriter",
+             "GuidanceFromCurves", "CompareDirectionFields")
     for name, figures in zip(names, printed(sys.argv[2], *names)):
         proxy = make(name)
         enumerations = {"FieldOn": ENUMERATIONS.get(name)}
-        if name == "DirectionFieldWriter":
+        if name.endswith("Writer"):
             for own in figures:
                 check_property(proxy.SMProxy.GetProperty(own), own, figures[own], enumerations)
             continue
@@ -94,6 +96,24 @@ def test_save_data():
     SaveData(os.path.join(FOLDER, "points.rawfield"), proxy=field, FieldOn="Points")
     with open(os.path.join(FOLDER, "points.rawfield"), encoding="ascii") as file:
         assert file.readline() == "4 706\n"
+
+
+def test_save_mesh():
+    """File, Save Data offers the file for solvers; arrays for regions and axes can be chosen."""
+    divided = PythonCalculator(Input=mesh(), ArrayAssociation="Cell Data", ArrayName="Part",
+                               Expression="(numpy.arange(inputs[0].GetNumberOfCells()) > 9).astype(int)")
+    divided.UpdatePipeline()
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+    assert "*.inp" in factory.GetSupportedFileTypes(divided.SMProxy, 0)
+    writer = servermanager.writers.AbaqusMeshWriter(Input=divided)
+    assert "Part" in writer.GetProperty("RegionArray").Available
+    path = os.path.join(FOLDER, "mesh.inp")
+    SaveData(path, proxy=divided, RegionArray="Part", SecondOrder=1, Thickness=0.5)
+    with open(path, encoding="ascii") as file:
+        lines = file.read().splitlines()
+    for line in ("*ELSET, ELSET=PART_0", "*ELSET, ELSET=PART_1", "*ELEMENT, TYPE=S6, ELSET=EALL",
+                 "*SHELL SECTION, ELSET=PART_1, MATERIAL=PART_1"):
+        assert lines.count(line) == 1, line
 
 
 def test_decimal_comma():

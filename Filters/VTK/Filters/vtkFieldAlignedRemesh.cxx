@@ -106,9 +106,10 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
   options.NumberOfFaces = this->NumberOfFaces;
   options.EdgeLength = this->EdgeLength;
   options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
-  DirectionFields::CellRegions regions =
-    DirectionFields::FindRegions(input, surface, this->RegionArray);
-  options.Regions = std::move(regions.OfTriangles);
+  DirectionFields::CellRegions regions = DirectionFields::FindRegions(input,
+    { surface.Mesh.Triangles.size(), [&](std::size_t t) { return surface.Cell(t); } },
+    this->RegionArray);
+  options.Regions = std::move(regions.OfFaces);
   options.RegionNames = std::move(regions.Names);
   options.PureQuads = this->PureQuads;
   options.KeepThinParts = this->KeepThinParts;

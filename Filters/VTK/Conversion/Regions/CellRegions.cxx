@@ -28,24 +28,23 @@ bool IsOfReals(vtkAbstractArray* array)
   return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 
-/// Numbers the values of an array at the cells of all triangles.
+/// Numbers the values of an array at the cells of all faces.
 template <typename Value>
-CellRegions Numbered(const TriangulatedPolyData& surface,
-  const std::function<Value(vtkIdType)>& valueOf,
+CellRegions Numbered(const FaceCells& faces, const std::function<Value(vtkIdType)>& valueOf,
   const std::function<std::string(const Value&)>& nameOf)
 {
   CellRegions regions;
   std::map<Value, Index> number;
-  regions.OfTriangles.reserve(surface.Mesh.Triangles.size());
-  for (std::size_t t = 0; t < surface.Mesh.Triangles.size(); ++t)
+  regions.OfFaces.reserve(faces.Count);
+  for (std::size_t f = 0; f < faces.Count; ++f)
   {
-    const Value value = valueOf(surface.Cell(t));
+    const Value value = valueOf(faces.CellOf(f));
     const auto [found, isNew] = number.emplace(value, static_cast<Index>(number.size()));
     if (isNew)
     {
       regions.Names.push_back(nameOf(value));
     }
-    regions.OfTriangles.push_back(found->second);
+    regions.OfFaces.push_back(found->second);
   }
   return regions;
 }
@@ -55,8 +54,7 @@ CellRegions Numbered(const TriangulatedPolyData& surface,
   throw std::invalid_argument("Region Array \"" + name + "\" " + reason);
 }
 
-CellRegions NumbersOf(
-  const TriangulatedPolyData& surface, vtkDataArray* array, const std::string& name)
+CellRegions NumbersOf(const FaceCells& faces, vtkDataArray* array, const std::string& name)
 {
   const auto valueOf = [&](vtkIdType cell) -> long long
   {
@@ -76,12 +74,11 @@ CellRegions NumbersOf(
     return static_cast<long long>(value);
   };
   return Numbered<long long>(
-    surface, valueOf, [](const long long& value) { return std::to_string(value); });
+    faces, valueOf, [](const long long& value) { return std::to_string(value); });
 }
 }
 
-CellRegions FindRegions(
-  vtkPolyData* polyData, const TriangulatedPolyData& surface, const char* name)
+CellRegions FindRegions(vtkPolyData* polyData, const FaceCells& faces, const char* name)
 {
   const std::string wanted = name ? name : "";
   vtkAbstractArray* array = polyData->GetCellData()->GetAbstractArray(wanted.c_str());
@@ -98,24 +95,24 @@ CellRegions FindRegions(
   if (auto* strings = vtkStringArray::SafeDownCast(array))
   {
     regions = Numbered<std::string>(
-      surface, [&](vtkIdType cell) { return std::string(strings->GetValue(cell)); },
+      faces, [&](vtkIdType cell) { return std::string(strings->GetValue(cell)); },
       [](const std::string& value) { return "\"" + value + "\""; });
   }
   else if (auto* numbers = vtkDataArray::SafeDownCast(array))
   {
-    regions = NumbersOf(surface, numbers, wanted);
+    regions = NumbersOf(faces, numbers, wanted);
   }
   else
   {
     Refuse(wanted, "has neither numbers nor strings. Choose another.");
   }
-  const std::size_t cells = regions.OfTriangles.size();
+  const std::size_t cells = regions.OfFaces.size();
   const std::size_t count = regions.Names.size();
   if (count > MostRegions || (cells > FewCells && 2 * count > cells))
   {
     Refuse(wanted,
       "has " + std::to_string(count) + " values on " + std::to_string(cells) +
-        " triangles: it numbers cells, not regions. Choose another.");
+        " faces: it numbers cells, not regions. Choose another.");
   }
   return regions;
 }

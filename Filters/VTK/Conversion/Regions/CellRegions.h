@@ -4,10 +4,12 @@
 #ifndef CellRegions_h
 #define CellRegions_h
 
-#include "Conversion/Input/TriangulatedPolyData.h"
-
 #include <DirectionFields/Types.h>
 
+#include "vtkType.h"
+
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,11 +17,18 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
+/// The faces that are divided, triangles or others, each a cell or a part of one.
+struct FaceCells
+{
+  std::size_t Count;
+  std::function<vtkIdType(std::size_t)> CellOf;
+};
+
 /// The regions that a cell array divides a surface into.
 struct CellRegions
 {
-  /// Of each triangle, from 0 on in the order in which they first appear; empty without an array.
-  std::vector<Index> OfTriangles;
+  /// Of each face, from 0 on in the order in which they first appear; empty without an array.
+  std::vector<Index> OfFaces;
   /// The array's values, by those numbers.
   std::vector<std::string> Names;
 };
@@ -28,8 +37,7 @@ struct CellRegions
 /// @param name of the array; null, an empty name and "None" are no array
 /// Throws std::invalid_argument, its text a sentence for the user, where there is no such array,
 /// where it has other values, and where it has as many as numbers of the cells would be.
-CellRegions FindRegions(
-  vtkPolyData* polyData, const TriangulatedPolyData& surface, const char* name);
+CellRegions FindRegions(vtkPolyData* polyData, const FaceCells& faces, const char* name);
 }
 
 #endif
