@@ -19,7 +19,7 @@ bool IsNumbered(const std::string& name, const std::string& prefix)
     name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
 }
 
-/// Whether an array has unit vectors, or the tensors that a field follows in the axes of space.
+/// Whether an array has unit vectors, or the tensors by which a field was guided.
 bool IsOfDirections(const std::string& name)
 {
   return IsNumbered(name, "Direction") || IsNumbered(name, "PrincipalDirection") ||

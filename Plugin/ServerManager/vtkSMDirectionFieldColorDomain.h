@@ -5,8 +5,9 @@
  * @brief the arrays that a display of the plugin offers to color by
  *
  * All but those that tell nothing as colors: unit vectors, namely the directions of a field, whose
- * order at a point is arbitrary, and normals; strings; and the field data of a single surface, which
- * would be one color.
+ * order at a point is arbitrary, and normals; the tensors that guided a field (SurfaceTensor), whose
+ * components are in the axes of space; strings; and the field data of a single surface, which would be
+ * one color.
  */
 
 #ifndef vtkSMDirectionFieldColorDomain_h

@@ -89,6 +89,7 @@ void vtkSMDirectionFieldDisplay::PostInitializeProxy(
     });
   if (auto* representation = vtkSMDirectionFieldRepresentationProxy::SafeDownCast(proxy))
   {
+    representation->LeaveColoringOfOneValue();
     representation->GiveSymmetricColorMaps();
     representation->ColorWhereThereAreValues();
     if (display_hints::HasHint(proxy, "HideDirections"))

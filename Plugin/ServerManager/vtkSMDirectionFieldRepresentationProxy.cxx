@@ -18,6 +18,7 @@
 #include "vtkSMViewProxy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 #include <string>
@@ -233,6 +234,37 @@ void vtkSMDirectionFieldRepresentationProxy::ColorWhereThereAreValues()
 }
 
 //------------------------------------------------------------------------------
+void vtkSMDirectionFieldRepresentationProxy::LeaveOneValue(vtkSMProxy* view)
+{
+  vtkSMPropertyHelper coloring(this, "ColorArrayName");
+  const int association = coloring.GetInputArrayAssociation();
+  const char* name = coloring.GetInputArrayNameToProcess();
+  vtkPVArrayInformation* const array = name ? this->FindArray(association, name) : nullptr;
+  bool isHinted = false;
+  display_hints::ForDisplay(this,
+    [&](vtkPVXMLElement* element)
+    {
+      display_hints::ForNested(element, "ColorMap",
+        [&](vtkPVXMLElement* map) {
+          isHinted =
+            isHinted || (name && std::strcmp(map->GetAttributeOrEmpty("array"), name) == 0);
+        });
+    });
+  if (array && !isHinted && array->GetNumberOfComponents() == 1)
+  {
+    const double* const range = array->GetComponentRange(0);
+    // What is interpolated, as the value of a contour, differs by rounding.
+    const double rounding = 1e-6 * std::max(std::abs(range[0]), std::abs(range[1]));
+    if (range[1] - range[0] <= rounding)
+    {
+      coloring.SetInputArrayToProcess(association, "");
+      this->UpdateVTKObjects();
+      HideUnusedLegend(this, view);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
@@ -241,6 +273,11 @@ void vtkSMDirectionFieldRepresentationProxy::ViewUpdated(vtkSMProxy* view)
     this->HidesDirections = false;
     this->HideDirectionsIn(view);
   }
+  if (this->LeavesOneValue && this->GetUsingScalarColoring())
+  {
+    this->LeaveOneValue(view);
+  }
+  this->LeavesOneValue = false;
   this->GiveSymmetricColorMaps();
   if (!this->AwaitedArray.empty())
   {

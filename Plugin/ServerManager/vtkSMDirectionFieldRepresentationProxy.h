@@ -47,6 +47,14 @@ public:
   void ColorWhereThereAreValues();
 
   /**
+   * Before the view draws this for the first time, takes the coloring back that ParaView has chosen,
+   * where the array has the same value everywhere, as the label of the only solid of an STL file or
+   * the value of a contour: it would hide the filter's own colors, and tell nothing. A coloring by
+   * the filter's hints stays.
+   */
+  void LeaveColoringOfOneValue() { this->LeavesOneValue = true; }
+
+  /**
    * Before the view draws this for the first time, hides what else shows the directions of the
    * field that it was made of there: the glyphs of that, and its representation Direction Field,
    * which becomes Surface. What the user turns on again later stays.
@@ -96,6 +104,7 @@ private:
   vtkPVArrayInformation* FindArray(int association, const std::string& name);
   void HideDirectionsIn(vtkSMProxy* view);
   void ColorAwaited(vtkSMProxy* view);
+  void LeaveOneValue(vtkSMProxy* view);
   void LeaveVanished(vtkSMProxy* view);
   void ForSymmetricColorMaps(
     const std::function<void(const std::string&, vtkPVXMLElement*)>& visit);
@@ -107,6 +116,7 @@ private:
   int AwaitedAssociation = 0;
   bool HidesDirections = false;
   bool ReplacesField = false;
+  bool LeavesOneValue = false;
   bool HasHiddenLegend = false;
 
   vtkSMDirectionFieldRepresentationProxy(const vtkSMDirectionFieldRepresentationProxy&) = delete;

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What one sees after Apply, with nothing set: TestApply.py PLUGIN MESH OUTDIR"""
+import os
 import sys
 
 from paraview import simple
@@ -211,6 +212,27 @@ def test_remesh():
     simple.ResetSession()
 
 
+def test_one_value():
+    """An array that is the same everywhere, as the label of the only solid of an STL file, is not
+    what a surface is colored by, as ParaView colors that of the file; one that differs is."""
+    view = new_view()
+    path = os.path.join(sys.argv[-1], "Apply.stl")
+    simple.SaveData(path, simple.Sphere(), FileType="Ascii")
+    solid = simple.STLReader(FileNames=[path])
+    solid.UpdatePipeline()
+    assert solid.CellData.keys() == ["STLSolidLabeling"], solid.CellData.keys()
+    apply(view, solid)
+    hidden = simple.STLReader(FileNames=[path])
+    height = simple.PointDatatoCellData(Input=simple.Elevation(Input=simple.Sphere()))
+    for source, array in ((solid, ""), (hidden, ""), (height, "Elevation")):
+        for made in (DirectionField(Input=source), EditSingularities(Input=DirectionField(Input=source)),
+                     FieldAlignedRemesh(Input=source, NumberOfFaces=100)):
+            made.UpdatePipeline()
+            surface = apply(view, made)[0]
+            assert (surface.ColorArrayName[1] or "") == array, (made, surface.ColorArrayName[:])
+    simple.ResetSession()
+
+
 def test_guidance():
     """Guidance From Curves shows curve and vectors."""
     view = new_view()
@@ -280,6 +302,7 @@ test_replaced()
 test_stripes()
 test_no_stripes()
 test_remesh()
+test_one_value()
 test_guidance()
 test_one_singularity()
 test_no_singularity()

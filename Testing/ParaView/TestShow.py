@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from Figures import blue, figures, pixels, red
+from Views import color_of, picture_of
 
 plugin, mesh, output = sys.argv[1:4]
 try:
@@ -28,12 +29,6 @@ def fails(error, text, *arguments, **options):
         assert text in str(problem), problem
         return
     raise AssertionError(f"No {error.__name__} says '{text}'.")
-
-
-def picture_of(view, name):
-    path = os.path.join(output, name)
-    simple.SaveScreenshot(path, view, ImageResolution=[800, 600])
-    return path
 
 
 def test_errors():
@@ -71,7 +66,7 @@ def test_file():
     assert spheres.GlyphType.GetXMLName() == "SphereSource"
     assert (spheres.Scaling, spheres.ScaleMode, spheres.SelectScaleArray) == (
         1, "Magnitude", "Size")
-    lookup = spheres.LookupTable.GetClientSideObject()
+    lookup = spheres.LookupTable
     for index in range(1, 4):
         assert red(*color_of(lookup, index)), index
         assert blue(*color_of(lookup, -index)), -index
@@ -87,12 +82,6 @@ def test_file():
     without = pixels(path, red), pixels(path, blue)
     assert max(without) < 20, without
     simple.ResetSession()
-
-
-def color_of(lookup, value):
-    rgb = [0.0, 0.0, 0.0]
-    lookup.GetColor(value, rgb)
-    return [255 * c for c in rgb]
 
 
 def test_options():

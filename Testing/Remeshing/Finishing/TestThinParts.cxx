@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 using namespace DirectionFields;
 using namespace DirectionFields::Internal;
@@ -144,6 +146,16 @@ TEST(ThinParts, EdgesAreAsShortAsLostPartsAreThinAndGrowFromThere)
     }
   }
   EXPECT_NE(thin.Sentence(Vector3::Zero(), 1.0).find("at 1 place where"), std::string::npos);
+  // The place that it names is one of the shortest edges, where and as large as the user's surface is.
+  const std::string told = thin.Sentence(Vector3(100.0, -200.0, 300.0), 10.0);
+  Vector3 place;
+  ASSERT_EQ(std::sscanf(told.c_str() + told.find("as at ("), "as at (%lf, %lf, %lf)", &place[0],
+              &place[1], &place[2]),
+    3)
+    << told;
+  const auto least = std::min_element(thin.GetLengths().begin(), thin.GetLengths().end());
+  const Vector3 expected = body.Points[least - thin.GetLengths().begin()];
+  EXPECT_LT((0.1 * (place - Vector3(100.0, -200.0, 300.0)) - expected).norm(), 0.1) << told;
 }
 
 TEST(ThinParts, AnotherMeshIsTakenIfItIsBetterAndInNothingWorse)
