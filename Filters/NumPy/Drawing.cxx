@@ -110,12 +110,20 @@ Chosen<TensorGuidanceOptions> ReadTensorOptions(Keywords& keywords)
   return chosen;
 }
 
+/// @param regions of each triangle, from 0 on, or None
+/// @param names   of the regions, by these numbers
 py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
-  const py::object& sizing, const py::object& progress, const py::dict& given)
+  const py::object& sizing, const py::object& regions, const std::vector<std::string>& names,
+  const py::object& progress, const py::dict& given)
 {
   Keywords keywords("remesh", given);
   RemeshOptions options = ReadRemeshOptions(keywords);
   options.Sizing = NumbersOrNone(sizing);
+  if (!regions.is_none())
+  {
+    options.Regions = regions.cast<std::vector<Index>>();
+    options.RegionNames = names;
+  }
   const std::vector<Vector3> field = VectorsOrNone(directions);
   return Run(progress, options.NumberOfThreads,
     [=](const ProgressFunction& report)
@@ -147,6 +155,12 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
         all["field_indices"] = Own<int>(std::move(mesh->FieldIndex));
         all["source_triangles"] = Own<Index>(std::move(mesh->SourceTriangle));
         all["source_weights"] = Own<double>(std::move(mesh->SourceWeights), { 3 });
+        all["source_faces"] = Own<Index>(std::move(mesh->FaceSource));
+        all["regions"] = Own<Index>(std::move(mesh->Regions));
+        all["regions_lost"] = Own<Index>(std::move(mesh->RegionsShown.Lost));
+        all["borders_kept"] = mesh->RegionsShown.BordersKept;
+        all["corners_missed"] = mesh->RegionsShown.MissedCorners;
+        all["largest_area_error"] = mesh->RegionsShown.LargestAreaError;
         all["edge_length"] = mesh->EdgeLength;
         all["maximum_distance"] = mesh->MaximumDistance;
         all["summary"] = summary;

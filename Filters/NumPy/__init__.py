@@ -19,8 +19,8 @@ import numpy
 
 from . import _core
 from ._calls import (
-    DirectionFieldWarning, _call, _keyword_options, _listener, _numbers, _optional, _result, _surface,
-    _tensors)
+    DirectionFieldWarning, _call, _keyword_options, _listener, _numbers, _optional, _regions, _result,
+    _surface, _tensors)
 from ._core import FileError, MeshError
 from ._results import Comparison, Field, Guidance, Lines, Mesh, Stripes
 
@@ -262,7 +262,7 @@ def stripes(field, *, spacings=None, progress=None, **options):
 
 
 @_keyword_options("remesh")
-def remesh(points, triangles=None, *, sizing=None, progress=None, **options):
+def remesh(points, triangles=None, *, sizing=None, regions=None, progress=None, **options):
     """A mesh of quads or triangles that follows a field.
 
     Parameters
@@ -271,6 +271,9 @@ def remesh(points, triangles=None, *, sizing=None, progress=None, **options):
         As for `field`; or a Field of degree 4, or 6 for ``element="triangles"``, alone.
     sizing : (points,) array of numbers, optional
         Wanted edge length at each point relative to elsewhere, 1/8 to 8.
+    regions : (triangles,) array of integers or strings, optional
+        Of each triangle, or polygon. Borders between regions become edges of the mesh, places where
+        three meet points, and each face has the value of its region.
     progress : callable, optional
     **options
 
@@ -278,17 +281,25 @@ def remesh(points, triangles=None, *, sizing=None, progress=None, **options):
     -------
     Mesh
     """
-    directions = None
+    directions, polygons = None, None
     if isinstance(points, Field):
         degree = 6 if options.get("element") == "triangles" else 4
         if points.degree != degree:
             raise ValueError(f"field must be of degree {degree}, not {points.degree}.")
         surface, directions = points._surface, points.directions[:, 0]
     else:
-        surface, _ = _surface(points, triangles)
+        surface, polygons = _surface(points, triangles)
     sizing = _optional("sizing", sizing, len(surface.points))
-    return _result(
-        Mesh, _call(_core.remesh, surface, directions, sizing, _listener(progress), options))
+    values, numbers, names = numpy.zeros(0, int), None, []
+    if regions is not None:
+        values, numbers = _regions(regions, surface, polygons)
+        names = [f'"{value}"' if values.dtype.kind in "US" else str(value) for value in values.tolist()]
+    made = _call(
+        _core.remesh, surface, directions, sizing, numbers, names, _listener(progress), options)
+    if "regions" in made:
+        made["regions"] = values[made["regions"]]
+        made["regions_lost"] = values[made["regions_lost"]]
+    return _result(Mesh, made)
 
 
 @_keyword_options("guide_by_curves")

@@ -130,6 +130,12 @@ class Mesh(_Result):
     field_indices: ndarray
     source_triangles: ndarray
     source_weights: ndarray
+    source_faces: ndarray
+    regions: ndarray
+    regions_lost: ndarray
+    borders_kept: float
+    corners_missed: int
+    largest_area_error: float
     edge_length: float
     maximum_distance: float
 
@@ -254,6 +260,7 @@ def remesh(
     triangles: Optional[Polygons] = None,
     *,
     sizing: Optional[ArrayLike] = None,
+    regions: Optional[ArrayLike] = None,
     progress: Progress = None,
     element: Literal['quads', 'triangles'] = 'quads',
     faces: int = 5000,

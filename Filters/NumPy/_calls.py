@@ -142,6 +142,25 @@ def _tensors(tensors, at_triangles, surface, polygons):
     return tensors
 
 
+def _regions(regions, surface, polygons):
+    """The different values, and which of them each triangle has."""
+    regions = numpy.asarray(regions)
+    if regions.dtype.kind not in "iuUSb":
+        raise TypeError(f"regions must be integers or strings, not {regions.dtype}.")
+    count = len(surface.triangles)
+    if polygons is not None and regions.shape == (polygons.max() + 1,):
+        regions = regions[polygons]
+    if regions.shape != (count,):
+        raise ValueError(
+            f"regions must be one value for each of the {count} triangles, not {regions.shape}.")
+    values, numbers = numpy.unique(regions, return_inverse=True)
+    # Borders around more regions than these are the edges of the surface.
+    if len(values) > 10000 or (count > 100 and 2 * len(values) > count):
+        raise ValueError(
+            f"regions has {len(values)} values on {count} triangles: they number triangles, not regions.")
+    return values, numbers.reshape(-1)
+
+
 def _listener(progress):
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function of the fraction done.")

@@ -241,6 +241,18 @@ class Mesh(_Result):
         0 surface, 1 boundary, 2 feature, 3 corner, 4 singularity of the field.
     source_triangles, source_weights : (points,) int32, (points, 3) float64
         Where each point is on the surface given.
+    source_faces : (faces,) int32
+        The triangle of the surface given that the middle of each face is closest to.
+    regions : (faces,) array
+        The region of each face, as it was given; empty without regions.
+    regions_lost : (lost,) array
+        Regions without faces.
+    borders_kept : float
+        The part of the length of the regions' borders that is on edges of the mesh, 0 to 1.
+    corners_missed : int
+        Places where three regions meet, or two at the boundary, that are no points of the mesh.
+    largest_area_error : float
+        Of all regions with faces, relative to the area on the surface.
     edge_length, maximum_distance : float
         Wanted edge length, and distance of the faces' middles from the surface.
     summary : str

@@ -173,14 +173,23 @@ class Directions:
         """The surface cut into stripes and what is between, with the cell array Stripe."""
         return bands(df.stripes(self.given(), spacings=self._array(spacings), **options))
 
-    def remesh(self, *, sizing=None, **options):
-        """A mesh along the field, where there is one of the right degree, or along the shape."""
+    def remesh(self, *, sizing=None, regions=None, **options):
+        """A mesh along the field, where there is one of the right degree, or along the shape.
+
+        ``regions`` may be the name of a cell array, which the mesh has then, too; values that are
+        given become the cell array Region.
+        """
         degree = 6 if options.get("element") == "triangles" else 4
         arguments = self._mesh.points, self._mesh.faces
         if f"Direction{degree - 1}" in self._mesh.point_data and \
                 f"Direction{degree}" not in self._mesh.point_data:
             arguments = (self.given(),)
-        return polydata(df.remesh(*arguments, sizing=self._array(sizing), **options))
+        values = self._mesh.cell_data[regions] if isinstance(regions, str) else regions
+        made = df.remesh(*arguments, sizing=self._array(sizing), regions=values, **options)
+        mesh = polydata(made)
+        if regions is not None:
+            mesh.cell_data[regions if isinstance(regions, str) else "Region"] = made.regions
+        return mesh
 
 
 if hasattr(pyvista, "register_dataset_accessor"):

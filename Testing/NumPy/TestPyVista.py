@@ -61,6 +61,10 @@ class Accessor(unittest.TestCase):
         self.assertEqual(set(quads.faces.reshape(-1, 5)[:, 0]), {4})
         mixed = self.sphere.directions.remesh(faces=300)
         self.assertEqual(mixed.n_cells, len(mixed.cell_data["ScaledJacobian"]))
+        halves = self.sphere.copy()
+        halves.cell_data["Half"] = (halves.cell_centers().points[:, 2] > 0).astype(int)
+        parts = halves.directions.remesh(faces=300, regions="Half")
+        self.assertEqual(set(parts.cell_data["Half"]), {0, 1})
         line = self.sphere.directions.field(degree=2).directions
         self.assertGreater(line.stripes(spacing=0.1).n_cells, 4)
         bands = line.bands(spacing=0.1)

@@ -128,6 +128,39 @@ class Meshes(unittest.TestCase):
             df.remesh(*torus(), faces=0)
 
 
+    def test_regions_keep_their_borders_and_values(self):
+        points, triangles = torus()
+        height = points[triangles].mean(axis=1)[:, 2]
+        for values in (np.array([40, 7]), np.array(["lid", "base"])):
+            regions = values[(height > 0).astype(int)]
+            mesh = df.remesh(points, triangles, faces=600, regions=regions)
+            self.assertEqual(mesh.regions.dtype, values.dtype)
+            self.assertAlmostEqual(mesh.borders_kept, 1)
+            self.assertLessEqual(mesh.borders_kept, 1)
+            heights = mesh.points[mesh.faces, 2] * (mesh.faces >= 0)
+            above = mesh.regions == values[1]
+            self.assertGreater(heights[above].min(), -1e-9)
+            self.assertLess(heights[~above].max(), 1e-9)
+            np.testing.assert_array_equal(mesh.regions, regions[mesh.source_faces])
+            self.assertLess(mesh.largest_area_error, 0.02)
+            self.assertEqual((len(mesh.regions_lost), mesh.corners_missed), (0, 0))
+        self.assertEqual(len(df.remesh(points, triangles, faces=600).regions), 0)
+
+    def test_regions_of_polygons(self):
+        points = np.array([[x, y, 0] for y in range(9) for x in range(9)], float)
+        a = np.array([9 * y + x for y in range(8) for x in range(8)])
+        quads = np.stack([a, a + 1, a + 10, a + 9], -1)
+        regions = np.where(points[quads].mean(axis=1)[:, 0] < 4, 3, 5)
+        mesh = df.remesh(points, quads, faces=40, regions=regions)
+        self.assertEqual(set(mesh.regions), {3, 5})
+        self.assertTrue(((mesh.points[mesh.faces].mean(axis=1)[:, 0] < 4) == (mesh.regions == 3)).all())
+        for wrong, error in ((regions[1:], ValueError), (0.5 * regions, TypeError)):
+            with self.assertRaisesRegex(error, "regions must be"):
+                df.remesh(points, quads, regions=wrong)
+        with self.assertRaisesRegex(ValueError, "number triangles"):
+            df.remesh(*torus(), regions=np.arange(len(torus()[1])))
+
+
 class Guidance(unittest.TestCase):
     def test_curves_guide(self):
         points, triangles = disk()

@@ -159,7 +159,7 @@ RegionFigures FiguresOf(const Surface& surface, const std::vector<Index>& region
 {
   RegionFigures figures;
   const BorderEdges edges(mesh, ofFaces);
-  figures.BordersKept = PartNear(lines.Segments, edges.Edges, edgeLength);
+  figures.BordersKept = std::min(1.0, PartNear(lines.Segments, edges.Edges, edgeLength));
   const ClosestPoints ends(edges.Ends);
   for (const Vector3& corner : lines.Corners)
   {
