@@ -3,7 +3,7 @@
 
 #include "DirectionFieldToolBar.h"
 
-#include "ShowDirectionFieldActions.h"
+#include "DirectionFieldActions.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqProxyGroupMenuManager.h"
@@ -52,37 +52,37 @@ DirectionFieldToolBar::DirectionFieldToolBar(QObject* parent)
 void DirectionFieldToolBar::startup()
 {
   QWidget* const window = pqCoreUtilities::mainWidget();
-  if (!window || this->Button)
+  if (!window || this->Separator)
   {
     return;
   }
-  this->Button = (new ShowDirectionFieldActions(this))->actions().first();
+  this->Buttons = (new DirectionFieldActions(this))->actions();
   this->Separator = new QAction(this);
   this->Separator->setSeparator(true);
   // ParaView's own slots have to fill the toolbar before.
   for (auto* menu : window->findChildren<pqProxyGroupMenuManager*>())
   {
-    this->connect(menu, SIGNAL(menuPopulated()), SLOT(insertButton()), Qt::QueuedConnection);
+    this->connect(menu, SIGNAL(menuPopulated()), SLOT(insertButtons()), Qt::QueuedConnection);
     // Newer versions of ParaView tell changes of categories apart.
     if (menu->metaObject()->indexOfSignal("categoriesUpdated()") >= 0)
     {
-      this->connect(menu, SIGNAL(categoriesUpdated()), SLOT(insertButton()), Qt::QueuedConnection);
+      this->connect(menu, SIGNAL(categoriesUpdated()), SLOT(insertButtons()), Qt::QueuedConnection);
     }
   }
-  QMetaObject::invokeMethod(this, "insertButton", Qt::QueuedConnection);
+  QMetaObject::invokeMethod(this, "insertButtons", Qt::QueuedConnection);
 }
 
 //------------------------------------------------------------------------------
-void DirectionFieldToolBar::insertButton()
+void DirectionFieldToolBar::insertButtons()
 {
   QWidget* const window = pqCoreUtilities::mainWidget();
   QToolBar* const bar = window ? FindBar(window) : nullptr;
   QAction* const first = bar ? bar->actions().value(0) : nullptr;
-  if (!bar || first == this->Button)
+  if (!bar || first == this->Buttons.first())
   {
     return;
   }
-  bar->insertAction(first, this->Button);
+  bar->insertActions(first, this->Buttons);
   bar->insertAction(first, this->Separator);
   if (!this->IsPlaced)
   {

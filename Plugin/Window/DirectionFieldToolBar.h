@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Puts "Show direction field" first into the toolbar that ParaView makes of the filters' category in
+ * Puts the actions of direction fields first into the toolbar that ParaView makes of the filters' category in
  * Menu.xml, so that there is one toolbar. ParaView fills that anew whenever filters come or go.
  */
 
 #ifndef DirectionFieldToolBar_h
 #define DirectionFieldToolBar_h
 
+#include <QList>
 #include <QObject>
 
 class QAction;
@@ -26,10 +27,10 @@ public:
   void shutdown() {}
 
 private slots:
-  void insertButton();
+  void insertButtons();
 
 private:
-  QAction* Button = nullptr;
+  QList<QAction*> Buttons;
   QAction* Separator = nullptr;
   bool IsPlaced = false;
 };

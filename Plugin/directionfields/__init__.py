@@ -10,10 +10,12 @@
     SaveScreenshot("field.png", picture.view)
 
 show() computes a field and builds the whole picture of it, show_active() does so for the active
-source, as the button "Show direction field" of ParaView's window, and read() reads a mesh.
+source, as the button "Show direction field" of ParaView's window, remesh_active() shows quads of it,
+as the button "Remesh to quads", and read() reads a mesh.
 """
 
 from directionfields.files import read
 from directionfields.picture import Picture, show, show_active
+from directionfields.quads import QuadPicture, remesh_active
 
-__all__ = ["Picture", "read", "show", "show_active"]
+__all__ = ["Picture", "QuadPicture", "read", "remesh_active", "show", "show_active"]

@@ -10,8 +10,8 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 from directionfields.camera import is_untouched, place_camera
 from directionfields.compute import check_properties, compute, connect, field_for, register
-from directionfields.pipeline import (EXTRACTORS, MAKERS, follower, is_field, mesh_of, name_of,
-                                      proxy_of, singularities_port, sources, upstream)
+from directionfields.pipeline import (EXTRACTORS, MAKERS, REMESHERS, follower, is_field, mesh_of,
+                                      name_of, proxy_of, singularities_port, sources, upstream)
 from directionfields.restore import Pipeline
 
 SURFACE_COLOR = [0.93, 0.91, 0.87]
@@ -100,25 +100,35 @@ def show_active():
     try:
         source = simple.GetActiveSource()
         with Pipeline():
-            view = simple.GetActiveView()
-            if not is_render_view(view):
-                view = simple.FindViewOrCreate("RenderView1", "RenderView")
+            view = view_of_button()
             return draw(field_for(source, UnitLength=1), view, {}, True)
     except Exception as problem:  # A button has nobody to catch what it raises.
-        text = " ".join(str(problem).split()) or type(problem).__name__
-        vtkOutputWindow.GetInstance().DisplayWarningText(f"Show direction field: {text}\n")
+        complain("Show direction field", problem)
         return None
 
 
+def view_of_button():
+    """The view that a button of the window draws in."""
+    view = simple.GetActiveView()
+    return view if is_render_view(view) else simple.FindViewOrCreate("RenderView1", "RenderView")
+
+
+def complain(button, problem):
+    """Says in ParaView's messages, in one sentence, why a button has done nothing."""
+    text = " ".join(str(problem).split()) or type(problem).__name__
+    vtkOutputWindow.GetInstance().DisplayWarningText(f"{button}: {text}\n")
+
+
 def hide_others(field, parts, view):
-    """Hides the mesh, and what the view shows of fields of it that is not a part of the picture."""
+    """Hides the mesh, and what the view shows of fields and quads of it that is not a part of the
+    picture."""
     kept = {(proxy_of(part), part.Port) for part in parts if part is not None}
     mesh = mesh_of(field)
     for source in sources():
         chain = upstream(source)
         belongs = proxy_of(mesh) in map(proxy_of, chain) and (
             proxy_of(source) == proxy_of(mesh) or source.GetXMLName() in EXTRACTORS or
-            any(is_field(before) or before.GetXMLName() in MAKERS for before in chain))
+            any(is_field(before) or before.GetXMLName() in MAKERS + REMESHERS for before in chain))
         for port in range(source.SMProxy.GetNumberOfOutputPorts()):
             if (belongs and (proxy_of(source), port) not in kept and
                     view.FindRepresentation(source.SMProxy, port)):
@@ -230,13 +240,17 @@ def place_legend(display, view, height):
     return bar
 
 
-def show_legend(field, balls, view):
-    bar = None
+def show_balls_legend(balls, view):
     # Balls that there are none of have no colours either.
-    if balls is not None and balls.LookupTable is not None and number_of(balls.Input) > 0:
-        balls.SetScalarBarVisibility(view, True)
-        # Legend and caption must fit side by side even into a small window.
-        bar = place_legend(balls, view, 0.03)
+    if balls is None or balls.LookupTable is None or number_of(balls.Input) == 0:
+        return None
+    balls.SetScalarBarVisibility(view, True)
+    # Legend and caption must fit side by side even into a small window.
+    return place_legend(balls, view, 0.03)
+
+
+def show_legend(field, balls, view):
+    bar = show_balls_legend(balls, view)
     words = follower(field, "PythonAnnotation")
     if words is None or not is_caption(words):
         words = simple.PythonAnnotation(registrationName=part_name("Summary", field), Input=field)

@@ -11,6 +11,8 @@ MAKERS = ("DirectionField", "ReadDirectionField", "DirectionFieldFile", "EditSin
 DRAWINGS = ("DirectionFieldGlyphs", "DirectionFieldStreamlines", "StripePattern",
             "CompareDirectionFields", "PythonAnnotation", "PPolyDataNormals", "PolyDataNormals",
             "SurfaceNormals")
+# Those that make a new mesh along a field.
+REMESHERS = ("FieldAlignedRemesh",)
 # The names that Extract Surface has had.
 EXTRACTORS = ("DataSetSurfaceFilter", "GeometryFilter", "ExtractSurface")
 

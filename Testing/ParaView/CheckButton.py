@@ -3,9 +3,12 @@
 """A macro: each run is the next step of the playback of the same name. Checks what the button and
 the menu entry "Show direction field" have built in the ParaView window."""
 import os
-import traceback
+import sys
 
 from paraview.simple import *
+
+sys.path.insert(0, os.environ["HOME"])
+import Steps
 
 output = os.environ["DIRECTIONFIELDS_TEST_OUTPUT"]
 
@@ -52,16 +55,5 @@ def check_picture(view):
     SaveScreenshot(os.path.join(output, "Button.png"), view, ImageResolution=[800, 600])
 
 
-steps = (start, check_picture, check_picture)
-step = int(os.environ.get("DIRECTIONFIELDS_TEST_STEP", "0"))
-os.environ["DIRECTIONFIELDS_TEST_STEP"] = str(step + 1)
-verdict = "passed\n" if step + 1 == len(steps) else None
-try:
-    steps[step](GetActiveView())
-except BaseException:
-    verdict = traceback.format_exc()
-# The first failure is the one that counts.
-path = os.path.join(output, "Button.txt")
-if verdict and not os.path.exists(path):
-    with open(path, "w") as file:
-        file.write(verdict)
+view = GetActiveView()
+Steps.take_next([lambda: start(view)] + 2 * [lambda: check_picture(view)])

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The first click on anything: TestFirstClick.py PLUGIN OUTDIR
 
-On each kind of source the button is pressed, and each filter that its menu offers is applied as it
+On each kind of source the buttons are pressed, and each filter that its menu offers is applied as it
 comes, with other inputs left empty as by OK in the dialog for them. None may write an error or a
-traceback, whatever the source; the button shows the field that is there, or says one sentence."""
+traceback, whatever the source; a button shows the field that is there or quads along it, or says one
+sentence."""
 import os
 import sys
 
@@ -14,7 +15,7 @@ from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow, vtkStringOutpu
 plugin, output = sys.argv[1:3]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 import directionfields
-from directionfields import compute, picture
+from directionfields import compute, picture, quads
 
 FILTERS = ("DirectionField", "DirectionFieldGlyphs", "DirectionFieldStreamlines", "StripePattern",
            "EditSingularities", "GuidanceFromCurves", "CompareDirectionFields",
@@ -171,6 +172,8 @@ ONLY_PRESSED = ("damaged mesh", "fine plane", "Box", "image", "grid of tetrahedr
 PICTURED = ("Plane", "Sphere", "Wavelet", "group", "lines", "empty mesh", "table",
             "field", "edited field", "read field", "opened field", "streamlines",
             "half of a field", "damaged mesh")
+# The button for quads is pressed before the other one, which then has to hide what it has shown.
+REMESHED = ("Wavelet", "group", "field", "edited field", "half of a field")
 # What is shown on Apply by filters that are not drawn as they come in a test of their own.
 DISPLAYED = {"Plane": ("GuidanceFromCurves", "ReadDirectionField", "FieldAlignedRemesh"),
              "lines": ("DirectionField",),
@@ -226,16 +229,12 @@ def press(kind, expected, source, view):
         quiet(kind, "the field of the button")
         check_field(kind, expected, field, fields)
         return
-    before = scene(view)
+    if expected == NOTHING:
+        refuse(kind, view, "Show direction field", directionfields.show_active)
+        refuse(kind, view, "Remesh to quads", directionfields.remesh_active)
+        return
     shown = directionfields.show_active()
     quiet(kind, "the button")
-    if expected == NOTHING:
-        assert shown is None, kind
-        assert len(warnings) == 1 and warnings[0].startswith("Show direction field: "), warnings
-        assert warnings[0].count("\n") == 1 and "Traceback" not in warnings[0], warnings
-        print(f"{kind}: {warnings[0].strip()}")
-        assert scene(view) == before, (kind, before, scene(view))
-        return
     assert shown is not None, (kind, warnings)
     assert shown.glyphs.GetDataInformation().GetNumberOfCells() > 0, kind
     check_field(kind, expected, shown.field, fields)
@@ -248,6 +247,43 @@ def press(kind, expected, source, view):
         quiet(kind, "the button again")
         assert other.field.SMProxy == shown.field.SMProxy, (kind, again.GetXMLLabel())
         assert len(simple.GetSources()) == after, (kind, again.GetXMLLabel())
+
+
+def refuse(kind, view, button, action):
+    """A button says one sentence, and leaves everything as it was."""
+    before = scene(view)
+    del warnings[:]
+    assert action() is None, kind
+    quiet(kind, button)
+    assert len(warnings) == 1 and warnings[0].startswith(f"{button}: "), warnings
+    assert warnings[0].count("\n") == 1 and "Traceback" not in warnings[0], warnings
+    print(f"{kind}: {warnings[0].strip()}")
+    assert scene(view) == before, (kind, before, scene(view))
+
+
+def remesh(kind, expected, source, view):
+    """Quads follow the field that is there, which they share with the picture of it; a mesh without
+    a field is remeshed as it is."""
+    simple.SetActiveSource(source)
+    shown = directionfields.remesh_active()
+    quiet(kind, "the button for quads")
+    assert shown is not None, (kind, warnings)
+    before = shown.quads.Input
+    name = before.GetXMLName()
+    if expected == NEW:
+        assert before.SMProxy == source.SMProxy or name in directionfields.pipeline.EXTRACTORS, name
+    else:
+        assert name == expected and directionfields.pipeline.is_field(before, before.Port), name
+    visible = {(display.Input.SMProxy, display.Input.Port) for display in view.Representations
+               if display.Visibility and display.GetProperty("Input") is not None}
+    assert visible == {(shown.quads.SMProxy, 0), (shown.quads.SMProxy, 1)}, (kind, visible)
+    assert simple.GetActiveSource().SMProxy == shown.quads.SMProxy, kind
+    # Pressed again, on the source as on the quads, it shows the same.
+    after = len(simple.GetSources())
+    for again in (source, shown.quads, simple.OutputPort(shown.quads, 1)):
+        simple.SetActiveSource(again)
+        assert directionfields.remesh_active().quads.SMProxy == shown.quads.SMProxy, kind
+        assert len(simple.GetSources()) == after, kind
 
 
 def check_field(kind, expected, field, fields):
@@ -274,6 +310,9 @@ def check_picture(kind, shown):
     """The legend is there where singularities are, and the caption says where none are."""
     shown.caption.UpdatePipeline()
     text = servermanager.Fetch(shown.caption).GetColumn(0).GetValue(0)
+    assert not [display for display in shown.view.Representations if display.Visibility and
+                display.GetProperty("Input") is not None and
+                display.Input.GetXMLName() == "FieldAlignedRemesh"], kind
     port = directionfields.pipeline.singularities_port(shown.field)
     if port is not None:
         number = shown.field.GetDataInformation(port).GetNumberOfPoints()
@@ -320,6 +359,8 @@ def test_kinds():
         else:
             source.UpdatePipeline()
         quiet(kind, "Apply")
+        if kind in REMESHED:
+            remesh(kind, expected, source, view)
         press(kind, expected, source, view)
         if kind not in ONLY_PRESSED:
             offers[kind] = apply_all(kind, source, view)
@@ -357,6 +398,8 @@ def test_taken_back():
         clear()
 
 
+connect = quads.connect
+quads.connect = lambda proxy, source, _: connect(proxy, source, {"NumberOfFaces": 100})
 window = listen()
 try:
     test_kinds()
