@@ -5,12 +5,13 @@
 
 #include "Sections/DoubleCover.h"
 #include "Sections/ReferenceSection.h"
+#include "Sections/ShapePhase.h"
 
 #include <algorithm>
 
 namespace DirectionFields::Internal
 {
-ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
+ComponentFields SolveComponents(Stages& stages, EnergyStage& energy, const Guide& guide,
   const std::vector<Complex>& phaseReference, const Options& options, bool othersFollow,
   const Progress& progress)
 {
@@ -28,7 +29,8 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
     const ComponentGuide own = guide.Of(mesh, c);
     energy.Components[c].SetOthersFollow(othersFollow);
     ComplexVector u = energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
-    if (!phaseReference.empty() && own.Given.Vertices.empty() && own.Guidance.isZero(0.0))
+    const bool isPhaseFree = own.Given.Vertices.empty() && own.Guidance.isZero(0.0);
+    if (isPhaseFree && !phaseReference.empty())
     {
       TurnTowards(Eigen::Map<const ComplexVector>(
                     phaseReference.data() + component.FirstVertex, component.Vertices()),
@@ -45,6 +47,10 @@ ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const
       const Progress remaining =
         progress.Part(component.FirstVertex / vertices, component.EndVertex / vertices);
       stages.GetUnit(energy, c, options).Improve(own, options, remaining, u, fields.Reports[c]);
+      if (isPhaseFree && phaseReference.empty())
+      {
+        TurnTowardsShape(stages.GetGeometry(), stages.GetDihedralAngles(), c, options.Degree, u);
+      }
       if (component.IsCover)
       {
         cover.Symmetrize(u);

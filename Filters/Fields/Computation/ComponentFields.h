@@ -25,9 +25,10 @@ struct ComponentFields
 /// Solves for one component after the other. Throws Stopped.
 /// @param energy         of the same stages
 /// @param phaseReference a section that smoothest fields are turned towards, which leave one
-///                       rotation of each component open; empty where they stay as they are
+///                       rotation of each component open; where it is empty, fields of unit
+///                       length are turned towards the shape of the component
 /// @param othersFollow   as in ComponentStage
-ComponentFields SolveComponents(const Stages& stages, EnergyStage& energy, const Guide& guide,
+ComponentFields SolveComponents(Stages& stages, EnergyStage& energy, const Guide& guide,
   const std::vector<Complex>& phaseReference, const Options& options, bool othersFollow,
   const Progress& progress);
 }
