@@ -38,9 +38,17 @@ void ReadThreads(Keywords& keywords, Chosen<T>& chosen)
   keywords.RequireNoMore();
 }
 
-RemeshOptions ReadRemeshOptions(Keywords& keywords)
+/// What a mesh is to be, and what its faces are judged by.
+struct ChosenMesh
 {
-  RemeshOptions options;
+  RemeshOptions Options;
+  QualityLimits Limits;
+};
+
+ChosenMesh ReadRemeshOptions(Keywords& keywords)
+{
+  ChosenMesh chosen;
+  RemeshOptions& options = chosen.Options;
   keywords.Choice("element", options.Element, { "quads", "triangles" });
   keywords("faces", options.NumberOfFaces, 1.0, static_cast<double>(1 << 30));
   options.EdgeLength = 0.0;
@@ -56,9 +64,12 @@ RemeshOptions ReadRemeshOptions(Keywords& keywords)
   keywords("alignment_strength", options.AlignmentStrength, 0.0, 1.0);
   keywords("singularity_cost", options.SingularityCost, 0.0, 4.0);
   keywords("smoothing_iterations", options.SmoothingIterations, 0.0, 1000.0);
+  keywords("minimum_scaled_jacobian", chosen.Limits.MinimumScaledJacobian, 0.0, 1.0);
+  keywords("maximum_aspect_ratio", chosen.Limits.MaximumAspectRatio, 0.0);
+  keywords("maximum_warpage", chosen.Limits.MaximumWarpage, 0.0, 2.0);
   keywords("number_of_threads", options.NumberOfThreads, 0.0, 1024.0);
   keywords.RequireNoMore();
-  return options;
+  return chosen;
 }
 
 Chosen<StreamlineOptions> ReadStreamlineOptions(Keywords& keywords)
@@ -117,7 +128,8 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
   const py::object& progress, const py::dict& given)
 {
   Keywords keywords("remesh", given);
-  RemeshOptions options = ReadRemeshOptions(keywords);
+  ChosenMesh chosen = ReadRemeshOptions(keywords);
+  RemeshOptions& options = chosen.Options;
   options.Sizing = NumbersOrNone(sizing);
   if (!regions.is_none())
   {
@@ -128,12 +140,14 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
   return Run(progress, options.NumberOfThreads,
     [=](const ProgressFunction& report)
     {
-      auto mesh = std::make_shared<RemeshResult>(Remesh(surface).Compute(options, field, report));
-      const std::vector<double> quality = ScaledJacobians(*mesh);
+      auto mesh =
+        std::make_shared<RemeshResult>(Remesh(surface).Compute(chosen.Options, field, report));
+      const auto quality = std::make_shared<FaceQuality>(QualityOf(mesh->Points, mesh->Faces));
+      const auto judged = std::make_shared<QualityReport>(ReportQuality(*quality, chosen.Limits));
       const std::vector<IrregularVertex> vertices =
-        IrregularVertices(*mesh, options.Element == Element::Quads ? 4 : 6);
-      const std::string summary =
-        Summary(*mesh, quality.empty() ? 1.0 : *std::min_element(quality.begin(), quality.end()));
+        IrregularVertices(*mesh, chosen.Options.Element == Element::Quads ? 4 : 6);
+      const std::string summary = Summary(*mesh, *judged);
+      mesh->Notes.insert(mesh->Notes.end(), judged->Sentences.begin(), judged->Sentences.end());
       const std::string repairs = DescribeRepairs(mesh->Repaired);
       if (!repairs.empty())
       {
@@ -149,7 +163,10 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
         py::dict all;
         all["points"] = Own<double>(std::move(mesh->Points), { 3 });
         all["faces"] = Own<Index>(std::move(mesh->Faces), { 4 });
-        all["quality"] = Own<double>(quality);
+        all["quality"] = Own<double>(std::move(quality->ScaledJacobian));
+        all["aspect_ratios"] = Own<double>(std::move(quality->AspectRatio));
+        all["warpages"] = Own<double>(std::move(quality->Warpage));
+        all["passes"] = Own<bool>(std::move(judged->Pass));
         all["irregular"] = Own<Index>(std::move(irregular));
         all["kinds"] = Own<signed char>(std::move(mesh->Kind));
         all["field_indices"] = Own<int>(std::move(mesh->FieldIndex));

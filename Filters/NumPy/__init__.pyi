@@ -125,6 +125,9 @@ class Mesh(_Result):
     points: ndarray
     faces: ndarray
     quality: ndarray
+    aspect_ratios: ndarray
+    warpages: ndarray
+    passes: ndarray
     irregular: ndarray
     kinds: ndarray
     field_indices: ndarray
@@ -274,6 +277,9 @@ def remesh(
     alignment_strength: float = 0.25,
     singularity_cost: float = 1.5,
     smoothing_iterations: int = 12,
+    minimum_scaled_jacobian: float = 0.0,
+    maximum_aspect_ratio: float = 0.0,
+    maximum_warpage: float = 0.0,
     number_of_threads: int = 0,
 ) -> Mesh: ...
 

@@ -235,6 +235,10 @@ class Mesh(_Result):
         Corners, counter-clockwise; the fourth of a triangle is -1.
     quality : (faces,) float64
         Scaled Jacobian: 1 for a square, 0 or less for a face that is folded.
+    aspect_ratios, warpages : (faces,) float64
+        1 for a square, and 0 for a face in a plane, or more.
+    passes : (faces,) bool
+        Which faces keep all limits of their quality; without limits of no length.
     irregular : (irregular,) int32
         Inner points with another number of edges than 4, or 6 for triangles.
     kinds : (points,) int8

@@ -63,6 +63,9 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         alignment: The field where none is given: along the shape, or the smoothest.
         singularity_cost: Less makes more irregular points, and edges of more even lengths.
         smoothing_iterations: Steps in which points move so that faces become regular.
+        minimum_scaled_jacobian: What faces should have at least, for passes and warnings; 0 for any.
+        maximum_aspect_ratio: What faces should have at most; 0 for any.
+        maximum_warpage: What quads should have at most; 0 for any.
     """,
     "streamlines": """
         start: Where lines start: evenly spaced, at the singularities, or at points.
@@ -125,6 +128,7 @@ _OTHERS = {
     r"before Direction Field": "before field()",
     r"of Direction Field": "of field()",
     r"Field Aligned Remesh": "remesh()",
+    r"The array Pass shows": "passes shows",
 }
 # Words of sentences, too.
 _WORDS = {"direction", "scale", "bands", "element", "start", "at", "add", "refine", "phases", "faces"}

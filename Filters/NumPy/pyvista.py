@@ -61,7 +61,10 @@ def polydata(result, faces=None):
         sizes = 3 + (result.faces[:, 3] >= 0)
         offsets = numpy.concatenate([[0], numpy.cumsum(sizes)])
         mesh = pyvista.PolyData(result.points, _row(offsets, result.faces[result.faces >= 0]))
-        mesh.cell_data["ScaledJacobian"] = result.quality
+        for name, values in (("ScaledJacobian", result.quality), ("AspectRatio", result.aspect_ratios),
+                             ("Warpage", result.warpages), ("Pass", result.passes)):
+            if len(values) == len(result.faces):
+                mesh.cell_data[name] = values
         mesh.point_data["VertexKind"] = result.kinds
     elif isinstance(result, (df.Lines, df.Stripes)):
         mesh = pyvista.PolyData()

@@ -50,6 +50,9 @@ bool vtkSMDirectionFieldColorDomain::IsFilteredArray(
   vtkPVDataInformation* const input = this->GetInputDataInformation("Input");
   const bool isOneColor =
     association == vtkDataObject::FIELD && input && !input->IsCompositeDataSet();
-  return isText || isOneColor || IsOfDirections(name) ||
+  // The index at the vertices of a mesh is 0 but at single points, which its second output shows.
+  const bool isOfMesh = association == vtkDataObject::POINT && name == std::string("FieldIndex") &&
+    data && data->GetArrayInformation("VertexKind", association);
+  return isText || isOfMesh || isOneColor || IsOfDirections(name) ||
     this->Superclass::IsFilteredArray(data, association, name);
 }

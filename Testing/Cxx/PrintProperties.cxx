@@ -153,6 +153,9 @@ void PrintRemesh()
   RANGE(AlignmentStrength);
   RANGE(SingularityCost);
   RANGE(SmoothingIterations);
+  RANGE(MinimumScaledJacobian);
+  RANGE(MaximumAspectRatio);
+  RANGE(MaximumWarpage);
   VALUE(KeepStages);
   RANGE(NumberOfThreads);
   VALUE(SizingArray);

@@ -3,7 +3,7 @@
 
 #include "Remeshed.h"
 
-#include "Reports/RemeshReports.h"
+#include "Quality/FaceQuality.h"
 
 #include <algorithm>
 #include <map>
@@ -170,7 +170,7 @@ std::string FlawOf(const RemeshResult& mesh)
 double LeastQuality(const RemeshResult& mesh)
 {
   double least = 1.0;
-  for (const double quality : ScaledJacobians(mesh))
+  for (const double quality : QualityOf(mesh.Points, mesh.Faces).ScaledJacobian)
   {
     least = std::min(least, quality);
   }

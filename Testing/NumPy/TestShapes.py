@@ -118,6 +118,20 @@ class Meshes(unittest.TestCase):
         valence = np.bincount(np.array(sorted(edges)).ravel())
         self.assertEqual(np.flatnonzero(valence != 4).tolist(), mesh.irregular.tolist())
 
+    def test_faces_are_judged_by_limits(self):
+        with self.assertWarnsRegex(df.DirectionFieldWarning, r"\. passes shows where"):
+            mesh = df.remesh(*torus(), faces=300, minimum_scaled_jacobian=0.995,
+                             maximum_aspect_ratio=1.3, maximum_warpage=0.005)
+        passes = (mesh.quality >= 0.995) & (mesh.aspect_ratios <= 1.3) & (mesh.warpages <= 0.005)
+        self.assertEqual(mesh.passes.tolist(), passes.tolist())
+        failed = len(passes) - passes.sum()
+        self.assertTrue(0 < failed < len(passes))
+        self.assertIn(f"{failed} faces fail the limits", mesh.summary)
+        self.assertTrue(any(text.startswith(f"{failed} of ") for text in mesh.warnings))
+        self.assertEqual(len(df.remesh(*torus(), faces=300).passes), 0)
+        quads = mesh.faces[:, 3] >= 0
+        self.assertTrue((mesh.aspect_ratios >= 1).all() and (mesh.warpages[~quads] == 0).all())
+
     def test_a_field_of_the_right_degree_is_followed(self):
         field = df.field(*torus(), degree=6)
         mesh = df.remesh(field, element="triangles", edge_length=0.1)

@@ -59,7 +59,7 @@ def test_filters():
     for made in (DirectionFieldGlyphs(Input=field), StripePattern(Input=field),
                  EditSingularities(Input=field),
                  CompareDirectionFields(Input=field, Other=other),
-                 FieldAlignedRemesh(Input=sphere, NumberOfFaces=200),
+                 FieldAlignedRemesh(Input=sphere, NumberOfFaces=200, MinimumScaledJacobian=0.5),
                  GuidanceFromCurves(Input=sphere, Curves=curve),
                  DirectionField(Input=GuidanceFromCurves(Input=sphere, Curves=curve),
                                 Alignment="Point Vectors", GuidanceVectors="GuidanceVectors")):

@@ -19,8 +19,8 @@ ENUMERATIONS = {
     "SizeMode": ["Number Of Faces", "Edge Length"],
     "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SingularityCost", "SmoothingIterations", "KeepStages",
-            "NumberOfThreads")
+ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
+            "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "KeepStages", "NumberOfThreads")
 
 
 def number(data, name):
@@ -83,6 +83,23 @@ def test_options():
     assert below > 0.54 * mesh.GetNumberOfPoints(), below / mesh.GetNumberOfPoints()
 
 
+def test_quality():
+    """Faces beyond a limit are marked, counted and said; without limits there is no mark."""
+    remesh = FieldAlignedRemesh(Input=Sphere(ThetaResolution=40, PhiResolution=30), NumberOfFaces=200)
+    assert servermanager.Fetch(remesh).GetCellData().GetArray("Pass") is None
+    warnings = []
+    # It takes the warning: one that is printed makes the test fail.
+    remesh.GetClientSideObject().AddObserver("WarningEvent", lambda filter, event: warnings.append(event))
+    remesh.MaximumWarpage = 0.001
+    mesh = servermanager.Fetch(remesh)
+    warpage, passed = (mesh.GetCellData().GetArray(name) for name in ("Warpage", "Pass"))
+    failed = [cell for cell in range(mesh.GetNumberOfCells()) if warpage.GetTuple1(cell) > 0.001]
+    assert failed == [cell for cell in range(mesh.GetNumberOfCells()) if passed.GetTuple1(cell) == 0]
+    assert len(warnings) == 1
+    assert 0 < len(failed) < mesh.GetNumberOfCells() and number(mesh, "FailedFaces") == len(failed)
+    assert f"{len(failed)} faces fail the limits" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+
+
 def test_regions():
     """Bands of a plane: their borders are edges, and faces have their numbers."""
     cells = PointDatatoCellData(Input=Calculator(
@@ -103,5 +120,6 @@ test_properties()
 test_scan()
 test_field()
 test_options()
+test_quality()
 test_regions()
 print("passed")

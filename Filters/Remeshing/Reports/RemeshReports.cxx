@@ -5,11 +5,8 @@
 
 #include "Support/Sentences.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace DirectionFields
@@ -60,46 +57,6 @@ struct Valences
   std::vector<char> IsBoundary;
 };
 
-/// The least sine of an angle of a face, with the sign of its side: 1 for a square, and, as by
-/// Verdict, for an even triangle, too.
-double ScaledJacobian(const RemeshResult& mesh, const std::array<Index, 4>& face)
-{
-  const int size = SizeOf(face);
-  const double even = size == 4 ? 1.0 : 2.0 / std::sqrt(3.0);
-  // A power of two, so that digits stay: areas of large and small faces have no numbers.
-  const double perLength =
-    mesh.EdgeLength > 0.0 ? std::ldexp(1.0, std::min(-std::ilogb(mesh.EdgeLength), 1000)) : 1.0;
-  std::array<Vector3, 4> normals;
-  std::array<double, 4> lengths;
-  Vector3 sum = Vector3::Zero();
-  for (int c = 0; c < size; ++c)
-  {
-    const Vector3& at = mesh.Points[face[c]];
-    const Vector3 next = perLength * (mesh.Points[face[(c + 1) % size]] - at);
-    const Vector3 last = perLength * (mesh.Points[face[(c + size - 1) % size]] - at);
-    normals[c] = next.cross(last);
-    lengths[c] = next.norm() * last.norm();
-    sum += normals[c];
-  }
-  const Vector3 normal = sum.stableNormalized();
-  double least = 1.0;
-  for (int c = 0; c < size; ++c)
-  {
-    least = std::min(least, lengths[c] > 0.0 ? even * normals[c].dot(normal) / lengths[c] : 0.0);
-  }
-  return least;
-}
-}
-
-std::vector<double> ScaledJacobians(const RemeshResult& mesh)
-{
-  std::vector<double> quality;
-  quality.reserve(mesh.Faces.size());
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    quality.push_back(ScaledJacobian(mesh, face));
-  }
-  return quality;
 }
 
 std::vector<IrregularVertex> IrregularVertices(const RemeshResult& mesh, int degree)
@@ -125,9 +82,18 @@ std::string AboutRegions(const RemeshResult& mesh)
                            : ", " + std::to_string(shown.Regions) + " regions with " +
       Figure(100.0 * shown.BordersKept) + " % of their borders on edges";
 }
+
+std::string AboutLimits(const QualityReport& quality)
+{
+  return !quality.IsLimited ? std::string()
+    : quality.FailedFaces == 0
+    ? ", all faces within the limits"
+    : ", " + Count(static_cast<std::size_t>(quality.FailedFaces), "face") +
+      (quality.FailedFaces == 1 ? " fails" : " fail") + " the limits";
+}
 }
 
-std::string Summary(const RemeshResult& mesh, double leastScaledJacobian)
+std::string Summary(const RemeshResult& mesh, const QualityReport& quality)
 {
   if (mesh.Faces.empty())
   {
@@ -146,8 +112,8 @@ std::string Summary(const RemeshResult& mesh, double leastScaledJacobian)
     Count(
       static_cast<std::size_t>(mesh.IrregularVertices), "irregular vertex", "irregular vertices") +
     AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + ", scaled Jacobian " +
-    Figure(leastScaledJacobian) + " or more, " + Figure(mesh.MaximumDistance) +
+    Figure(quality.LeastScaledJacobian) + " or more, " + Figure(mesh.MaximumDistance) +
     " or less from the surface, which is " + Figure(mesh.MaximumDistanceToMesh) +
-    " or less from the mesh";
+    " or less from the mesh" + AboutLimits(quality);
 }
 }

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_RemeshReports_h
 #define DirectionFields_RemeshReports_h
 
+#include "Quality/QualityReport.h"
 #include "Remesh.h"
 
 #include <string>
@@ -11,10 +12,6 @@
 
 namespace DirectionFields
 {
-/// The least sine of an angle of each face, with the sign of its side: 1 for a square and, as by
-/// Verdict, for an even triangle, too; not positive for a face that is folded.
-std::vector<double> ScaledJacobians(const RemeshResult& mesh);
-
 /// An interior vertex with another number of edges than 4, or 6 for triangles.
 struct IrregularVertex
 {
@@ -27,8 +24,8 @@ struct IrregularVertex
 std::vector<IrregularVertex> IrregularVertices(const RemeshResult& mesh, int degree);
 
 /// One line in ASCII that describes the mesh. Lengths are in the surface's unit, with three digits.
-/// @param leastScaledJacobian of all faces
-std::string Summary(const RemeshResult& mesh, double leastScaledJacobian);
+/// @param quality of the faces, which says how many fail where there are limits
+std::string Summary(const RemeshResult& mesh, const QualityReport& quality);
 }
 
 #endif

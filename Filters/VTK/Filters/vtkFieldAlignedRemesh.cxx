@@ -62,6 +62,10 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->AlignmentStrength = defaults.AlignmentStrength;
   this->SingularityCost = defaults.SingularityCost;
   this->SmoothingIterations = defaults.SmoothingIterations;
+  const DirectionFields::QualityLimits limits;
+  this->MinimumScaledJacobian = limits.MinimumScaledJacobian;
+  this->MaximumAspectRatio = limits.MaximumAspectRatio;
+  this->MaximumWarpage = limits.MaximumWarpage;
   this->KeepStages = true;
   this->NumberOfThreads = defaults.NumberOfThreads;
   this->SetNumberOfOutputPorts(2);
@@ -92,6 +96,9 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
   os << indent << "SingularityCost: " << this->SingularityCost << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
+  os << indent << "MinimumScaledJacobian: " << this->MinimumScaledJacobian << "\n";
+  os << indent << "MaximumAspectRatio: " << this->MaximumAspectRatio << "\n";
+  os << indent << "MaximumWarpage: " << this->MaximumWarpage << "\n";
   os << indent << "KeepStages: " << this->KeepStages << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
 }
@@ -167,13 +174,18 @@ void vtkFieldAlignedRemesh::Execute(
   this->SetProgressText(nullptr);
   this->ThrowIfStopped(mesh.Aborted);
   warnings.insert(warnings.end(), mesh.Notes.begin(), mesh.Notes.end());
+  const DirectionFields::FaceQuality quality = DirectionFields::QualityOf(mesh.Points, mesh.Faces);
+  const DirectionFields::QualityReport judged = DirectionFields::ReportQuality(
+    quality, { this->MinimumScaledJacobian, this->MaximumAspectRatio, this->MaximumWarpage });
+  warnings.insert(warnings.end(), judged.Sentences.begin(), judged.Sentences.end());
   this->Warn(warnings);
-  const double leastQuality = DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
+  DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
+  DirectionFields::AddQuality(quality, judged, output);
   DirectionFields::AddReport(mesh.Repaired, warnings, output->GetFieldData());
   DirectionFields::AddIrregularVertices(mesh, degree,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
     vtkPolyData::SafeDownCast(outputs[1]));
-  const std::string summary = DirectionFields::Summary(mesh, leastQuality);
+  const std::string summary = DirectionFields::Summary(mesh, judged);
   Summarize(summary, outputs);
 }
 

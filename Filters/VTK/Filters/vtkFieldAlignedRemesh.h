@@ -30,14 +30,21 @@
  *   corner, 4 singularity of the field.
  * - point data `FieldIndex`: int. The singularity's index in units of 1/n, 0 elsewhere.
  * - cell data `Regular`: signed char. 1 for cells of the map's grid.
- * - cell data `ScaledJacobian`: float. The least sine of an angle of a face, relative to that of an
- *   even one: 1 for squares and even triangles, negative for faces that overlap.
+ * - cell data `ScaledJacobian`, `AspectRatio` and `Warpage`: float, as Verdict defines them. The
+ *   least sine of an angle of a face, relative to that of an even one: 1 for squares and even
+ *   triangles, negative for faces that overlap. The longest edge times the circumference over four
+ *   times the area: 1 for squares and even triangles, else more, 1e30 for a face without area. How
+ *   far a quad is from a plane: 0 for one in a plane, 2 at most; 1 - what vtkMeshQuality gives.
+ * - with a limit of the quality, cell data `Pass`: signed char. 1 for faces that keep all limits.
  * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices`
  *   (those that are no points of the grid, but could not be removed), `FlippedTriangles` (of the
  *   map): int.
  * - field data `EdgeLength`, the one that was asked for; `MaximumDistance`, how far the middle of a
  *   face is from the surface; and `MaximumDistanceToMesh`, how far a point of the surface is from
  *   the mesh: double, in the input's unit.
+ * - field data `LeastScaledJacobian`, `MeanScaledJacobian`, `LargestAspectRatio`, `LargestWarpage`:
+ *   double, over all faces; with a limit of them `FailedFaces`, the number of those that fail, and
+ *   `Pass`, 1 if there are none: int.
  * - with a RegionArray: field data `Regions`, their number, and `RegionsLost`, of those without
  *   faces: int; `BordersKept`, the part of the length of their borders that is on edges between
  *   them, to a tenth of EdgeLength: double, 0 to 1; `CornersMissed`, the places where three meet,
@@ -240,6 +247,20 @@ public:
 
   ///@{
   /**
+   * Limits that faces are to keep, for the array Pass and a warning that says how many do not; the
+   * mesh stays the same. 0, the default, is no limit. Ranges 0 to 1, 0 to VTK_DOUBLE_MAX, and 0 to
+   * 2.
+   */
+  vtkSetClampMacro(MinimumScaledJacobian, double, 0.0, 1.0);
+  vtkGetMacro(MinimumScaledJacobian, double);
+  vtkSetClampMacro(MaximumAspectRatio, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumAspectRatio, double);
+  vtkSetClampMacro(MaximumWarpage, double, 0.0, 2.0);
+  vtkGetMacro(MaximumWarpage, double);
+  ///@}
+
+  ///@{
+  /**
    * Keep the field for the next mesh of the same surface, which then takes less time. Default on.
    */
   vtkSetMacro(KeepStages, bool);
@@ -287,6 +308,9 @@ private:
   double AlignmentStrength;
   double SingularityCost;
   int SmoothingIterations;
+  double MinimumScaledJacobian;
+  double MaximumAspectRatio;
+  double MaximumWarpage;
   bool KeepStages;
   int NumberOfThreads;
 

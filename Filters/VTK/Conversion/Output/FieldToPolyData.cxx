@@ -40,8 +40,10 @@ constexpr const char* ReportNames[] = { "Eigenvalue", "Residual", "Iterations", 
   "MaximumRotation", "WrongTriangles", "TurningNumbers", "SeparatingDistance", "Spacing",
   "LineOffset", "Misfit", "BranchPoints", "NumberOfGlyphs", "Faces", "Quads", "Triangles",
   "IrregularVertices", "KeptVertices", "FlippedTriangles", "EdgeLength", "MaximumDistance",
-  "MaximumDistanceToMesh", "MeanAngleDifference", "MaximumAngleDifference", "MatchedSingularities",
-  "MeanMatchDistance", "MaximumMatchDistance" };
+  "MaximumDistanceToMesh", "Regions", "RegionsLost", "BordersKept", "CornersMissed",
+  "LargestAreaError", "LeastScaledJacobian", "MeanScaledJacobian", "LargestAspectRatio",
+  "LargestWarpage", "FailedFaces", "Pass", "MeanAngleDifference", "MaximumAngleDifference",
+  "MatchedSingularities", "MeanMatchDistance", "MaximumMatchDistance" };
 
 /// Adds an array of vectors over the points; where there are none, removes one that an earlier run
 /// left in the input.

@@ -49,7 +49,7 @@ void AddNumber(const char* name, typename ArrayT::ValueType value, vtkFieldData*
 }
 }
 
-double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
+void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
   vtkPolyData* output)
 {
   const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
@@ -75,8 +75,6 @@ double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Re
   output->GetPointData()->AddArray(MakeScalars<vtkSignedCharArray>("VertexKind", kind));
   output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("FieldIndex", mesh.FieldIndex));
   output->GetCellData()->AddArray(MakeScalars<vtkSignedCharArray>("Regular", mesh.Regular));
-  const std::vector<double> quality = ScaledJacobians(mesh);
-  output->GetCellData()->AddArray(MakeScalars<vtkFloatArray>("ScaledJacobian", quality));
 
   vtkFieldData* data = output->GetFieldData();
   AddNumber<vtkIntArray>("Faces", static_cast<int>(mesh.Faces.size()), data);
@@ -103,7 +101,25 @@ double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Re
   euler->SetTypedComponent(0, 0, mesh.EulerCharacteristicBefore);
   euler->SetTypedComponent(0, 1, mesh.EulerCharacteristicAfter);
   data->AddArray(euler);
-  return quality.empty() ? 1.0 : *std::min_element(quality.begin(), quality.end());
+}
+
+void AddQuality(const FaceQuality& quality, const QualityReport& judged, vtkPolyData* output)
+{
+  vtkCellData* const cells = output->GetCellData();
+  cells->AddArray(MakeScalars<vtkFloatArray>("ScaledJacobian", quality.ScaledJacobian));
+  cells->AddArray(MakeScalars<vtkFloatArray>("AspectRatio", quality.AspectRatio));
+  cells->AddArray(MakeScalars<vtkFloatArray>("Warpage", quality.Warpage));
+  vtkFieldData* const data = output->GetFieldData();
+  AddNumber<vtkDoubleArray>("LeastScaledJacobian", judged.LeastScaledJacobian, data);
+  AddNumber<vtkDoubleArray>("MeanScaledJacobian", judged.MeanScaledJacobian, data);
+  AddNumber<vtkDoubleArray>("LargestAspectRatio", judged.LargestAspectRatio, data);
+  AddNumber<vtkDoubleArray>("LargestWarpage", judged.LargestWarpage, data);
+  if (judged.IsLimited)
+  {
+    cells->AddArray(MakeScalars<vtkSignedCharArray>("Pass", judged.Pass));
+    AddNumber<vtkIntArray>("FailedFaces", judged.FailedFaces, data);
+    AddNumber<vtkIntArray>("Pass", judged.FailedFaces == 0 ? 1 : 0, data);
+  }
 }
 
 void AddIrregularVertices(

@@ -6,6 +6,7 @@
 
 #include "Conversion/Input/PolyDataToSurface.h"
 
+#include <DirectionFields/Quality/QualityReport.h>
 #include <DirectionFields/Remesh.h>
 
 class vtkPolyData;
@@ -14,11 +15,13 @@ namespace DirectionFields
 {
 /// Fills an empty output with a mesh, the data of the surface that it was made of, and its own
 /// arrays.
-/// @return the least scaled Jacobian of a face; 1 without faces
 /// @param input   of which the surface was made
 /// @param surface the input's triangles, which the mesh refers to
-double AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
+void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
   vtkPolyData* output);
+
+/// Gives a mesh the arrays of its quality.
+void AddQuality(const FaceQuality& quality, const QualityReport& judged, vtkPolyData* output);
 
 /// Fills an empty output with the irregular vertices of a mesh.
 /// @param degree        the number of edges of a regular vertex
