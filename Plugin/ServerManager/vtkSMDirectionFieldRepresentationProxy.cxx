@@ -147,8 +147,8 @@ void vtkSMDirectionFieldRepresentationProxy::PrintSelf(ostream& os, vtkIndent in
 int vtkSMDirectionFieldRepresentationProxy::CreateSubProxiesAndProperties(
   vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
 {
-  // An XML cannot name another proxy for a sub-proxy of the one that it is based on. The element is
-  // that of ParaView's own display as well, hence is left as it was.
+  // An XML cannot name another proxy for a sub-proxy of the one that it is based on. ParaView
+  // does not promise that the element is a copy, hence it is left as it was.
   constexpr const char* own = "SurfaceOfDirectionField";
   constexpr const char* base = "SurfaceRepresentation";
   vtkPVXMLElement* surface = nullptr;
