@@ -14,7 +14,12 @@
  * label   the words before the editor, or those of a switch, in place of the property's label
  * note    the words behind the editor, such as a unit
  * below   the words below the editor
- * slider  1 for a slider over the range of the property beside the text, which then is needed
+ * slider  1 for a slider below the label, whose changes are shown while it is held (RowSlider,
+ *         LiveProperty); over the range of the property, or else
+ * from    and `to`: the ends of a logarithmic slider
+ * unit    "diagonal" where these are parts of the diagonal of the input's box, as for lengths
+ * zero    1 where the left end of such a slider is 0, for automatic
+ * slow    1 where a change of the slider is to wait for a pause, until it is known how long one takes
  */
 
 #ifndef DirectionFieldRow_h
@@ -34,7 +39,7 @@ public:
 private:
   QWidget* newSwitch(vtkSMProperty* property, const QString& text);
   QWidget* newNumber(vtkSMProperty* property, bool isInteger);
-  QWidget* newSlider(vtkSMProperty* property, bool isInteger);
+  QWidget* newSlider(vtkSMProperty* property, vtkPVXMLElement* row);
 };
 
 #endif
