@@ -173,6 +173,12 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
         all["source_triangles"] = Own<Index>(std::move(mesh->SourceTriangle));
         all["source_weights"] = Own<double>(std::move(mesh->SourceWeights), { 3 });
         all["source_faces"] = Own<Index>(std::move(mesh->FaceSource));
+        py::dict chains;
+        for (MeshChain& chain : mesh->Chains)
+        {
+          chains[py::str(chain.Name)] = Own<Index>(std::move(chain.Points));
+        }
+        all["chains"] = chains;
         all["regions"] = Own<Index>(std::move(mesh->Regions));
         all["regions_lost"] = Own<Index>(std::move(mesh->RegionsShown.Lost));
         all["borders_kept"] = mesh->RegionsShown.BordersKept;

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
 from os import PathLike
-from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Literal, Mapping, Optional, Tuple, Union
 
 from numpy import ndarray
 from numpy.typing import ArrayLike
@@ -134,6 +134,7 @@ class Mesh(_Result):
     source_triangles: ndarray
     source_weights: ndarray
     source_faces: ndarray
+    chains: Dict[str, ndarray]
     regions: ndarray
     regions_lost: ndarray
     borders_kept: float

@@ -247,6 +247,10 @@ class Mesh(_Result):
         Where each point is on the surface given.
     source_faces : (faces,) int32
         The triangle of the surface given that the middle of each face is closest to.
+    chains : dict of str to (points,) int32
+        The points of each part of the boundary, the features and the borders of regions, between
+        places where these end, meet or turn, in their order: ``chains["Boundary 1"]``. Of a closed
+        one the first point is the last one, too.
     regions : (faces,) array
         The region of each face, as it was given; empty without regions.
     regions_lost : (lost,) array

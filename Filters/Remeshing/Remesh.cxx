@@ -3,6 +3,7 @@
 
 #include "Remesh.h"
 
+#include "Chains/MeshChains.h"
 #include "Extraction/MeshExtraction.h"
 #include "Finishing/CloserMesh.h"
 #include "Finishing/FaceSources.h"
@@ -322,6 +323,8 @@ void Report(const Request& request, const FeatureLines& features,
     result.RegionsShown = std::move(report.Shown);
     result.Notes.insert(result.Notes.end(), report.Sentences.begin(), report.Sentences.end());
   }
+  result.Chains = FindChains(finished.Faces, LinesOfBoundary(field.GetGeometry().Mesh, features),
+    result.Regions, request.Options.RegionNames);
   ReportExtraction(request, extracted, finished, result);
   ReportQuality(request, finished.Faces, result);
 }

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Remesh_h
 #define DirectionFields_Remesh_h
 
+#include "Chains/MeshChain.h"
 #include "MeshError.h"
 #include "Options.h"
 #include "Progress.h"
@@ -129,6 +130,8 @@ struct RemeshResult
   /// The region of each face, which FaceSource is in, too; empty where no regions are given.
   std::vector<Index> Regions;
   RegionFigures RegionsShown;
+  /// Boundary, features and borders of regions, by kind, regions and place.
+  std::vector<MeshChain> Chains;
 
   /// Interior vertices with another number of edges than 4, or 6 for triangles.
   Index IrregularVertices = 0;

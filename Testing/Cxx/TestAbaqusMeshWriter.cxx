@@ -9,11 +9,13 @@
 #include "PipelineChecks.h"
 
 #include "vtkAbaqusMeshWriter.h"
+#include "vtkDirectionField.h"
 #include "vtkFieldAlignedRemesh.h"
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
 
@@ -162,6 +164,44 @@ void TestRemeshed()
   CHECK(inSets == remesh->GetOutput()->GetNumberOfCells());
 }
 
+/// Lines of the mesh are sets of nodes, also of a mesh that has got a field meanwhile, but not of
+/// another one that has them by mistake.
+void TestLines()
+{
+  vtkNew<vtkFieldAlignedRemesh> remesh;
+  remesh->SetInputData(Meshes::ToPolyData(Meshes::Square(10)));
+  remesh->SetNumberOfFaces(36);
+  vtkNew<vtkDirectionField> field;
+  field->SetInputConnection(remesh->GetOutputPort());
+  field->CellDirectionsOn();
+  field->Update();
+  auto writer = Writer(vtkPolyData::SafeDownCast(field->GetOutputDataObject(0)));
+  writer->SetDirectionArray("Direction0");
+  CHECK(writer->Write() == 1);
+  std::string text = ReadFile(Path);
+  for (int side = 1; side <= 4; ++side)
+  {
+    const std::string name = "BOUNDARY_" + std::to_string(side);
+    const std::size_t at = text.find(
+      "** " + name + ": Boundary " + std::to_string(side) + "\n*NSET, NSET=" + name + "\n");
+    REQUIRE(at != std::string::npos);
+    const std::size_t line = text.find('\n', text.find("*NSET", at)) + 1;
+    const std::string nodes = text.substr(line, text.find('\n', line) - line);
+    CHECK(std::count(nodes.begin(), nodes.end(), ',') == 6);
+  }
+  CHECK(text.find("*DISTRIBUTION") != std::string::npos);
+
+  vtkNew<vtkPolyData> other;
+  other->DeepCopy(PolyMeshes::QuadTorus(12, 8));
+  other->GetFieldData()->ShallowCopy(remesh->GetOutput()->GetFieldData());
+  writer = Writer(other);
+  vtkNew<Messages> messages;
+  writer->AddObserver(vtkCommand::WarningEvent, messages);
+  CHECK(writer->Write() == 1);
+  CHECK(messages->Warnings.size() == 1);
+  CHECK(ReadFile(Path).find("*NSET") == std::string::npos);
+}
+
 void CheckError(vtkAbaqusMeshWriter* writer, std::initializer_list<const char*> words)
 {
   WriteFile(Path, "before");
@@ -208,6 +248,7 @@ int TestAbaqusMeshWriter(int argc, char* argv[])
   TestParameters();
   TestText();
   TestRemeshed();
+  TestLines();
   TestErrors();
   return Result();
 }

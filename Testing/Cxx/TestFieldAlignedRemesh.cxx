@@ -16,8 +16,11 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIntArray.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 using namespace Checks;
@@ -35,7 +38,7 @@ void TestParameters()
   vtkNew<vtkFieldAlignedRemesh> filter;
   CHECK(filter->GetElement() == vtkFieldAlignedRemesh::QUADS);
   CHECK(filter->GetNumberOfFaces() == 5000);
-  CHECK(filter->GetNumberOfOutputPorts() == 2);
+  CHECK(filter->GetNumberOfOutputPorts() == 3);
   filter->SetElement(7);
   CHECK(filter->GetElement() == vtkFieldAlignedRemesh::TRIANGLES);
   filter->SetSizeMode(1);
@@ -241,6 +244,77 @@ void TestErrorsAndUnusualInput()
   CHECK(euler->GetComponent(0, 0) == 0.0 && euler->GetComponent(0, 1) == 0.0);
 }
 
+/// Lines by name, at places of the mesh, with the values of the regions beside them, and the same in
+/// the field data of the mesh.
+void TestLines()
+{
+  const auto square = Meshes::ToPolyData(Meshes::Square(12));
+  vtkNew<vtkIntArray> number;
+  number->SetName("Number");
+  vtkNew<vtkStringArray> material;
+  material->SetName("Material");
+  for (vtkIdType c = 0; c < square->GetNumberOfCells(); ++c)
+  {
+    const bool isLeft = square->GetCell(c)->GetBounds()[1] < 0.51;
+    number->InsertNextValue(isLeft ? 70 : 3);
+    material->InsertNextValue(isLeft ? "steel" : "glass");
+  }
+  square->GetCellData()->AddArray(number);
+  square->GetCellData()->AddArray(material);
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  filter->SetInputData(square);
+  filter->SetNumberOfFaces(100);
+  for (const bool areNumbers : { true, false })
+  {
+    filter->SetRegionArray(areNumbers ? "Number" : "Material");
+    filter->Update();
+    vtkPolyData* const mesh = filter->GetOutput(0);
+    vtkPolyData* const lines = filter->GetOutput(2);
+    REQUIRE(lines->GetNumberOfLines() == 7 && lines->GetNumberOfCells() == 7);
+    auto* const names =
+      vtkStringArray::SafeDownCast(lines->GetCellData()->GetAbstractArray("ChainName"));
+    vtkDataArray* const kinds = lines->GetCellData()->GetArray("ChainKind");
+    vtkDataArray* const onMesh = lines->GetPointData()->GetArray("MeshPoint");
+    auto* const kept =
+      vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("ChainNames"));
+    vtkDataArray* const offsets = mesh->GetFieldData()->GetArray("ChainOffsets");
+    vtkDataArray* const points = mesh->GetFieldData()->GetArray("ChainPoints");
+    REQUIRE(names && kinds && onMesh && kept && offsets && points);
+    const vtkIdType border =
+      names->LookupValue(areNumbers ? "Border 70/3 1" : "Border steel/glass 1");
+    REQUIRE(border == 6 && kinds->GetTuple1(border) == 2.0 && kinds->GetTuple1(0) == 0.0);
+    for (vtkIdType line = 0; line < 7; ++line)
+    {
+      CHECK(kept->GetValue(line) == names->GetValue(line));
+      vtkCell* const cell = lines->GetCell(line);
+      const auto first = static_cast<vtkIdType>(offsets->GetTuple1(line));
+      REQUIRE(offsets->GetTuple1(line + 1) == first + cell->GetNumberOfPoints());
+      for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+      {
+        const auto p = static_cast<vtkIdType>(points->GetTuple1(first + i));
+        CHECK(onMesh->GetTuple1(cell->GetPointId(i)) == p);
+        CHECK(std::equal(mesh->GetPoint(p), mesh->GetPoint(p) + 3, cell->GetPoints()->GetPoint(i)));
+        CHECK(line != border || std::abs(mesh->GetPoint(p)[0] - 0.5) < 1e-9);
+      }
+    }
+    vtkAbstractArray* const one = lines->GetCellData()->GetAbstractArray("FirstRegion");
+    vtkAbstractArray* const two = lines->GetCellData()->GetAbstractArray("SecondRegion");
+    REQUIRE(one && two);
+    CHECK(one->GetVariantValue(border).ToString() == (areNumbers ? "70" : "steel"));
+    CHECK(two->GetVariantValue(border).ToString() == (areNumbers ? "3" : "glass"));
+    CHECK(one->GetVariantValue(0).ToString() == (areNumbers ? "-1" : ""));
+  }
+  // A mesh without lines does not keep those of the surface that it is of.
+  vtkNew<vtkPolyData> again;
+  again->ShallowCopy(Meshes::ToPolyData(Meshes::Potato(2)));
+  again->GetFieldData()->ShallowCopy(filter->GetOutput(0)->GetFieldData());
+  filter->SetInputData(again);
+  filter->SetRegionArray(nullptr);
+  filter->Update();
+  CHECK(filter->GetOutput(2)->GetNumberOfCells() == 0);
+  CHECK(filter->GetOutput(0)->GetFieldData()->GetAbstractArray("ChainNames") == nullptr);
+}
+
 /// The same mesh with and without the cached stages.
 void TestKeptStages()
 {
@@ -292,6 +366,7 @@ int TestFieldAlignedRemesh(int, char*[])
   TestParameters();
   TestDataIsCarriedOver();
   TestRegions();
+  TestLines();
   TestFieldOfTheInput();
   TestErrorsAndUnusualInput();
   TestKeptStages();

@@ -167,6 +167,12 @@ class Meshes(unittest.TestCase):
         regions = np.where(points[quads].mean(axis=1)[:, 0] < 4, 3, 5)
         mesh = df.remesh(points, quads, faces=40, regions=regions)
         self.assertEqual(set(mesh.regions), {3, 5})
+        self.assertEqual(list(mesh.chains)[-1], "Border 3/5 1")
+        self.assertEqual(len(mesh.chains), 7)
+        np.testing.assert_allclose(mesh.points[mesh.chains["Border 3/5 1"], 0], 4)
+        np.testing.assert_array_equal(
+            np.unique(np.concatenate([ids for name, ids in mesh.chains.items() if "Boundary" in name])),
+            np.flatnonzero(np.isin(mesh.points[:, :2], (0, 8)).any(axis=1)))
         self.assertTrue(((mesh.points[mesh.faces].mean(axis=1)[:, 0] < 4) == (mesh.regions == 3)).all())
         for wrong, error in ((regions[1:], ValueError), (0.5 * regions, TypeError)):
             with self.assertRaisesRegex(error, "regions must be"):

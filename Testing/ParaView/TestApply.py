@@ -200,7 +200,8 @@ def test_remesh():
     """Irregular vertices are balls, red and blue, of the size of the faces."""
     view = new_view()
     remeshed = FieldAlignedRemesh(Input=simple.PLYReader(FileNames=[mesh]), NumberOfFaces=2000)
-    _, balls = apply(view, remeshed)
+    _, balls, lines = apply(view, remeshed)
+    assert lines is None
     simple.ResetCamera(view)
     assert balls.ColorArrayName[:] == ["POINTS", "MissingEdges"]
     path = picture_of(view, "ApplyRemesh.png")

@@ -113,6 +113,10 @@ def test_regions():
         left, right = mesh.GetCell(cell).GetBounds()[:2]
         assert values.GetTuple1(cell) == (1 if left + right > 0 else 0)
         assert left > -1e-6 or right < 1e-6
+    lines = servermanager.Fetch(remesh, idx=2)
+    names = lines.GetCellData().GetAbstractArray("ChainName")
+    assert lines.GetNumberOfCells() == 7 and names.GetValue(6) == "Border 0/1 1", names.GetValue(6)
+    assert lines.GetCell(6).GetBounds()[:2] == (0.0, 0.0), lines.GetCell(6).GetBounds()
     assert "2 regions with 100 % of their borders" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
 
 

@@ -12,6 +12,7 @@ vtkStandardNewMacro(vtkPFieldAlignedRemesh);
 
 //------------------------------------------------------------------------------
 vtkPFieldAlignedRemesh::vtkPFieldAlignedRemesh()
-  : vtkPDirectionFieldFilter({ OtherInput::None, { OutputKind::OfItself, OutputKind::OfItself } })
+  : vtkPDirectionFieldFilter(
+      { OtherInput::None, { OutputKind::OfItself, OutputKind::OfItself, OutputKind::OfItself } })
 {
 }

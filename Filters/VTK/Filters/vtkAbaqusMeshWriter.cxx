@@ -16,6 +16,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkAbaqusMeshWriter);
 
@@ -78,8 +79,14 @@ void vtkAbaqusMeshWriter::WriteMesh(vtkPolyData* mesh)
   DirectionFields::AbaqusOptions options;
   options.SecondOrder = this->SecondOrder;
   options.Thickness = this->Thickness;
+  std::vector<std::string> warnings;
   DirectionFields::WriteAbaqus(this->FileName,
-    DirectionFields::PolyDataToShell(mesh, this->RegionArray, this->DirectionArray), options);
+    DirectionFields::PolyDataToShell(mesh, this->RegionArray, this->DirectionArray, warnings),
+    options);
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
 }
 
 //------------------------------------------------------------------------------

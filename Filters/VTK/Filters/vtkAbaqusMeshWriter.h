@@ -9,9 +9,11 @@
  * are not in it: a file that has those takes the mesh in by `*INCLUDE, INPUT=mesh.inp`.
  * - Node and element i + 1 are point and polygon i. Points of no polygon are left out.
  * - Elements are S4 for quads and S3 for triangles, or S8R and S6 for SecondOrder.
- * - Sets: NALL and EALL, all nodes and elements; NBOUNDARY, the nodes of the boundary; and an
- *   *ELSET for each value of RegionArray. Letters of their names are capitals, and `_` stands for
- *   all but letters and digits; a comment gives the name as it was.
+ * - Sets: NALL and EALL, all nodes and elements; NBOUNDARY, the nodes of the boundary; an *ELSET
+ *   for each value of RegionArray; and an *NSET for each line of the mesh, its boundary, features
+ *   and borders of regions, as vtkFieldAlignedRemesh keeps them in the field data. Letters of their
+ *   names are capitals, and `_` stands for all but letters and digits; a comment gives the name as
+ *   it was.
  * - With a DirectionArray, the axes of a material that is not the same in all directions.
  * - With a Thickness, the sections of the shells.
  *

@@ -10,6 +10,7 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
 #include "Conversion/Regions/CellRegions.h"
+#include "Conversion/Regions/MeshLines.h"
 #include "Support/AlgorithmProgress.h"
 
 #include <DirectionFields/Reports/RemeshReports.h>
@@ -68,7 +69,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->MaximumWarpage = limits.MaximumWarpage;
   this->KeepStages = true;
   this->NumberOfThreads = defaults.NumberOfThreads;
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -185,6 +186,9 @@ void vtkFieldAlignedRemesh::Execute(
   DirectionFields::AddIrregularVertices(mesh, degree,
     input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
     vtkPolyData::SafeDownCast(outputs[1]));
+  DirectionFields::KeepChains(mesh.Chains, output->GetFieldData());
+  DirectionFields::AddChains(
+    mesh.Chains, output->GetPoints(), options.RegionNames, vtkPolyData::SafeDownCast(outputs[2]));
   const std::string summary = DirectionFields::Summary(mesh, judged);
   Summarize(summary, outputs);
 }

@@ -57,6 +57,20 @@
  * regular vertex, negative for more edges): int; `Size`: float, the diameter of a ball that shows
  * the vertex, as fits the faces.
  *
+ * Port 2: the lines of the mesh, a poly line for each part of its boundary, features and borders of
+ * regions between the places where these end, meet or turn, with
+ * - point data `MeshPoint`: int. The number of the point on the mesh.
+ * - cell data `ChainId`: int. The number of the line, from 0 on.
+ * - cell data `ChainKind`: signed char. 0 boundary, 1 feature, 2 border of regions.
+ * - cell data `ChainName`: string. The kind, the regions beside it and a number, as in
+ *   `Border steel/copper 1`: different for all lines, and the same in a finer or coarser mesh, but
+ *   where lines are next to each other.
+ * - cell data `FirstRegion` and `SecondRegion` with a RegionArray: int, -1 outside; strings, empty
+ *   outside, if that is an array of strings.
+ * The mesh of port 0 has them in its field data, too, for files: `ChainNames`, string, a value for
+ * each line; `ChainOffsets`, int, where each line begins in `ChainPoints`, and the end; and
+ * `ChainPoints`, int, the numbers of the points.
+ *
  * The same input gives the same bytes, whatever the number of threads.
  *
  * @warning

@@ -6,10 +6,12 @@
 #include "Conversion/Input/CellCorners.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Regions/CellRegions.h"
+#include "Conversion/Regions/MeshLines.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
 #include <stdexcept>
@@ -92,7 +94,8 @@ void AddDirections(vtkPolyData* polyData, const std::string& name, ShellMesh& me
 }
 }
 
-ShellMesh PolyDataToShell(vtkPolyData* polyData, const char* regions, const char* directions)
+ShellMesh PolyDataToShell(vtkPolyData* polyData, const char* regions, const char* directions,
+  std::vector<std::string>& warnings)
 {
   CheckPolyData(polyData);
   if (polyData->GetNumberOfStrips() > 0)
@@ -109,6 +112,14 @@ ShellMesh PolyDataToShell(vtkPolyData* polyData, const char* regions, const char
   AddFaces(polyData, mesh);
   AddRegions(polyData, regions, mesh);
   AddDirections(polyData, directions ? directions : "", mesh);
+  bool isOther = false;
+  mesh.PointSets = KeptChains(polyData->GetFieldData(), mesh, isOther);
+  if (isOther)
+  {
+    warnings.push_back(
+      "The lines that came with the mesh are of another one, since they do not run along its edges: "
+      "there are no sets of nodes for them. Write the mesh that Field Aligned Remesh has made.");
+  }
   return mesh;
 }
 }

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Conversion/Regions/MeshLines.h"
+
+#include "Conversion/Input/FieldArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSignedCharArray.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+constexpr const char* NamesOfChains = "ChainNames";
+constexpr const char* OffsetsOfChains = "ChainOffsets";
+constexpr const char* PointsOfChains = "ChainPoints";
+
+vtkNew<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  return array;
+}
+
+std::vector<std::string> NamesOf(const std::vector<MeshChain>& chains)
+{
+  std::vector<std::string> names;
+  for (const MeshChain& chain : chains)
+  {
+    names.push_back(chain.Name);
+  }
+  return names;
+}
+
+/// The regions' values, if they are all integers.
+bool AreIntegers(const std::vector<std::string>& names, std::vector<int>& values)
+{
+  return std::all_of(names.begin(), names.end(),
+    [&values](const std::string& name)
+    {
+      const char* const end = name.data() + name.size();
+      const auto [last, error] = std::from_chars(name.data(), end, values.emplace_back());
+      return error == std::errc() && last == end;
+    });
+}
+
+/// The lower or the higher region beside each chain, as numbers or texts.
+void AddRegionsBeside(const char* name, std::size_t side, const std::vector<MeshChain>& chains,
+  const std::vector<std::string>& names, vtkCellData* data)
+{
+  std::vector<int> values;
+  if (AreIntegers(names, values))
+  {
+    data->AddArray(MakeValues<vtkIntArray>(name, chains.size(),
+      [&](std::size_t i)
+      {
+        const Index region = chains[i].Regions[side];
+        return region == None ? -1 : values[static_cast<std::size_t>(region)];
+      }));
+    return;
+  }
+  std::vector<std::string> texts;
+  for (const MeshChain& chain : chains)
+  {
+    const Index region = chain.Regions[side];
+    const std::string text = region == None ? "" : names[static_cast<std::size_t>(region)];
+    texts.push_back(
+      text.size() > 1 && text.front() == '"' ? text.substr(1, text.size() - 2) : text);
+  }
+  data->AddArray(MakeTexts(name, texts));
+}
+
+bool IsInteger(vtkDataArray* array)
+{
+  return array && array->GetNumberOfComponents() == 1 && array->GetDataType() != VTK_FLOAT &&
+    array->GetDataType() != VTK_DOUBLE;
+}
+
+/// Edges as pairs of points in order.
+std::vector<std::array<Index, 2>> EdgesOf(const ShellMesh& mesh)
+{
+  std::vector<std::array<Index, 2>> edges;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const std::size_t size = face[3] == None ? 3 : 4;
+    for (std::size_t c = 0; c < size; ++c)
+    {
+      const auto ends = std::minmax(face[c], face[(c + 1) % size]);
+      edges.push_back({ ends.first, ends.second });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+}
+
+void AddChains(const std::vector<MeshChain>& chains, vtkPoints* points,
+  const std::vector<std::string>& names, vtkPolyData* output)
+{
+  std::vector<Index> used;
+  for (const MeshChain& chain : chains)
+  {
+    used.insert(used.end(), chain.Points.begin(), chain.Points.end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  vtkNew<vtkPoints> own;
+  own->SetDataType(points->GetDataType());
+  for (const Index p : used)
+  {
+    own->InsertNextPoint(points->GetPoint(p));
+  }
+  vtkNew<vtkCellArray> lines;
+  std::vector<int> kinds;
+  for (const MeshChain& chain : chains)
+  {
+    lines->InsertNextCell(static_cast<int>(chain.Points.size()));
+    for (const Index p : chain.Points)
+    {
+      lines->InsertCellPoint(std::lower_bound(used.begin(), used.end(), p) - used.begin());
+    }
+    kinds.push_back(static_cast<int>(chain.Kind));
+  }
+  output->SetPoints(own);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("MeshPoint", used));
+  vtkCellData* const data = output->GetCellData();
+  data->AddArray(
+    MakeValues<vtkIntArray>("ChainId", chains.size(), [](std::size_t i) { return i; }));
+  data->AddArray(MakeScalars<vtkSignedCharArray>("ChainKind", kinds));
+  data->AddArray(MakeTexts("ChainName", NamesOf(chains)));
+  if (!names.empty())
+  {
+    AddRegionsBeside("FirstRegion", 0, chains, names, data);
+    AddRegionsBeside("SecondRegion", 1, chains, names, data);
+  }
+}
+
+void KeepChains(const std::vector<MeshChain>& chains, vtkFieldData* data)
+{
+  for (const char* const name : { NamesOfChains, OffsetsOfChains, PointsOfChains })
+  {
+    data->RemoveArray(name);
+  }
+  if (chains.empty())
+  {
+    return;
+  }
+  std::vector<Index> offsets = { 0 };
+  std::vector<Index> points;
+  for (const MeshChain& chain : chains)
+  {
+    points.insert(points.end(), chain.Points.begin(), chain.Points.end());
+    offsets.push_back(static_cast<Index>(points.size()));
+  }
+  data->AddArray(MakeTexts(NamesOfChains, NamesOf(chains)));
+  data->AddArray(MakeScalars<vtkIntArray>(OffsetsOfChains, offsets));
+  data->AddArray(MakeScalars<vtkIntArray>(PointsOfChains, points));
+}
+
+std::vector<NamedSet> KeptChains(vtkFieldData* data, const ShellMesh& mesh, bool& isOther)
+{
+  auto* const names = vtkStringArray::SafeDownCast(data->GetAbstractArray(NamesOfChains));
+  vtkDataArray* const offsets = data->GetArray(OffsetsOfChains);
+  vtkDataArray* const points = data->GetArray(PointsOfChains);
+  isOther = false;
+  if (!names || !IsInteger(offsets) || !IsInteger(points))
+  {
+    return {};
+  }
+  isOther = true;
+  if (offsets->GetNumberOfTuples() != names->GetNumberOfValues() + 1)
+  {
+    return {};
+  }
+  const std::vector<std::array<Index, 2>> edges = EdgesOf(mesh);
+  std::vector<NamedSet> sets;
+  for (vtkIdType chain = 0; chain < names->GetNumberOfValues(); ++chain)
+  {
+    const auto first = static_cast<vtkIdType>(offsets->GetComponent(chain, 0));
+    const auto end = static_cast<vtkIdType>(offsets->GetComponent(chain + 1, 0));
+    if (first < 0 || end < first + 2 || end > points->GetNumberOfTuples())
+    {
+      return {};
+    }
+    NamedSet set{ names->GetValue(chain), {} };
+    for (vtkIdType i = first; i < end; ++i)
+    {
+      const auto point = static_cast<Index>(points->GetComponent(i, 0));
+      if (!set.Members.empty())
+      {
+        const auto ends = std::minmax(set.Members.back(), point);
+        const std::array<Index, 2> edge = { ends.first, ends.second };
+        if (!std::binary_search(edges.begin(), edges.end(), edge))
+        {
+          return {};
+        }
+      }
+      set.Members.push_back(point);
+    }
+    sets.push_back(std::move(set));
+  }
+  isOther = false;
+  return sets;
+}
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef MeshLines_h
+#define MeshLines_h
+
+#include <DirectionFields/Chains/MeshChain.h>
+#include <DirectionFields/SolverFiles/ShellMesh.h>
+
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkPoints;
+class vtkPolyData;
+
+namespace DirectionFields
+{
+/// Fills an empty output with a line for each chain of a mesh. Points are shared where chains meet.
+/// @param points of the mesh
+/// @param names  of the regions, by their numbers; empty without regions
+void AddChains(const std::vector<MeshChain>& chains, vtkPoints* points,
+  const std::vector<std::string>& names, vtkPolyData* output);
+
+/// The names and points of chains as arrays that stay with the mesh in files: ChainNames,
+/// ChainOffsets and ChainPoints. Without chains there are none.
+void KeepChains(const std::vector<MeshChain>& chains, vtkFieldData* data);
+
+/// The chains that were kept with a mesh, a set of points each; empty if there are none.
+/// @param isOther true where there are some, but of another mesh: they do not run along edges
+std::vector<NamedSet> KeptChains(vtkFieldData* data, const ShellMesh& mesh, bool& isOther);
+}
+
+#endif
