@@ -7,9 +7,9 @@ namespace DirectionFields::Parallel
 {
 std::string WhyNotDistributed(const Options& options)
 {
-  if (options.Alignment == Alignment::PrincipalCurvature || options.ConstrainCurvature)
+  if (options.ConstrainCurvature)
   {
-    return "curvature needs the whole surface";
+    return "Constrain Curvature needs the whole surface";
   }
   if (options.ConstrainSharpEdges)
   {

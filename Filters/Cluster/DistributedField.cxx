@@ -4,6 +4,8 @@
 #include "DistributedField.h"
 
 #include "Computation/FieldToResult.h"
+#include "Computation/Guide.h"
+#include "Computation/Stages.h"
 #include "Mesh/CommonWinding.h"
 #include "Mesh/DistributedMesh.h"
 #include "Mesh/Messages.h"
@@ -194,6 +196,23 @@ std::string DescribeAmbiguous(int components)
     "field.";
 }
 
+/// Adds the curvature that the field follows, at the points of the input.
+void AddCurvature(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
+  const OutputPoints& points, const Curvature& curvature, Result& result)
+{
+  CurvatureReport report = ReportOf(mesh.GetGeometry(), curvature, points);
+  const auto inputPoints = static_cast<std::size_t>(piece.InputPoints);
+  report.PrincipalDirection0.resize(inputPoints);
+  report.PrincipalDirection1.resize(inputPoints);
+  report.Mean.resize(inputPoints);
+  report.Gaussian.resize(inputPoints);
+  result.Curvature = std::make_shared<const CurvatureReport>(std::move(report));
+  if (curvature.IsInsideOut)
+  {
+    result.Notes.emplace_back(InsideOutNote);
+  }
+}
+
 void Compute(Processes& processes, const Messages& messages, const Surface& surface,
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
   const std::vector<Vector3>& previous, const std::function<bool(double)>& goOn,
@@ -239,6 +258,10 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
       }
       const OutputPoints points(mesh.GetMesh(), around.Surface, {});
       AddSection(mesh.GetGeometry(), around.Surface, points, section, field.Field);
+      if (guide.Curved)
+      {
+        AddCurvature(mesh, around, points, *guide.Curved, field.Field);
+      }
       if (guide.IsConstrained)
       {
         const Vector3 zero = Vector3::Zero();

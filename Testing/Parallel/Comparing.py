@@ -84,6 +84,13 @@ def compare(whole, part, degree, name):
         worst = angle[magnitude > 0.05].max(initial=0.0)
     check(worst < 1e-6, name, "angle", worst)
 
+    for curvature in ("MeanCurvature", "GaussianCurvature"):
+        if mesh.GetPointData().HasArray(curvature) and len(found):
+            values = Surfaces.array(mesh.GetPointData(), curvature)
+            off = np.abs(Surfaces.array(piece.GetPointData(), curvature)[found] - values[wanted]).max()
+            worst = max(worst, off / np.abs(values).max())
+    check(worst < 1e-6, name, "curvature", worst)
+
     # All processes send what they have of each point; the largest and the smallest must be the same bits.
     if is_split:
         return

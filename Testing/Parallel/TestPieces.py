@@ -14,9 +14,17 @@ import Surfaces
 from Comparing import check, compare, compare_singularities, count, make, rank
 from directionfields_vtk import vtkDirectionField, vtkPDirectionField
 
+def inside_out():
+    """Closed, with a flat top, and wound inside out."""
+    points, triangles = Surfaces.potato(13)
+    points[:, 2] = np.minimum(points[:, 2], 0.25)
+    return points, triangles[:, ::-1].copy()
+
+
 SURFACES = {"closed": Surfaces.potato(15), "bounded": Surfaces.half(15), "pair": Surfaces.pair(11),
             "strip": Surfaces.moebius(),
-            "turned": Surfaces.turned(11), "sheets": Surfaces.sheets()}
+            "turned": Surfaces.turned(11), "sheets": Surfaces.sheets(), "inside out": inside_out()}
+ORDINARY = [name for name in SURFACES if name != "inside out"]
 WAYS = {"slabs": {}, "random": {}, "ids": {}, "one": {}, "empty": {},
         "slabs with ghosts": {"ghosts": True}, "random with ghosts": {"ghosts": True, "noise": 3e-8},
         "slabs with ids": {"ids": True, "noise": 3e-8}, "ids with ghosts": {"ghosts": True, "ids": True},
@@ -27,6 +35,7 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
           "guided": GUIDED, "constrained": {"ConstrainBoundary": 1, "ConstrainSharpEdges": 1},
           "faces": {"CellDirections": 1, "UnitLength": 1}, "merged": {"MergePoints": 1},
           "boundary": {"ConstrainBoundary": 1},
+          "aligned lines": {"Alignment": vtkDirectionField.ALIGN_PRINCIPAL_CURVATURE, "Degree": 2},
           "given": {**GUIDED, "GuidanceWeights": "Few", "ConstrainGuidance": 1},
           "bounded by": {**GUIDED, "ConstrainBoundary": 1, "AlignmentStrength": 0.8},
           "unmerged": {"MergePoints": 0}, "multigrid": {"Solver": 1, "Tolerance": 1e-10},
@@ -35,9 +44,14 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
 
 
 # What can be had without gathering.
-DISTRIBUTED_SURFACES = ("closed", "bounded", "pair", "turned")
-DISTRIBUTED_FIELDS = ("smoothest", "guided", "given", "unmerged", "multigrid")
+DISTRIBUTED_SURFACES = ("closed", "bounded", "pair", "turned", "inside out")
+DISTRIBUTED_FIELDS = ("smoothest", "aligned", "aligned lines", "guided", "given", "unmerged", "multigrid")
 DISTRIBUTED_WITH_BOUNDARY = ("boundary", "bounded by")
+
+
+def warnings_of(field):
+    warnings = field.GetOutput().GetFieldData().GetAbstractArray("Warnings")
+    return [warnings.GetValue(k) for k in range(warnings.GetNumberOfValues())] if warnings else []
 
 
 def run(surface, way, field, distribute):
@@ -60,7 +74,7 @@ def run(surface, way, field, distribute):
     part = make(vtkPDirectionField, options, Surfaces.piece(points, triangles, arrays, owner, rank, **kind))
     if "noise" not in kind:
         # Moved points have another field, but as many of them are shared.
-        compare(whole, part, 4, name)
+        compare(whole, part, options.get("Degree", 4), name)
         compare_singularities(whole, part, name)
     done = Surfaces.array(part.GetOutput().GetFieldData(), "Distribution").reshape(-1)
     pieces = len(np.unique(owner))
@@ -73,8 +87,10 @@ def run(surface, way, field, distribute):
     is_possible = (surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS or
                    surface == "bounded" and field in DISTRIBUTED_WITH_BOUNDARY)
     used = 2 if distribute and is_possible else 1
-    warnings = part.GetOutput().GetFieldData().GetAbstractArray("Warnings")
-    texts = [warnings.GetValue(k) for k in range(warnings.GetNumberOfValues())] if warnings else []
+    texts = warnings_of(part)
+    if surface == "inside out":
+        told, = warnings_of(whole)
+        check("wound inside out" in told and told in texts, name, told, texts)
     reasons = sum("gathered on one process, for " in text for text in texts)
     check(reasons == (1 if distribute and not is_possible else 0), name, texts)
     check(done.tolist() == [used, pieces, int((shared.sum(axis=0) > 1).sum())], name, done)
@@ -82,14 +98,18 @@ def run(surface, way, field, distribute):
 
 def main():
     distribute = "distributed" in sys.argv[2:]
-    for surface in [name for name in sys.argv[2:] if name != "distributed"] or SURFACES:
+    for surface in [name for name in sys.argv[2:] if name != "distributed"] or ORDINARY:
         for way in WAYS:
             run(surface, way, "smoothest", distribute)
         for k, field in enumerate(FIELDS):
             run(surface, ("random", "slabs with ghosts")[k % 2], field, distribute)
         # A process without any of the surface takes part in what its guidance needs.
-        for field in ("guided", "given", "boundary"):
+        for field in ("guided", "given", "boundary", "aligned"):
             run(surface, "empty", field, distribute)
+    if distribute and "closed" in sys.argv[2:]:
+        # Where it is flat the field goes on from where it is curved.
+        for way in ("slabs", "random with ghosts", "empty"):
+            run("inside out", way, "aligned lines", distribute)
 
 
 main()

@@ -3,13 +3,13 @@
 
 #include "Mesh/DistributedMesh.h"
 
+#include "Mesh/JoinedComponents.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <unordered_map>
-#include <utility>
 
 namespace DirectionFields::Parallel
 {
@@ -21,17 +21,6 @@ constexpr const char* CannotBeOriented = "it has only one side, as a Moebius str
 bool IsInPiece(const PieceWithSurroundings& piece, Index point)
 {
   return point < piece.InputPoints && piece.Number[point] >= 0;
-}
-
-/// The least member of a joined set.
-int Find(std::vector<int>& parents, int k)
-{
-  while (parents[k] != k)
-  {
-    parents[k] = parents[parents[k]];
-    k = parents[k];
-  }
-  return k;
 }
 
 /// The first own triangle of each part of a process's mesh, counted over all processes; -1 for
@@ -50,69 +39,6 @@ std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithS
     first.push_back(least < ownTriangles ? piece.FirstTriangle + least : -1);
   }
   return first;
-}
-
-/// Joins parts of several processes that share a point, and gives each part a representative of its
-/// set.
-/// @param border  the part at each point on the border of a piece; -1 for none
-/// @param numbers of these points, equal for the same point
-std::vector<int> JoinParts(
-  std::size_t count, const std::vector<int>& border, const std::vector<vtkIdType>& numbers)
-{
-  std::vector<int> parents(count);
-  std::iota(parents.begin(), parents.end(), 0);
-  std::unordered_map<vtkIdType, int> partAt;
-  for (std::size_t k = 0; k < border.size(); ++k)
-  {
-    if (border[k] >= 0)
-    {
-      const auto [entry, isNew] = partAt.try_emplace(numbers[k], border[k]);
-      const int a = Find(parents, entry->second);
-      const int b = Find(parents, border[k]);
-      parents[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    parents[k] = Find(parents, static_cast<int>(k));
-  }
-  return parents;
-}
-
-/// Numbers the components by their first triangles.
-/// @param roots a representative of the component of each part
-/// @param first the first triangle of each part, or -1
-/// @return the number of each part's component; -1 where no part of it has a triangle
-std::vector<int> NumberComponents(
-  const std::vector<int>& roots, const std::vector<vtkIdType>& first)
-{
-  std::unordered_map<int, vtkIdType> firstOfRoot;
-  for (std::size_t k = 0; k < roots.size(); ++k)
-  {
-    if (first[k] >= 0)
-    {
-      const auto [entry, isNew] = firstOfRoot.try_emplace(roots[k], first[k]);
-      entry->second = std::min(entry->second, first[k]);
-    }
-  }
-  std::vector<std::pair<vtkIdType, int>> order;
-  for (const auto& [root, triangle] : firstOfRoot)
-  {
-    order.emplace_back(triangle, root);
-  }
-  std::sort(order.begin(), order.end());
-  std::unordered_map<int, int> numberOfRoot;
-  for (const auto& [triangle, root] : order)
-  {
-    numberOfRoot.emplace(root, static_cast<int>(numberOfRoot.size()));
-  }
-  std::vector<int> components;
-  for (const int root : roots)
-  {
-    const auto there = numberOfRoot.find(root);
-    components.push_back(there == numberOfRoot.end() ? -1 : there->second);
-  }
-  return components;
 }
 }
 
@@ -151,10 +77,22 @@ DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
   {
     this->Reason = "its pieces do not agree on what is around the points that they share";
   }
-  else if (messages.Any(this->HasDoubtfulEdges(processes, piece)))
+  const std::vector<double> meanEdges = this->MeanEdges(processes, piece);
+  if (this->Reason.empty() && messages.Any(this->HasDoubtfulEdges(meanEdges)))
   {
     this->Reason =
       "some of its edges are so short that only the whole tells which triangles have no area";
+  }
+  for (int component = 0; component < this->Components; ++component)
+  {
+    for (const std::size_t c : this->Parts[component])
+    {
+      if (this->ProcessOf(component) < 0)
+      {
+        this->Geometry->Lengths.SetUnit(
+          this->GetMesh(), static_cast<Index>(c), meanEdges[component]);
+      }
+    }
   }
 }
 
@@ -245,13 +183,11 @@ void DistributedMesh::FindExchange(
   Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared)
 {
   const TriangleMesh& mesh = this->GetMesh();
-  const auto processCount = static_cast<std::size_t>(this->Exchange.Count());
-  std::vector<std::vector<vtkIdType>> wanted(processCount);
-  this->AllTravellers.Received.resize(processCount);
+  std::vector<char> matters;
   processes.Together(
     [&]
     {
-      std::vector<char> matters(this->Owned.size(), 0);
+      matters.assign(this->Owned.size(), 0);
       for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
       {
         const Index tail = mesh.Tail(h);
@@ -259,6 +195,42 @@ void DistributedMesh::FindExchange(
         matters[head] |= IsInPiece(piece, mesh.Point(tail)) ? 1 : 0;
         matters[tail] |= IsInPiece(piece, mesh.Point(head)) ? 1 : 0;
       }
+    });
+  this->AllTravellers = this->FindTravellers(processes, piece, shared, matters);
+  // At the rim of the surroundings triangles are missing.
+  std::vector<std::array<double, 3>> normals;
+  processes.Together(
+    [&]
+    {
+      for (char& one : matters)
+      {
+        one = one ? 0 : 1;
+      }
+      normals.resize(matters.size());
+      for (std::size_t v = 0; v < normals.size(); ++v)
+      {
+        std::copy_n(this->Geometry->Frames.Normal[v].data(), 3, normals[v].data());
+      }
+    });
+  this->Complete(normals, this->FindTravellers(processes, piece, shared, matters));
+  for (std::size_t v = 0; v < normals.size(); ++v)
+  {
+    this->Geometry->Frames.Normal[v] = Vector3(normals[v].data());
+  }
+}
+
+DistributedMesh::Travellers DistributedMesh::FindTravellers(Processes& processes,
+  const PieceWithSurroundings& piece, const SharedPoints& shared,
+  const std::vector<char>& matters) const
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const auto processCount = static_cast<std::size_t>(this->Exchange.Count());
+  std::vector<std::vector<vtkIdType>> wanted(processCount);
+  Travellers travellers;
+  travellers.Received.resize(processCount);
+  processes.Together(
+    [&]
+    {
       for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
       {
         if (matters[v] && !this->Owned[v])
@@ -266,7 +238,7 @@ void DistributedMesh::FindExchange(
           const vtkIdType number = piece.Number[mesh.Point(v)];
           const int owner = shared.OwnerOf(number);
           wanted[owner].push_back(number);
-          this->AllTravellers.Received[owner].push_back(v);
+          travellers.Received[owner].push_back(v);
         }
       }
     });
@@ -282,15 +254,40 @@ void DistributedMesh::FindExchange(
           ownVertex.emplace(piece.Number[mesh.Point(v)], v);
         }
       }
-      this->AllTravellers.Sent.resize(asked.size());
+      travellers.Sent.resize(asked.size());
       for (std::size_t p = 0; p < asked.size(); ++p)
       {
         for (const vtkIdType number : asked[p])
         {
-          this->AllTravellers.Sent[p].push_back(ownVertex.at(number));
+          travellers.Sent[p].push_back(ownVertex.at(number));
         }
       }
     });
+  return travellers;
+}
+
+void DistributedMesh::CompleteBytes(char* values, std::size_t size) const
+{
+  const Travellers& travellers = this->AllTravellers;
+  std::vector<std::vector<char>> sent(travellers.Sent.size());
+  for (std::size_t p = 0; p < sent.size(); ++p)
+  {
+    for (const Index vertex : travellers.Sent[p])
+    {
+      const char* const value = values + static_cast<std::size_t>(vertex) * size;
+      sent[p].insert(sent[p].end(), value, value + size);
+    }
+  }
+  const std::vector<std::vector<char>> received = this->Exchange.Exchange(sent);
+  for (std::size_t p = 0; p < received.size(); ++p)
+  {
+    const char* value = received[p].data();
+    for (const Index vertex : travellers.Received[p])
+    {
+      std::copy_n(value, size, values + static_cast<std::size_t>(vertex) * size);
+      value += size;
+    }
+  }
 }
 
 void DistributedMesh::JoinComponents(
@@ -317,9 +314,8 @@ void DistributedMesh::JoinComponents(
     const Index vertex = this->VertexOfPoint[point];
     own.push_back(vertex == None ? -1 : begin + partOf[vertex]);
   }
-  const std::vector<int> roots =
-    JoinParts(all.Values.size(), this->Exchange.AllGather(own).Values, shared.BorderNumber);
-  const std::vector<int> components = NumberComponents(roots, all.Values);
+  const std::vector<int> components =
+    JoinedComponents(all.Values, this->Exchange.AllGather(own).Values, shared.BorderNumber);
   this->Components =
     components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
   // The process that has the only part of each.
@@ -379,18 +375,18 @@ void DistributedMesh::FindTravellersOfComponents(const std::vector<int>& partOf)
   share(this->AllTravellers.Received, &Travellers::Received);
 }
 
-bool DistributedMesh::HasDoubtfulEdges(
+double DistributedMesh::LengthOf(Index edge) const
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  const Index h = mesh.HalfEdge(edge);
+  const std::vector<Vector3>& positions = this->Geometry->Positions;
+  return (positions[mesh.Head(h)] - positions[mesh.Tail(h)]).stableNorm();
+}
+
+std::vector<double> DistributedMesh::MeanEdges(
   Processes& processes, const PieceWithSurroundings& piece) const
 {
-  // Metric lengthens edges that are shorter than a part of the mean.
-  constexpr double shortest = 1e-9;
-  const SurfaceGeometry& geometry = *this->Geometry;
-  const TriangleMesh& mesh = geometry.Mesh;
-  const auto lengthOf = [&](Index e)
-  {
-    const Index h = mesh.HalfEdge(e);
-    return (geometry.Positions[mesh.Head(h)] - geometry.Positions[mesh.Tail(h)]).stableNorm();
-  };
+  const TriangleMesh& mesh = this->GetMesh();
   // Of the edges of each component the sum of the lengths and the number: each counts where its end
   // of the lower number is owned, as all edges at that end are known there.
   std::vector<double> sums;
@@ -407,23 +403,36 @@ bool DistributedMesh::HasDoubtfulEdges(
         const bool isTailFirst = piece.Number[mesh.Point(tail)] < piece.Number[mesh.Point(head)];
         if (this->IsOwned(isTailFirst ? tail : head))
         {
-          sums[2 * component] += lengthOf(e);
+          sums[2 * component] += this->LengthOf(e);
           sums[2 * component + 1] += 1.0;
         }
       }
     }
   }
   this->Exchange.Sum(sums.data(), static_cast<int>(sums.size()));
+  std::vector<double> means;
+  for (std::size_t k = 0; k < sums.size(); k += 2)
+  {
+    // Where all points coincide every edge counts as 1, as in Metric.
+    means.push_back(sums[k] > 0.0 ? sums[k] / std::max(1.0, sums[k + 1]) : 1.0);
+  }
+  return means;
+}
+
+bool DistributedMesh::HasDoubtfulEdges(const std::vector<double>& meanEdges) const
+{
+  // Metric lengthens edges that are shorter than a part of the mean.
+  constexpr double shortest = 1e-9;
   for (int component = 0; component < this->Components; ++component)
   {
-    const double mean = sums[2 * component] / std::max(1.0, sums[2 * component + 1]);
+    const double mean = meanEdges[component];
     for (const std::size_t c : this->Parts[component])
     {
-      const double here = geometry.Lengths.Unit[c];
-      const TriangleMesh::Component& part = mesh.GetComponents()[c];
+      const double here = this->Geometry->Lengths.Unit[c];
+      const TriangleMesh::Component& part = this->GetMesh().GetComponents()[c];
       for (Index e = part.FirstEdge; e < part.EndEdge && this->ProcessOf(component) < 0; ++e)
       {
-        const double length = lengthOf(e);
+        const double length = this->LengthOf(e);
         if ((length < shortest * here) != (length < shortest * mean))
         {
           return true;

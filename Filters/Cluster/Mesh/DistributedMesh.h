@@ -33,6 +33,7 @@ public:
   /// Whether that is because triangles are wound against each other, which WindAlike may mend.
   bool IsWoundOtherwise() const { return this->WoundOtherwise; }
 
+  /// In the unit of the whole component, and with right normals at all vertices.
   const SurfaceGeometry& GetGeometry() const { return *this->Geometry; }
   const TriangleMesh& GetMesh() const { return this->Geometry->Mesh; }
   bool IsOwned(Index vertex) const { return this->Owned[vertex] != 0; }
@@ -56,6 +57,9 @@ public:
   {
     this->Complete(values, this->AllTravellers);
   }
+  /// The same for values of any kind.
+  /// @param size the bytes of a value
+  void CompleteBytes(char* values, std::size_t size) const;
   /// The same for one component of the whole surface that lies across processes.
   template <typename T>
   void Complete(std::vector<T>& values, int component) const
@@ -98,15 +102,21 @@ private:
   void FindOwned(const PieceWithSurroundings& piece, const SharedPoints& shared);
   void FindExchange(
     Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared);
+  /// @param matters whether a vertex's value is wanted of its owner, where that is another process
+  Travellers FindTravellers(Processes& processes, const PieceWithSurroundings& piece,
+    const SharedPoints& shared, const std::vector<char>& matters) const;
   void JoinComponents(
     Processes& processes, const PieceWithSurroundings& piece, const SharedPoints& shared);
   /// Assigns the exchanged vertices to the components of the whole surface.
   /// @param partOf the component of the mesh of each vertex
   void FindTravellersOfComponents(const std::vector<int>& partOf);
   bool Disagrees(const PieceWithSurroundings& piece) const;
+  /// The length of the mean edge of each component of the whole surface. All processes call it.
+  std::vector<double> MeanEdges(Processes& processes, const PieceWithSurroundings& piece) const;
   /// Whether an edge is short beside the mean edge of its part here, but not beside that of the
-  /// whole component, or the other way round. All processes call it.
-  bool HasDoubtfulEdges(Processes& processes, const PieceWithSurroundings& piece) const;
+  /// whole component, or the other way round.
+  bool HasDoubtfulEdges(const std::vector<double>& meanEdges) const;
+  double LengthOf(Index edge) const;
 
   const Messages& Exchange;
   std::unique_ptr<SurfaceGeometry> Geometry;

@@ -90,9 +90,14 @@ public:
     this->Sum(&value, 1);
     return value;
   }
+  /// Finds the largest value of all processes, entry by entry.
+  void Largest(double* values, int count) const
+  {
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, this->Communicator);
+  }
   double Largest(double value) const
   {
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, this->Communicator);
+    this->Largest(&value, 1);
     return value;
   }
   bool Any(bool value) const

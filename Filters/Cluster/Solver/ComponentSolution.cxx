@@ -130,6 +130,11 @@ private:
   std::vector<Part> Parts;
 };
 
+double ShareOf(const DistributedGuide& guide, int component)
+{
+  return guide.Shares.empty() ? 1.0 : guide.Shares[component];
+}
+
 /// The input of a component's fields.
 struct Problem
 {
@@ -138,6 +143,8 @@ struct Problem
   DistributedHierarchy& Hierarchy;
   const DistributedEigenpair& Smallest;
   const Options& Asked;
+  /// Of the alignment's strength, 0 to 1.
+  double Share = 1.0;
   const std::function<bool(double)>& GoOn;
 };
 
@@ -176,8 +183,8 @@ OwnedVec SolveProblem(const Problem& problem, ComponentReport& report, bool& isS
   const DistributedMatrices& matrices = problem.Matrices;
   const DistributedEigenpair& smallest = problem.Smallest;
   const double scale = problem.Hierarchy.GetScale();
-  const double gap =
-    SystemGap(problem.Asked, 1.0, { smallest.Value, smallest.Residual }, scale, matrices.Unit);
+  const double gap = SystemGap(
+    problem.Asked, problem.Share, { smallest.Value, smallest.Residual }, scale, matrices.Unit);
   report.Lambda = PerSquare(smallest.Value, matrices.Unit);
   DistributedSystem::Solution solution;
   PetscReal length = 0.0;
@@ -240,7 +247,8 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
   const DistributedSystem system(messages, mesh, matrices, guide);
   bool isSmoothest = false;
   const OwnedVec field =
-    SolveProblem({ matrices, system, hierarchy, pair, options, goOn }, report, isSmoothest);
+    SolveProblem({ matrices, system, hierarchy, pair, options, ShareOf(guide, component), goOn },
+      report, isSmoothest);
   TakeRows(matrices, field, section);
   report.Eigenvalue = PerSquare(pair.Value, matrices.Unit);
   report.Residual = pair.Residual;
@@ -295,8 +303,9 @@ void SolveAlone(const DistributedMesh& mesh, int component, const DistributedGui
   const std::size_t part = mesh.PartsOf(component).front();
   ComponentStage stage =
     SetUpComponent(geometry, part, geometry, options, progress.Part(0.0, 0.65));
-  const ComponentGuide own = GuideOf(geometry.Mesh, part,
+  ComponentGuide own = GuideOf(geometry.Mesh, part,
     guide.IsDrawn ? guide.Drawn : std::vector<Complex>(), guide.Kind, guide.Value);
+  own.Share = ShareOf(guide, component);
   const ComplexVector u = stage.Solve(own, options, progress.Part(0.65, 1.0), report);
   std::copy(u.begin(), u.end(), section.begin() + geometry.Mesh.GetComponents()[part].FirstVertex);
   report.Constraints = static_cast<Index>(own.Given.Vertices.size());

@@ -5,8 +5,12 @@
 
 #include "Guidance/Constraints.h"
 #include "Guidance/Guidance.h"
+#include "Mesh/MeshPiece.h"
+#include "Solver/DistributedCurvature.h"
+#include "Solver/PetscObjects.h"
 
 #include <algorithm>
+#include <new>
 
 namespace DirectionFields::Parallel
 {
@@ -37,6 +41,23 @@ bool AnyOwned(const Messages& messages, const DistributedMesh& mesh, const IsThe
     any = mesh.IsOwned(v) && isThere(v);
   }
   return messages.Any(any);
+}
+
+void DrawToCurvature(const Messages& messages, const DistributedMesh& mesh,
+  const PieceWithSurroundings& piece, const Options& options, DistributedGuide& guide)
+{
+  guide.Curved = CurvatureOf(messages, mesh, piece, options.CurvatureScale);
+  guide.Shares = CurvatureShares(messages, mesh, *guide.Curved);
+  guide.Drawn = CurvatureSection(*guide.Curved, options.Degree, options.CurvatureDirection);
+  guide.IsDrawn = AnyOwned(messages, mesh, [&](Index v) { return guide.Drawn[v] != 0.0; });
+  if (guide.IsDrawn)
+  {
+    Continue(mesh.GetGeometry(), options.Degree, guide.Drawn, MeshPiece(messages, mesh));
+  }
+  else
+  {
+    guide.Reason = "it is curved alike in all directions";
+  }
 }
 }
 
@@ -83,6 +104,17 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
   {
     guide.IsDrawn = true;
     guide.Drawn = std::move(given);
+  }
+  else if (options.Alignment == Alignment::PrincipalCurvature)
+  {
+    try
+    {
+      DrawToCurvature(messages, mesh, piece, options, guide);
+    }
+    catch (const std::bad_alloc&)
+    {
+      EndAllForMemory("");
+    }
   }
   return guide;
 }

@@ -4,6 +4,7 @@
 #ifndef DistributedGuide_h
 #define DistributedGuide_h
 
+#include "Curvature/Curvature.h"
 #include "Mesh/DistributedMesh.h"
 #include "Mesh/Messages.h"
 #include "Mesh/PieceWithSurroundings.h"
@@ -11,6 +12,7 @@
 #include "Processes.h"
 #include "Result.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,10 @@ struct DistributedGuide
   /// whole surface is constrained.
   std::vector<ConstraintKind> Kind;
   std::vector<Complex> Value;
+  /// The curvature that the field is drawn to, and the share of the strength that each component of
+  /// the whole surface has; nothing where the field follows something else.
+  std::optional<Curvature> Curved;
+  std::vector<double> Shares;
   /// Why the options can only be had of the gathered surface; the same on all processes.
   std::string Reason;
 };

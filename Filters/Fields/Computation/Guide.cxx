@@ -41,9 +41,7 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
   }
   if (UsesCurvature(options) && stages.GetCurvature(options.CurvatureScale).IsInsideOut)
   {
-    notes.emplace_back(
-      "Turn the triangles if that was not meant: a closed part of the surface is wound inside out. "
-      "Its curvature is taken as seen from outside.");
+    notes.emplace_back(InsideOutNote);
   }
   return Constraints(
     { stages.GetGeometry(),
@@ -52,7 +50,6 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
     options, notes);
 }
 
-/// How curved a component is for its size: the root of the mean of |q|^2 area.
 double Bend(const SurfaceGeometry& geometry, const std::vector<Complex>& hopf, std::size_t c)
 {
   const TriangleMesh::Component& component = geometry.Mesh.GetComponents()[c];
@@ -72,24 +69,15 @@ double Bend(const SurfaceGeometry& geometry, const std::vector<Complex>& hopf, s
   return std::sqrt(squares);
 }
 
-/// The share of the strength that a component has of which almost nothing is curved beside others
-/// that are: all of it down to a fiftieth of the most curved one, below that by the square.
 std::vector<double> CurvatureShares(
   const SurfaceGeometry& geometry, const std::vector<Complex>& hopf)
 {
-  constexpr double slight = 0.02;
-  std::vector<double> shares;
+  std::vector<double> bends;
   for (std::size_t c = 0; c < geometry.Mesh.GetComponents().size(); ++c)
   {
-    shares.push_back(Bend(geometry, hopf, c));
+    bends.push_back(Bend(geometry, hopf, c));
   }
-  const double most = shares.empty() ? 0.0 : *std::max_element(shares.begin(), shares.end());
-  for (double& share : shares)
-  {
-    const double relative = most > 0.0 ? share / (slight * most) : 1.0;
-    share = std::min(1.0, relative * relative);
-  }
-  return shares;
+  return SharesOfBends(std::move(bends));
 }
 
 std::vector<Complex> DrawnSection(Stages& stages, const Options& options,
@@ -288,6 +276,18 @@ ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t c, const std::vecto
   part.Given.Values =
     Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
   return part;
+}
+
+std::vector<double> SharesOfBends(std::vector<double> bends)
+{
+  constexpr double slight = 0.02;
+  const double most = bends.empty() ? 0.0 : *std::max_element(bends.begin(), bends.end());
+  for (double& share : bends)
+  {
+    const double relative = most > 0.0 ? share / (slight * most) : 1.0;
+    share = std::min(1.0, relative * relative);
+  }
+  return bends;
 }
 
 bool FollowsExactly(const Options& options)

@@ -72,6 +72,16 @@ ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t component,
   const std::vector<Complex>& drawn, const std::vector<ConstraintKind>& kind,
   const std::vector<Complex>& value);
 
+/// The share of the strength of each component: one of which almost nothing is curved beside others
+/// that are has all of it down to a fiftieth of the most curved one, below that by the square.
+/// @param bends how curved each component is for its size, the root of the integral of |q|^2
+std::vector<double> SharesOfBends(std::vector<double> bends);
+
+/// Where curvature is used, and Curvature::IsInsideOut.
+constexpr const char* InsideOutNote =
+  "Turn the triangles if that was not meant: a closed part of the surface is wound inside out. Its "
+  "curvature is taken as seen from outside.";
+
 /// Whether a field that follows tensors has their directions themselves.
 bool FollowsExactly(const Options& options);
 

@@ -109,21 +109,17 @@ const OutputPoints& Stages::GetOutputPoints()
   return *this->Points;
 }
 
-const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport(double scale)
+CurvatureReport ReportOf(
+  const SurfaceGeometry& geometry, const Curvature& curvature, const OutputPoints& points)
 {
-  if (this->CurvatureAtPoints && this->CurvatureScale == scale)
-  {
-    return this->CurvatureAtPoints;
-  }
   constexpr Index piece = 1 << 13;
-  const Curvature& curvature = this->GetCurvature(scale);
   std::vector<Complex> smaller(curvature.Hopf.size());
   std::vector<double> mean = curvature.Mean;
   std::vector<double> gaussian = curvature.Gaussian;
-  const std::vector<TriangleMesh::Component>& components = this->Geometry.Mesh.GetComponents();
+  const std::vector<TriangleMesh::Component>& components = geometry.Mesh.GetComponents();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    const double unit = this->Geometry.Lengths.Unit[c];
+    const double unit = geometry.Lengths.Unit[c];
     ParallelFor(components[c].Vertices(), piece,
       [&](Index begin, Index end)
       {
@@ -135,12 +131,20 @@ const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport(double 
         }
       });
   }
-  const OutputPoints& points = this->GetOutputPoints();
   const Vector3 zero = Vector3::Zero();
+  return { points.Spread(DirectionsOf(curvature.Hopf, geometry.Frames, 2), zero),
+    points.Spread(DirectionsOf(smaller, geometry.Frames, 2), zero), points.Spread(mean, 0.0),
+    points.Spread(gaussian, 0.0) };
+}
+
+const std::shared_ptr<const CurvatureReport>& Stages::GetCurvatureReport(double scale)
+{
+  if (this->CurvatureAtPoints && this->CurvatureScale == scale)
+  {
+    return this->CurvatureAtPoints;
+  }
   this->CurvatureAtPoints = std::make_shared<const CurvatureReport>(
-    CurvatureReport{ points.Spread(DirectionsOf(curvature.Hopf, this->Geometry.Frames, 2), zero),
-      points.Spread(DirectionsOf(smaller, this->Geometry.Frames, 2), zero),
-      points.Spread(mean, 0.0), points.Spread(gaussian, 0.0) });
+    ReportOf(this->Geometry, this->GetCurvature(scale), this->GetOutputPoints()));
   return this->CurvatureAtPoints;
 }
 

@@ -20,6 +20,10 @@
 
 namespace DirectionFields::Internal
 {
+/// The curvature at the output points, in the units of the input.
+CurvatureReport ReportOf(
+  const SurfaceGeometry& geometry, const Curvature& curvature, const OutputPoints& points);
+
 /// Matrices and smallest eigenpairs of all components.
 struct EnergyStage
 {

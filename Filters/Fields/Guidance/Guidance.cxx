@@ -103,81 +103,148 @@ std::vector<Complex> CurvatureSection(
   return section;
 }
 
-void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section)
+namespace
+{
+/// The vertices that a section is continued to, from near to far.
+class Continuation
+{
+public:
+  Continuation(const SurfaceGeometry& geometry, const PieceOfSurface& piece,
+    const std::vector<Complex>& section)
+    : Geometry(geometry)
+    , Piece(piece)
+    , State(section.size(), Unknown)
+  {
+    const auto vertices = static_cast<Index>(section.size());
+    for (Index v = 0; v < vertices; ++v)
+    {
+      this->State[v] = section[v] != 0.0 ? Known : Unknown;
+    }
+    this->Piece.Complete(this->State);
+    for (Index v = 0; v < vertices; ++v)
+    {
+      if (!this->Piece.IsOwned(v) && this->State[v] != Known)
+      {
+        this->Others.push_back(v);
+      }
+      bool isNext = false;
+      if (this->Piece.IsOwned(v) && this->State[v] == Unknown)
+      {
+        this->ForEachNeighbour(
+          v, [&](Index j, double) { isNext = isNext || this->State[j] == Known; });
+      }
+      if (isNext)
+      {
+        this->Front.push_back(v);
+      }
+    }
+  }
+
+  const std::vector<Index>& GetFront() const { return this->Front; }
+
+  template <typename Body>
+  void ForEachKnown(Index v, const Body& body)
+  {
+    this->ForEachNeighbour(v,
+      [&](Index j, double rotation)
+      {
+        if (this->State[j] == Known)
+        {
+          body(j, rotation);
+        }
+      });
+  }
+
+  /// Goes on from the front, whose vertices are known from now on.
+  void Advance()
+  {
+    std::vector<Index> reached;
+    reached.swap(this->Front);
+    for (const Index v : reached)
+    {
+      this->State[v] = Known;
+    }
+    this->Piece.Complete(this->State);
+    const auto isUnknown = [&](Index v) { return this->State[v] != Known; };
+    const auto known = std::partition(this->Others.begin(), this->Others.end(), isUnknown);
+    reached.insert(reached.end(), known, this->Others.end());
+    this->Others.erase(known, this->Others.end());
+    for (const Index v : reached)
+    {
+      this->ForEachNeighbour(v,
+        [&](Index j, double)
+        {
+          if (this->State[j] == Unknown && this->Piece.IsOwned(j))
+          {
+            this->State[j] = Queued;
+            this->Front.push_back(j);
+          }
+        });
+    }
+  }
+
+private:
+  static constexpr char Unknown = 0;
+  static constexpr char Known = 1;
+  static constexpr char Queued = 2;
+
+  /// Calls body(neighbour, rotation from there).
+  template <typename Body>
+  void ForEachNeighbour(Index v, const Body& body)
+  {
+    const TriangleMesh& mesh = this->Geometry.Mesh;
+    mesh.GetFan(v, this->Fan);
+    for (const Index h : this->Fan)
+    {
+      body(mesh.Head(h), -this->Geometry.Transport.RotationAlong(mesh, h));
+    }
+    if (mesh.IsBoundary(v))
+    {
+      const Index incoming = TriangleMesh::Previous(this->Fan.back());
+      body(mesh.Tail(incoming), this->Geometry.Transport.RotationAlong(mesh, incoming));
+    }
+  }
+
+  const SurfaceGeometry& Geometry;
+  const PieceOfSurface& Piece;
+  std::vector<char> State;
+  std::vector<Index> Front;
+  /// Vertices of other pieces that are not known yet.
+  std::vector<Index> Others;
+  std::vector<Index> Fan;
+};
+}
+
+void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section,
+  const PieceOfSurface& piece)
 {
   constexpr double decay = 0.1;
   // Weights below this are not reduced further, lest they be rounded to zero.
   constexpr double least = 1e-100;
-  const TriangleMesh& mesh = geometry.Mesh;
-  std::vector<char> isKnown(section.size());
-  std::vector<Index> fan;
-  std::vector<Index> front;
-  const auto forEachNeighbour = [&](Index v, const auto& body)
-  {
-    mesh.GetFan(v, fan);
-    for (const Index h : fan)
-    {
-      body(mesh.Head(h), -geometry.Transport.RotationAlong(mesh, h));
-    }
-    if (mesh.IsBoundary(v))
-    {
-      const Index incoming = TriangleMesh::Previous(fan.back());
-      body(mesh.Tail(incoming), geometry.Transport.RotationAlong(mesh, incoming));
-    }
-  };
-  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
-  {
-    isKnown[v] = section[v] != 0.0 ? 1 : 0;
-  }
-  for (Index v = 0; v < static_cast<Index>(section.size()); ++v)
-  {
-    if (isKnown[v] == 0)
-    {
-      bool isNext = false;
-      forEachNeighbour(v, [&](Index j, double) { isNext = isNext || isKnown[j] != 0; });
-      if (isNext)
-      {
-        front.push_back(v);
-      }
-    }
-  }
+  piece.Complete(section);
+  Continuation continuation(geometry, piece, section);
   std::vector<Complex> values;
-  while (!front.empty())
+  while (piece.Any(!continuation.GetFront().empty()))
   {
+    const std::vector<Index>& front = continuation.GetFront();
     values.assign(front.size(), 0.0);
     for (std::size_t k = 0; k < front.size(); ++k)
     {
       double known = 0.0;
-      forEachNeighbour(front[k],
+      continuation.ForEachKnown(front[k],
         [&](Index j, double rotation)
         {
-          if (isKnown[j] == 1)
-          {
-            values[k] += section[j] * std::polar(1.0, degree * rotation);
-            known += 1.0;
-          }
+          values[k] += section[j] * std::polar(1.0, degree * rotation);
+          known += 1.0;
         });
       values[k] *= (std::abs(values[k]) > least ? decay : 1.0) / known;
     }
-    std::vector<Index> next;
     for (std::size_t k = 0; k < front.size(); ++k)
     {
       section[front[k]] = values[k];
-      isKnown[front[k]] = 1;
     }
-    for (const Index v : front)
-    {
-      forEachNeighbour(v,
-        [&](Index j, double)
-        {
-          if (isKnown[j] == 0)
-          {
-            isKnown[j] = 2;
-            next.push_back(j);
-          }
-        });
-    }
-    front.swap(next);
+    piece.Complete(section);
+    continuation.Advance();
   }
 }
 

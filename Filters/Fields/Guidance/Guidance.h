@@ -6,6 +6,7 @@
 
 #include "Curvature/Curvature.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "Mesh/PieceOfSurface.h"
 #include "Options.h"
 
 #include <vector>
@@ -46,7 +47,9 @@ std::vector<Complex> CurvatureSection(
 /// Continues a section to vertices of its components where it is zero: each of them has a tenth of
 /// the mean of those neighbours that are nearer to where it is not. That is next to nothing for a
 /// field that is drawn to it, but gives the section itself directions.
-void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section);
+/// @param piece of which the mesh is a part; its own vertices get values, and those next to them
+void Continue(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section,
+  const PieceOfSurface& piece = PieceOfSurface());
 
 /// Sets a section to zero on components that cannot be oriented.
 void ClearCovers(const TriangleMesh& mesh, std::vector<Complex>& section);

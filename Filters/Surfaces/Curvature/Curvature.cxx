@@ -93,28 +93,47 @@ double DefectCurvature(const SurfaceGeometry& geometry, Index v, std::vector<Ind
   }
   return (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
 }
+
+std::vector<WholeComponent> WholesOf(const SurfaceGeometry& geometry)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  std::vector<WholeComponent> wholes(mesh.GetComponents().size());
+  mesh.ForEachComponent(
+    [&](Index c)
+    {
+      wholes[c].IsInsideOut = IsWoundInsideOut(
+        mesh, c, geometry.Positions, geometry.Lengths.Unit[c], geometry.Lengths.ComponentArea[c]);
+      wholes[c].RoundingError = RoundingError(geometry.Positions, mesh.GetComponents()[c]);
+    });
+  return wholes;
+}
 }
 
 Curvature::Curvature(
   const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles, double rings)
+  : Curvature(geometry, dihedralAngles, rings, PieceOfSurface(), WholesOf(geometry))
+{
+}
+
+Curvature::Curvature(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles,
+  double rings, const PieceOfSurface& piece, const std::vector<WholeComponent>& wholes)
   : Hopf(geometry.Mesh.GetNumberOfVertices(), 0.0)
   , Mean(geometry.Mesh.GetNumberOfVertices())
   , Gaussian(geometry.Mesh.GetNumberOfVertices())
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<Shape> edges = EdgeShapes(geometry, dihedralAngles);
-  std::vector<Shape> shapes = FitShapes(geometry, Creases(geometry, dihedralAngles));
-  SmoothShapes(geometry, edges, rings, shapes);
-  std::vector<char> insideOut(mesh.GetComponents().size());
+  Creases creases(geometry, dihedralAngles);
+  piece.Complete(creases.Vertex);
+  std::vector<Shape> shapes = FitShapes(geometry, creases);
+  SmoothShapes(geometry, edges, rings, shapes, piece);
   mesh.ForEachComponent(
     [&](Index c)
     {
       const TriangleMesh::Component& component = mesh.GetComponents()[c];
       const double unit = geometry.Lengths.Unit[c];
-      insideOut[c] =
-        IsWoundInsideOut(mesh, c, geometry.Positions, unit, geometry.Lengths.ComponentArea[c]);
-      const double side = insideOut[c] != 0 ? -1.0 : 1.0;
-      const double error = Significant * (RoundingError(geometry.Positions, component) / unit);
+      const double side = wholes[c].IsInsideOut ? -1.0 : 1.0;
+      const double error = Significant * (wholes[c].RoundingError / unit);
       ParallelFor(component.Vertices(), MediumPiece,
         [&](Index begin, Index end)
         {
@@ -132,6 +151,7 @@ Curvature::Curvature(
           }
         });
     });
-  this->IsInsideOut = std::count(insideOut.begin(), insideOut.end(), 1) > 0;
+  this->IsInsideOut = std::any_of(
+    wholes.begin(), wholes.end(), [](const WholeComponent& whole) { return whole.IsInsideOut; });
 }
 }

@@ -5,11 +5,21 @@
 #define DirectionFields_Curvature_h
 
 #include "Geometry/SurfaceGeometry.h"
+#include "Mesh/PieceOfSurface.h"
 
 #include <vector>
 
 namespace DirectionFields::Internal
 {
+/// What is to be known of the whole of a component of which a mesh may have a piece only.
+struct WholeComponent
+{
+  /// It is closed and wound inside out.
+  bool IsInsideOut = false;
+  /// The largest rounding error of its coordinates, in units of the input.
+  double RoundingError = 0.0;
+};
+
 /// Curvature of a mesh over its vertices. Lengths are in units of Metric::Unit. That of a closed
 /// component whose triangles are wound inside out, so that its signed volume is negative, is taken
 /// as seen from outside.
@@ -25,6 +35,10 @@ struct Curvature
   ///                       to find it
   Curvature(
     const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles, double rings = 0.0);
+  /// That of a piece, right at its own vertices and at those that are next to them.
+  /// @param wholes for each component of the mesh
+  Curvature(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles,
+    double rings, const PieceOfSurface& piece, const std::vector<WholeComponent>& wholes);
 
   /// Hopf differential, a section of degree 2: (k_max - k_min) / 2 exp(2 i theta) with theta the
   /// direction of the larger signed curvature. On creases -1/4 sum over edges at i of exp(2 i

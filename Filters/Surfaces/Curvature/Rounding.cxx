@@ -13,24 +13,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// The precision that the coordinates of some vertices have in common.
-struct Precision
-{
-  double Largest = 0.0;
-  bool IsSingle = true;
-  bool HasSixDigits = true;
-  bool HasSevenDigits = true;
-
-  Precision& operator+=(const Precision& other)
-  {
-    this->Largest = std::max(this->Largest, other.Largest);
-    this->IsSingle = this->IsSingle && other.IsSingle;
-    this->HasSixDigits = this->HasSixDigits && other.HasSixDigits;
-    this->HasSevenDigits = this->HasSevenDigits && other.HasSevenDigits;
-    return *this;
-  }
-};
-
 /// The power of ten of the first digit of a positive number.
 double Decade(double x)
 {
@@ -62,10 +44,30 @@ void Add(double x, Precision& precision)
 }
 }
 
-double RoundingError(
+Precision& Precision::operator+=(const Precision& other)
+{
+  this->Largest = std::max(this->Largest, other.Largest);
+  this->IsSingle = this->IsSingle && other.IsSingle;
+  this->HasSixDigits = this->HasSixDigits && other.HasSixDigits;
+  this->HasSevenDigits = this->HasSevenDigits && other.HasSevenDigits;
+  return *this;
+}
+
+double Precision::RoundingError() const
+{
+  if (this->Largest > 0.0 && (this->HasSixDigits || this->HasSevenDigits))
+  {
+    return 0.5 * std::pow(10.0, Decade(this->Largest) - (this->HasSixDigits ? 5 : 6));
+  }
+  return 0.5 * this->Largest *
+    (this->IsSingle ? std::numeric_limits<float>::epsilon()
+                    : std::numeric_limits<double>::epsilon());
+}
+
+Precision PrecisionOf(
   const std::vector<Vector3>& positions, const TriangleMesh::Component& component)
 {
-  const Precision all = ParallelSum<Precision>(component.Vertices(), LightPiece, {},
+  return ParallelSum<Precision>(component.Vertices(), LightPiece, {},
     [&](Index begin, Index end)
     {
       Precision part;
@@ -78,11 +80,11 @@ double RoundingError(
       }
       return part;
     });
-  if (all.Largest > 0.0 && (all.HasSixDigits || all.HasSevenDigits))
-  {
-    return 0.5 * std::pow(10.0, Decade(all.Largest) - (all.HasSixDigits ? 5 : 6));
-  }
-  return 0.5 * all.Largest *
-    (all.IsSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
+}
+
+double RoundingError(
+  const std::vector<Vector3>& positions, const TriangleMesh::Component& component)
+{
+  return PrecisionOf(positions, component).RoundingError();
 }
 }

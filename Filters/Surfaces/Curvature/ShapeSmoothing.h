@@ -6,6 +6,7 @@
 
 #include "Curvature/ShapeFit.h"
 #include "Geometry/SurfaceGeometry.h"
+#include "Mesh/PieceOfSurface.h"
 
 #include <vector>
 
@@ -25,8 +26,10 @@ namespace DirectionFields::Internal
 /// their further steps.
 /// @param edges the shape of each vertex by the angles of its edges
 /// @param rings the radius of the surroundings in edges; 0 to find it
+/// @param piece of which the mesh is a part; shapes become right at its own vertices and next to
+///              them
 void SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges, double rings,
-  std::vector<Shape>& shapes);
+  std::vector<Shape>& shapes, const PieceOfSurface& piece = PieceOfSurface());
 
 /// Averages the tangential parts of symmetric tensors, given as shapes are: q and H of each vertex,
 /// of any unit. All count the same and none is corrected; scales are found as those of shapes.

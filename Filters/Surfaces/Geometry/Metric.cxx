@@ -320,6 +320,22 @@ Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& posi
   return degenerate / sides;
 }
 
+void Metric::SetUnit(const TriangleMesh& mesh, Index component, double unit)
+{
+  const TriangleMesh::Component& ranges = mesh.GetComponents()[component];
+  const double ratio = this->Unit[component] / unit;
+  for (Index e = ranges.FirstEdge; e < ranges.EndEdge; ++e)
+  {
+    this->SquaredLength[e] *= ratio * ratio;
+  }
+  for (Index t = ranges.FirstTriangle; t < ranges.EndTriangle; ++t)
+  {
+    this->Area[t] *= ratio * ratio;
+  }
+  this->ComponentArea[component] *= ratio * ratio;
+  this->Unit[component] = unit;
+}
+
 std::array<double, 3> Metric::CornerAngles(const TriangleMesh& mesh, Index triangle) const
 {
   std::array<double, 3> length;

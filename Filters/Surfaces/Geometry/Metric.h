@@ -40,6 +40,10 @@ struct Metric
   /// Triangles whose edges had to be lengthened.
   Index DegenerateTriangles = 0;
 
+  /// Changes the unit of a component.
+  /// @param unit positive, in the input's unit
+  void SetUnit(const TriangleMesh& mesh, Index component, double unit);
+
   /// Angles of the corners at the tails of a triangle's half-edges, radians, in (0, pi).
   std::array<double, 3> CornerAngles(const TriangleMesh& mesh, Index triangle) const;
   double CornerAngle(const TriangleMesh& mesh, Index h) const

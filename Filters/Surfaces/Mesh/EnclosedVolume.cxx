@@ -34,12 +34,17 @@ double SignedVolume(const TriangleMesh& mesh, const TriangleMesh::Component& com
 }
 }
 
+bool IsWoundInsideOut(double volume, double area)
+{
+  constexpr double leastVolume = 1e-6;
+  return volume < -leastVolume * std::pow(area, 1.5);
+}
+
 bool IsWoundInsideOut(const TriangleMesh& mesh, Index component,
   const std::vector<Vector3>& positions, double unit, double area)
 {
-  constexpr double leastVolume = 1e-6;
   const TriangleMesh::Component& ranges = mesh.GetComponents()[component];
   return ranges.Closed && !ranges.IsCover &&
-    SignedVolume(mesh, ranges, positions, unit) < -leastVolume * std::pow(area, 1.5);
+    IsWoundInsideOut(SignedVolume(mesh, ranges, positions, unit), area);
 }
 }

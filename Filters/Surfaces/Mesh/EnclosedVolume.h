@@ -11,8 +11,13 @@
 
 namespace DirectionFields::Internal
 {
-/// Whether a component is closed and wound inside out: the volume that it encloses is negative, as
-/// the sum of signed tetrahedra. Double sheets, which enclose next to nothing, are not.
+/// Whether a closed surface that encloses this volume, as the sum of signed tetrahedra, is wound
+/// inside out. Double sheets, which enclose next to nothing, are not.
+/// @param volume in the cube of a length
+/// @param area   in the square of it
+bool IsWoundInsideOut(double volume, double area);
+
+/// Whether a component is closed and wound inside out.
 /// @param component the number of the component
 /// @param positions of the vertices, in any unit of length
 /// @param unit      the length that the area is measured by

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef JoinedComponents_h
+#define JoinedComponents_h
+
+#include "vtkType.h"
+
+#include <vector>
+
+namespace DirectionFields::Parallel
+{
+/// Joins parts of several processes that share a point, and numbers the components by their first
+/// triangles.
+/// @param first   the first triangle of each part, counted over all processes; -1 for none
+/// @param border  the part at each point on the border of a piece; -1 for none
+/// @param numbers of these points, equal for the same point
+/// @return the component of each part; -1 where no part of it has a triangle
+std::vector<int> JoinedComponents(const std::vector<vtkIdType>& first,
+  const std::vector<int>& border, const std::vector<vtkIdType>& numbers);
+}
+
+#endif
