@@ -99,6 +99,9 @@ struct RemeshOptions
 /// @param points, triangles of the surface
 void Check(const RemeshOptions& options, std::size_t points, std::size_t triangles);
 
+/// Whether these are the same, so that the mesh of a surface and its field is, too.
+bool AreSame(const RemeshOptions& a, const RemeshOptions& b);
+
 /// The role of a vertex of the new mesh.
 enum class VertexKind : signed char
 {

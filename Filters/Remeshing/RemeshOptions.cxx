@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace DirectionFields
 {
@@ -42,5 +43,18 @@ void Check(const RemeshOptions& options, std::size_t points, std::size_t triangl
     "Smoothing Iterations has to be between 0 and 1000.");
   require(options.NumberOfThreads >= 0 && options.NumberOfThreads <= 1024,
     "NumberOfThreads has to be between 0 and 1024.");
+}
+
+bool AreSame(const RemeshOptions& a, const RemeshOptions& b)
+{
+  const auto all = [](const RemeshOptions& options)
+  {
+    // This does not compile where an option is not among them.
+    const auto& [element, faces, usesLength, length, sizing, pure, thin, features, angle, shortest,
+      regions, names, alignment, strength, cost, smoothing, threads] = options;
+    return std::tie(element, faces, usesLength, length, sizing, pure, thin, features, angle,
+      shortest, regions, names, alignment, strength, cost, smoothing, threads);
+  };
+  return all(a) == all(b);
 }
 }

@@ -160,6 +160,7 @@ void PrintRemesh()
   RANGE(NumberOfThreads);
   VALUE(SizingArray);
   VALUE(RegionArray);
+  VALUE(ConservedArray);
 }
 
 void PrintStripes()

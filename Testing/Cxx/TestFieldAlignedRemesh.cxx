@@ -47,6 +47,7 @@ void TestParameters()
   filter->SetEdgeLength(0.25);
   filter->SetSizingArray("Size");
   filter->SetRegionArray("Material");
+  filter->SetConservedArray("Load");
   filter->PureQuadsOn();
   filter->KeepThinPartsOff();
   filter->KeepFeaturesOff();
@@ -61,10 +62,10 @@ void TestParameters()
   std::ostringstream text;
   filter->Print(text);
   for (const char* line : { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n",
-         "EdgeLength: 0.25\n", "SizingArray: Size\n", "RegionArray: Material\n", "PureQuads: 1\n",
-         "KeepThinParts: 0\n", "KeepFeatures: 0\n", "FeatureAngle: 180\n", "Alignment: 1\n",
-         "AlignmentStrength: 1\n", "SingularityCost: 4\n", "SmoothingIterations: 3\n",
-         "KeepStages: 0\n", "NumberOfThreads: 2\n" })
+         "EdgeLength: 0.25\n", "SizingArray: Size\n", "RegionArray: Material\n",
+         "ConservedArray: Load\n", "PureQuads: 1\n", "KeepThinParts: 0\n", "KeepFeatures: 0\n",
+         "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
+         "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

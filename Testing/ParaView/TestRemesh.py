@@ -20,7 +20,7 @@ ENUMERATIONS = {
     "Alignment": ["Shape", "Smooth"],
 }
 ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
-            "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "KeepStages", "NumberOfThreads")
+            "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "ConservedArray", "KeepStages", "NumberOfThreads")
 
 
 def number(data, name):
@@ -100,6 +100,22 @@ def test_quality():
     assert f"{len(failed)} faces fail the limits" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
 
 
+def test_data():
+    """The integral of a cell array is kept, as ParaView measures it, also where faces are larger than
+    its peaks; numbers of parts are not mixed."""
+    sphere = Sphere(ThetaResolution=60, PhiResolution=40)
+    peaks = Calculator(Input=PointDatatoCellData(Input=Calculator(
+        Input=sphere, Function="exp(30*coordsX)", ResultArrayName="Load")), AttributeType="Cell Data",
+        Function="round(Load/1e5)", ResultArrayName="Part", ResultArrayType="Int")
+    remesh = FieldAlignedRemesh(Input=peaks, NumberOfFaces=300, ConservedArray="Load")
+    given, kept = (servermanager.Fetch(IntegrateVariables(Input=source)).GetCellData().GetArray("Load").GetTuple1(0)
+                   for source in (peaks, remesh))
+    assert abs(kept / given - 1) < 1e-11, kept / given - 1
+    parts = [servermanager.Fetch(source).GetCellData().GetArray("Part") for source in (peaks, remesh)]
+    before, after = ({part.GetTuple1(cell) for cell in range(part.GetNumberOfTuples())} for part in parts)
+    assert len(after) > 1 and after <= before, after - before
+
+
 def test_regions():
     """Bands of a plane: their borders are edges, and faces have their numbers."""
     cells = PointDatatoCellData(Input=Calculator(
@@ -125,5 +141,6 @@ test_scan()
 test_field()
 test_options()
 test_quality()
+test_data()
 test_regions()
 print("passed")

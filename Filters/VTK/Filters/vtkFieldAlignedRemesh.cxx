@@ -3,6 +3,7 @@
 
 #include "vtkFieldAlignedRemesh.h"
 
+#include "Conversion/Carrying/CarriedCellData.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToField.h"
 #include "Conversion/Input/PolyDataToGuidance.h"
@@ -31,6 +32,11 @@ namespace
 // Where the phases of the progress end: reading the input, making the mesh.
 constexpr double ProgressRead = 0.05;
 constexpr double ProgressMade = 0.95;
+
+std::string OrEmpty(const char* name)
+{
+  return name ? name : "";
+}
 }
 
 /// The surface that the last mesh was made of, and its mesher, which keeps its stages.
@@ -43,6 +49,38 @@ struct vtkFieldAlignedRemesh::Stages
   }
   DirectionFields::TriangulatedPolyData Surface;
   DirectionFields::Remesh Mesher;
+
+  /// The mesh for these options, which is that of before where they are the same.
+  /// @param areFloats whether its points are, so that measures of the faces are those of the output
+  const DirectionFields::RemeshResult& MakeMesh(const DirectionFields::RemeshOptions& options,
+    std::vector<DirectionFields::Vector3>&& directions, bool areFloats,
+    const DirectionFields::ProgressFunction& progress)
+  {
+    const bool isSame = this->Mesh && !this->Mesh->Aborted &&
+      DirectionFields::AreSame(this->Options, options) && this->Directions == directions &&
+      this->AreFloats == areFloats;
+    if (!isSame)
+    {
+      // The old one is given up first: there is no memory for both.
+      this->Mesh.reset();
+      this->Mesh = std::make_unique<DirectionFields::RemeshResult>(
+        this->Mesher.Compute(options, directions, progress));
+      this->Options = options;
+      this->Directions = std::move(directions);
+      this->AreFloats = areFloats;
+      for (std::size_t v = 0; areFloats && v < this->Mesh->Points.size(); ++v)
+      {
+        this->Mesh->Points[v] = this->Mesh->Points[v].cast<float>().cast<double>();
+      }
+    }
+    return *this->Mesh;
+  }
+
+private:
+  std::unique_ptr<DirectionFields::RemeshResult> Mesh;
+  DirectionFields::RemeshOptions Options;
+  std::vector<DirectionFields::Vector3> Directions;
+  bool AreFloats = false;
 };
 
 //------------------------------------------------------------------------------
@@ -55,6 +93,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->EdgeLength = defaults.EdgeLength;
   this->SizingArray = nullptr;
   this->RegionArray = nullptr;
+  this->ConservedArray = nullptr;
   this->PureQuads = defaults.PureQuads;
   this->KeepThinParts = defaults.KeepThinParts;
   this->KeepFeatures = defaults.KeepFeatures;
@@ -77,6 +116,7 @@ vtkFieldAlignedRemesh::~vtkFieldAlignedRemesh()
 {
   this->SetSizingArray(nullptr);
   this->SetRegionArray(nullptr);
+  this->SetConservedArray(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -89,6 +129,8 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
   os << indent << "RegionArray: " << (this->RegionArray ? this->RegionArray : "(none)") << "\n";
+  os << indent << "ConservedArray: " << (this->ConservedArray ? this->ConservedArray : "(none)")
+     << "\n";
   os << indent << "PureQuads: " << this->PureQuads << "\n";
   os << indent << "KeepThinParts: " << this->KeepThinParts << "\n";
   os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
@@ -145,6 +187,7 @@ void vtkFieldAlignedRemesh::Execute(
       DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)));
   }
   const DirectionFields::RemeshOptions options = this->MakeOptions(input, this->Last->Surface);
+  const int pointType = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
   const int degree = this->Element == QUADS ? 4 : 6;
   const DirectionFields::PointDirections field = DirectionFields::FindDirections(input);
   std::vector<DirectionFields::Vector3> directions;
@@ -164,14 +207,18 @@ void vtkFieldAlignedRemesh::Execute(
       ", which was computed. Set Directions Per Point (Degree) of Direction " + "Field to " +
       std::to_string(degree) + " for the mesh to follow that.");
   }
+  const DirectionFields::CellDataRules rules{ options.Regions, OrEmpty(this->RegionArray),
+    OrEmpty(this->ConservedArray) };
+  DirectionFields::CheckConserved(input, rules);
   const DirectionFields::ProgressFunction report =
     DirectionFields::ReportTo(this, ProgressRead, ProgressMade);
-  const DirectionFields::RemeshResult mesh = this->Last->Mesher.Compute(options, directions,
-    [&](double done)
-    {
-      this->SetProgressText(DirectionFields::Remesh::StepAt(done));
-      return report(done);
-    });
+  const DirectionFields::RemeshResult& mesh =
+    this->Last->MakeMesh(options, std::move(directions), pointType != VTK_DOUBLE,
+      [&](double done)
+      {
+        this->SetProgressText(DirectionFields::Remesh::StepAt(done));
+        return report(done);
+      });
   this->SetProgressText(nullptr);
   this->ThrowIfStopped(mesh.Aborted);
   warnings.insert(warnings.end(), mesh.Notes.begin(), mesh.Notes.end());
@@ -179,13 +226,15 @@ void vtkFieldAlignedRemesh::Execute(
   const DirectionFields::QualityReport judged = DirectionFields::ReportQuality(
     quality, { this->MinimumScaledJacobian, this->MaximumAspectRatio, this->MaximumWarpage });
   warnings.insert(warnings.end(), judged.Sentences.begin(), judged.Sentences.end());
-  this->Warn(warnings);
   DirectionFields::AddMesh(input, this->Last->Surface, mesh, output);
+  const std::vector<std::string> aboutData =
+    DirectionFields::CarryCellData(input, this->Last->Surface, mesh, rules, output->GetCellData());
+  warnings.insert(warnings.end(), aboutData.begin(), aboutData.end());
+  this->Warn(warnings);
   DirectionFields::AddQuality(quality, judged, output);
   DirectionFields::AddReport(mesh.Repaired, warnings, output->GetFieldData());
-  DirectionFields::AddIrregularVertices(mesh, degree,
-    input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT,
-    vtkPolyData::SafeDownCast(outputs[1]));
+  DirectionFields::AddIrregularVertices(
+    mesh, degree, pointType, vtkPolyData::SafeDownCast(outputs[1]));
   DirectionFields::KeepChains(mesh.Chains, output->GetFieldData());
   DirectionFields::AddChains(
     mesh.Chains, output->GetPoints(), options.RegionNames, vtkPolyData::SafeDownCast(outputs[2]));

@@ -24,8 +24,11 @@
  * edges is computed, as Alignment says.
  *
  * @section Output Output
- * Port 0: polygons, wound as the input, with its point data interpolated and its cell data copied,
- * except the arrays of the field, and
+ * Port 0: polygons, wound as the input, with its data, except the arrays of the field. Point data
+ * of real numbers, and colors, are interpolated, others are those of the nearest point of the
+ * triangle. Cell data of real numbers are the mean of the cells that a face covers, weighted by
+ * area, others the value that covers most of it; the RegionArray is exact, and the integral of the
+ * ConservedArray is kept. Also
  * - point data `VertexKind`: signed char. 0 on the surface, 1 on the boundary, 2 on a sharp edge, 3
  *   corner, 4 singularity of the field.
  * - point data `FieldIndex`: int. The singularity's index in units of 1/n, 0 elsewhere.
@@ -173,6 +176,18 @@ public:
 
   ///@{
   /**
+   * Name of a cell array of numbers per area, as a pressure or a thickness, whose integral the mesh
+   * is to have: the sum of value times area over the faces is that over the cells, of each
+   * component and in each region, since means are changed by a multiple of their size. A quad has
+   * the area of the triangles beside its first diagonal, as vtkIntegrateAttributes takes it. The
+   * array is of doubles then. An error if there is none. Null, the default, an empty name and "None" are no array.
+   */
+  vtkSetStringMacro(ConservedArray);
+  vtkGetStringMacro(ConservedArray);
+  ///@}
+
+  ///@{
+  /**
    * Quads only: triangles are joined in pairs with the quads between them, or rows of quads between
    * them are taken out. Without smoothing the vertices of these move, too. A warning says where
    * triangles are left, in features that have too few faces. No effect on meshes of triangles.
@@ -275,7 +290,8 @@ public:
 
   ///@{
   /**
-   * Keep the field for the next mesh of the same surface, which then takes less time. Default on.
+   * Keep the field for the next mesh of the same surface, which then takes less time, and the mesh
+   * itself where only data or limits change, as in time series. Default on.
    */
   vtkSetMacro(KeepStages, bool);
   vtkGetMacro(KeepStages, bool);
@@ -314,6 +330,7 @@ private:
   double EdgeLength;
   char* SizingArray;
   char* RegionArray;
+  char* ConservedArray;
   bool PureQuads;
   bool KeepThinParts;
   bool KeepFeatures;

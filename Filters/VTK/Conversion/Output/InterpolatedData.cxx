@@ -5,13 +5,16 @@
 
 #include "Conversion/Input/FieldArrays.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <string>
 
 namespace DirectionFields
@@ -29,6 +32,46 @@ void RemoveUnsharedArrays(vtkDataSetAttributes* data)
         name == std::string(vtkDataSetAttributes::GhostArrayName())))
     {
       data->RemoveArray(k);
+    }
+  }
+}
+}
+
+namespace
+{
+/// Whether values between those of an array mean nothing, as of ids.
+bool IsOfIds(vtkAbstractArray* array)
+{
+  const int type = array->GetDataType();
+  const int components = array->GetNumberOfComponents();
+  const bool isOfColors = type == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+  return vtkDataArray::SafeDownCast(array) && type != VTK_FLOAT && type != VTK_DOUBLE &&
+    !isOfColors;
+}
+
+/// Puts the values of the nearest points in place of those that were interpolated.
+void TakeNearest(vtkPointData* input, std::size_t count,
+  const std::function<WeightedPoints(std::size_t)>& at, vtkPointData* output)
+{
+  std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> arrays;
+  for (int k = 0; k < input->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const given = input->GetAbstractArray(k);
+    vtkAbstractArray* const taken =
+      given->GetName() ? output->GetAbstractArray(given->GetName()) : nullptr;
+    if (taken && IsOfIds(given))
+    {
+      arrays.emplace_back(given, taken);
+    }
+  }
+  for (std::size_t i = 0; i < count && !arrays.empty(); ++i)
+  {
+    const WeightedPoints place = at(i);
+    const std::array<double, 3>& weights = place.second;
+    const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+    for (const auto& [given, taken] : arrays)
+    {
+      taken->SetTuple(static_cast<vtkIdType>(i), place.first[nearest], given);
     }
   }
 }
@@ -53,6 +96,7 @@ void InterpolatePointData(vtkPolyData* input, std::size_t count,
     }
     output->InterpolatePoint(data, static_cast<vtkIdType>(i), ids, place.second.data());
   }
+  TakeNearest(data, count, at, output);
 }
 
 void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface,

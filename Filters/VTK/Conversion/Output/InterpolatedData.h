@@ -21,8 +21,10 @@ namespace DirectionFields
 /// Three points of an input and their weights.
 using WeightedPoints = std::pair<Triangle, std::array<double, 3>>;
 
-/// Gives another mesh of the same surface the input's point data, interpolated. Directions, which
-/// are not to be interpolated, and marks of the input's own points are left out.
+/// Gives another mesh of the same surface the input's point data: real numbers and colors, which
+/// are bytes of three or four components, interpolated; other integers, which may be ids, are those
+/// of the point with the largest weight, the first one of several. Directions, which are not to be
+/// interpolated, and marks of the input's own points are left out.
 /// @param count of the mesh's points
 void InterpolatePointData(vtkPolyData* input, std::size_t count,
   const std::function<WeightedPoints(std::size_t)>& at, vtkPointData* output);

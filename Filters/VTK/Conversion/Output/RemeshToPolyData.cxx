@@ -67,7 +67,6 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
       return WeightedPoints(surface.Mesh.Triangles[mesh.SourceTriangle[v]], mesh.SourceWeights[v]);
     },
     output->GetPointData());
-  CopyCellData(input, surface, mesh.FaceSource, output->GetCellData());
 
   std::vector<int> kind(mesh.Kind.size());
   std::transform(mesh.Kind.begin(), mesh.Kind.end(), kind.begin(),

@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Fills an empty output with a mesh, the data of the surface that it was made of, and its own
-/// arrays.
+/// Fills an empty output with a mesh, the point data of the surface that it was made of, and its
+/// own arrays.
 /// @param input   of which the surface was made
 /// @param surface the input's triangles, which the mesh refers to
 void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const RemeshResult& mesh,
