@@ -123,9 +123,10 @@ Chosen<TensorGuidanceOptions> ReadTensorOptions(Keywords& keywords)
 
 /// @param regions of each triangle, from 0 on, or None
 /// @param names   of the regions, by these numbers
+/// @param lines   that become edges of the mesh
 py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
   const py::object& sizing, const py::object& regions, const std::vector<std::string>& names,
-  const py::object& progress, const py::dict& given)
+  const std::vector<py::array>& lines, const py::object& progress, const py::dict& given)
 {
   Keywords keywords("remesh", given);
   ChosenMesh chosen = ReadRemeshOptions(keywords);
@@ -137,11 +138,13 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
     options.RegionNames = names;
   }
   const std::vector<Vector3> field = VectorsOrNone(directions);
+  std::vector<std::vector<Vector3>> curves;
+  std::transform(lines.begin(), lines.end(), std::back_inserter(curves), &Vectors);
   return Run(progress, options.NumberOfThreads,
     [=](const ProgressFunction& report)
     {
-      auto mesh =
-        std::make_shared<RemeshResult>(Remesh(surface).Compute(chosen.Options, field, report));
+      auto mesh = std::make_shared<RemeshResult>(
+        Remesh(surface, curves).Compute(chosen.Options, field, report));
       const auto quality = std::make_shared<FaceQuality>(QualityOf(mesh->Points, mesh->Faces));
       const auto judged = std::make_shared<QualityReport>(ReportQuality(*quality, chosen.Limits));
       const std::vector<IrregularVertex> vertices =

@@ -262,7 +262,7 @@ def stripes(field, *, spacings=None, progress=None, **options):
 
 
 @_keyword_options("remesh")
-def remesh(points, triangles=None, *, sizing=None, regions=None, progress=None, **options):
+def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), progress=None, **options):
     """A mesh of quads or triangles that follows a field.
 
     Parameters
@@ -274,6 +274,10 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, progress=None, 
     regions : (triangles,) array of integers or strings, optional
         Of each triangle, or polygon. Borders between regions become edges of the mesh, places where
         three meet points, and each face has the value of its region.
+    curves : list of (n, 3) arrays of numbers, optional
+        Poly lines on the surface that become edges of the mesh; the first point again at the end of
+        closed ones. They are projected; parts farther away than a hundredth of the diagonal are
+        left out, with a warning.
     progress : callable, optional
     **options
 
@@ -295,7 +299,8 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, progress=None, 
         values, numbers = _regions(regions, surface, polygons)
         names = [f'"{value}"' if values.dtype.kind in "US" else str(value) for value in values.tolist()]
     made = _call(
-        _core.remesh, surface, directions, sizing, numbers, names, _listener(progress), options)
+        _core.remesh, surface, directions, sizing, numbers, names,
+        [_numbers("curves", curve, None, 3) for curve in curves], _listener(progress), options)
     if "regions" in made:
         made["regions"] = values[made["regions"]]
         made["regions_lost"] = values[made["regions_lost"]]

@@ -265,6 +265,7 @@ def remesh(
     *,
     sizing: Optional[ArrayLike] = None,
     regions: Optional[ArrayLike] = None,
+    curves: Iterable[ArrayLike] = (),
     progress: Progress = None,
     element: Literal['quads', 'triangles'] = 'quads',
     faces: int = 5000,

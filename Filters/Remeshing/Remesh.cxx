@@ -4,7 +4,9 @@
 #include "Remesh.h"
 
 #include "Chains/MeshChains.h"
+#include "Curves/CurveMapping.h"
 #include "Extraction/MeshExtraction.h"
+#include "FaceMesh/FaceCounts.h"
 #include "Finishing/CloserMesh.h"
 #include "Finishing/FaceSources.h"
 #include "Finishing/FinishedFaces.h"
@@ -51,11 +53,11 @@ int DegreeOf(Element element)
 /// Features that end freely, or are closed, are longer than this, in wanted lengths of edges.
 constexpr double ShortestFeature = 6.0;
 
-KeptEdges KeptOf(const RemeshOptions& options, double edgeLength)
+KeptEdges KeptOf(const RemeshOptions& options, const CurveCut* cut, double edgeLength)
 {
   return { { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength,
              ShortestFeature * edgeLength },
-    options.Regions };
+    options.Regions, cut ? cut->Edges : std::vector<std::array<Index, 2>>() };
 }
 
 /// How the mesh's own field is drawn to the principal curvatures. Their two lines are no part of a
@@ -80,16 +82,6 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
 }
 }
 
-Remesh::Remesh(std::shared_ptr<const Surface> surface)
-  : Origin(OriginFor(*surface))
-  , Unit(UnitFor(*surface))
-  , Input(InUnit(std::move(surface), this->Origin, this->Unit))
-{
-}
-Remesh::~Remesh() = default;
-Remesh::Remesh(Remesh&&) noexcept = default;
-Remesh& Remesh::operator=(Remesh&&) noexcept = default;
-
 namespace
 {
 /// Copies the faces and the kinds of their vertices.
@@ -109,28 +101,6 @@ void CopyFaces(const FaceMesh& mesh, RemeshResult& result)
   }
 }
 
-/// Counts faces and irregular vertices.
-void CountFaces(const RemeshOptions& options, const FaceMesh& mesh, RemeshResult& result)
-{
-  std::vector<int> valence(result.Points.size(), 0);
-  for (const std::array<Index, 4>& face : result.Faces)
-  {
-    (face[3] == None ? result.Triangles : result.Quads) += 1;
-    for (const Index v : face)
-    {
-      if (v != None)
-      {
-        ++valence[v];
-      }
-    }
-  }
-  for (std::size_t v = 0; v < valence.size(); ++v)
-  {
-    const bool isRegular = valence[v] == DegreeOf(options.Element) || mesh.Vertices[v].IsBoundary;
-    result.IrregularVertices += isRegular ? 0 : 1;
-  }
-}
-
 /// One mesh to be made.
 struct Request
 {
@@ -140,6 +110,7 @@ struct Request
   const WantedSizes& Sizes;
   /// Of lengths, in that of the user's surface.
   double Unit;
+  bool HasCurves;
 };
 
 /// Everything that the maps of the components are computed from.
@@ -299,7 +270,10 @@ void Report(const Request& request, const FeatureLines& features,
 {
   const PreparedField& field = request.Field;
   CopyFaces(finished.Faces, result);
-  CountFaces(request.Options, finished.Faces, result);
+  const FaceCounts counts(finished.Faces, DegreeOf(request.Options.Element));
+  result.Quads = counts.Quads;
+  result.Triangles = counts.Triangles;
+  result.IrregularVertices = counts.IrregularVertices;
   PointSources points = SourcesOf(field.GetSurface(), field.GetInputTriangles(), result.Points);
   result.SourceTriangle = std::move(points.Triangle);
   result.SourceWeights = std::move(points.Weights);
@@ -314,11 +288,12 @@ void Report(const Request& request, const FeatureLines& features,
   result.EulerCharacteristicAfter =
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
   result.Repaired = field.GetSurface().GetRepairs();
-  if (!request.Options.Regions.empty())
+  if (!request.Options.Regions.empty() || request.HasCurves)
   {
     const RemeshOptions& options = request.Options;
-    RegionReport report = ReportRegions(request.Input, options.Regions, options.RegionNames,
-      field.GetSurface(), features, finished.Faces, result.EdgeLength, result.FaceSource);
+    RegionReport report =
+      ReportRegions(request.Input, options.Regions, options.RegionNames, request.HasCurves,
+        field.GetSurface(), features, finished.Faces, result.EdgeLength, result.FaceSource);
     result.Regions = std::move(report.OfFaces);
     result.RegionsShown = std::move(report.Shown);
     result.Notes.insert(result.Notes.end(), report.Sentences.begin(), report.Sentences.end());
@@ -360,11 +335,19 @@ const char* Remesh::StepAt(double done)
                                   : "Making faces smaller at thin parts";
 }
 
-RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vector3>& directions,
-  const ProgressFunction& progressFunction)
+RemeshResult Remesh::Compute(const RemeshOptions& given,
+  const std::vector<Vector3>& givenDirections, const ProgressFunction& progressFunction)
 {
-  Check(given, this->Input->Points.size(), this->Input->Triangles.size());
+  Check(given, this->Given->Points.size(), this->Given->Triangles.size());
   RemeshOptions options = given;
+  std::vector<Vector3> directions = givenDirections;
+  if (this->Cut)
+  {
+    const CurveMapping mapping(*this->Given, *this->Cut);
+    options.Regions = mapping.RegionsOfParts(given.Regions);
+    mapping.ContinueSizes(options.Sizing);
+    mapping.ContinueDirections(directions);
+  }
   options.EdgeLength = given.UseEdgeLength
     ? std::clamp(given.EdgeLength / this->Unit, std::numeric_limits<double>::min(),
         std::numeric_limits<double>::max())
@@ -376,6 +359,12 @@ RemeshResult Remesh::Compute(const RemeshOptions& given, const std::vector<Vecto
   {
     RemeshResult result;
     this->Make(options, directions, progress, result);
+    if (this->Cut)
+    {
+      const CurveMapping mapping(*this->Given, *this->Cut);
+      mapping.ReferToGiven(result.SourceTriangle, result.SourceWeights, result.FaceSource);
+      result.Notes.insert(result.Notes.end(), this->Cut->Notes.begin(), this->Cut->Notes.end());
+    }
     return InUnitOfSurface(std::move(result), this->Origin, this->Unit);
   }
   catch (const Stopped&)
@@ -429,7 +418,8 @@ void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& 
 {
   const WantedSizes sizes =
     this->Prepare(options, directions, thin, progress.Part(0.0, AfterField));
-  const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit };
+  const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit,
+    this->Cut && !this->Cut->Edges.empty() };
   ParametrizationInput input = InputFor(request);
   std::vector<ExtractedMesh> extracted;
   for (const TriangleMesh::Component& component : input.Geometry.Mesh.GetComponents())
@@ -454,7 +444,7 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
   sizes.MapLength = sizes.EdgeLength;
   const int degree = DegreeOf(options.Element);
-  KeptEdges kept = KeptOf(options, sizes.MapLength);
+  KeptEdges kept = KeptOf(options, this->Cut.get(), sizes.MapLength);
   const AffordableFeatures affordable(
     *this->Input, kept.Features, degree, area / (sizes.MapLength * sizes.MapLength));
   kept.Features = affordable.Settings;

@@ -20,6 +20,7 @@ namespace DirectionFields
 namespace Internal
 {
 class PreparedField;
+struct CurveCut;
 class ThinParts;
 struct WantedSizes;
 }
@@ -166,7 +167,13 @@ class Remesh
 {
 public:
   /// Shares the surface, which must not change any more.
-  explicit Remesh(std::shared_ptr<const Surface> surface);
+  /// @param curves lines on the surface that become edges of the meshes, each a row of points, the
+  ///               first one again at the end of closed ones. They are projected to the surface;
+  ///               parts that are farther from it than a hundredth of its diagonal are left out,
+  ///               and a note says so.
+  /// Throws MeshError for a surface that cannot be processed, if there are curves.
+  explicit Remesh(
+    std::shared_ptr<const Surface> surface, const std::vector<std::vector<Vector3>>& curves = {});
   ~Remesh();
   Remesh(Remesh&&) noexcept;
   Remesh& operator=(Remesh&&) noexcept;
@@ -197,7 +204,10 @@ private:
   /// 0 for its size, very large or small.
   Vector3 Origin;
   double Unit;
+  std::shared_ptr<const Surface> Given;
+  /// Cut along the curves, if there are any.
   std::shared_ptr<const Surface> Input;
+  std::unique_ptr<Internal::CurveCut> Cut;
   std::unique_ptr<Internal::PreparedField> Cache;
   /// What the user is told about features that are left out; empty for none.
   std::vector<std::string> AboutFeatures;

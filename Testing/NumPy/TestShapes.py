@@ -160,6 +160,20 @@ class Meshes(unittest.TestCase):
             self.assertEqual((len(mesh.regions_lost), mesh.corners_missed), (0, 0))
         self.assertEqual(len(df.remesh(points, triangles, faces=600).regions), 0)
 
+    def test_curves_become_edges(self):
+        points, triangles = torus()
+        angle = np.linspace(0, 2 * np.pi, 80)
+        curve = np.stack([1.4 * np.cos(angle), 1.4 * np.sin(angle), 0.1 * np.sin(3 * angle)], -1)
+        curve[-1] = curve[0]
+        mesh = df.remesh(points, triangles, faces=900, curves=[curve])
+        self.assertEqual(list(mesh.chains), ["Feature 1"])
+        ids = mesh.chains["Feature 1"]
+        self.assertEqual(ids[0], ids[-1])
+        far = np.linalg.norm(mesh.points[ids][:, None] - curve[None], axis=2).min(axis=1)
+        self.assertLess(far.max(), 0.06)
+        with self.assertWarnsRegex(df.DirectionFieldWarning, "Parts of curve 0"):
+            df.remesh(points, triangles, faces=300, curves=[2 * curve])
+
     def test_regions_of_polygons(self):
         points = np.array([[x, y, 0] for y in range(9) for x in range(9)], float)
         a = np.array([9 * y + x for y in range(8) for x in range(8)])

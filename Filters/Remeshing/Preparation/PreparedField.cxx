@@ -86,7 +86,7 @@ Index PreparedField::CountNeedless() const
 
 std::vector<Complex> PreparedField::ComputeField(const Progress& progress) const
 {
-  const bool followsFeatures = this->Kept.Features.AreKept || !this->Kept.Regions.empty();
+  const bool followsFeatures = this->Kept.Features.AreKept || this->Kept.HasHard();
   return OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
     { this->Degree, followsFeatures, this->Alignment }, progress);
 }
@@ -117,8 +117,9 @@ void PreparedField::SmoothForField(const Progress& progress)
 bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
   const std::vector<Vector3>& given, const ShapeAlignment& alignment) const
 {
-  return this->Degree == degree && this->Kept.Regions == kept.Regions && this->Given == given &&
-    this->Lengths == lengths && (!given.empty() || this->Alignment == alignment) &&
+  return this->Degree == degree && this->Kept.Regions == kept.Regions &&
+    this->Kept.Curves == kept.Curves && this->Given == given && this->Lengths == lengths &&
+    (!given.empty() || this->Alignment == alignment) &&
     this->IsFeature == this->Prepared.FindFeatures(kept.Features);
 }
 

@@ -84,7 +84,7 @@ void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
 PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdges& kept,
   const WorkingLengths& lengths, const Progress& progress)
   : IsDecimated(!lengths.Decimated.empty())
-  , HasRegions(!kept.Regions.empty())
+  , HasHard(kept.HasHard())
 {
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
@@ -97,7 +97,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
   const auto surface = std::make_shared<Surface>(this->CutOpen(input, merged));
   this->Prepared = surface;
   std::vector<Index> own;
-  for (std::size_t t = 0; this->HasRegions && t < this->Used.size(); ++t)
+  for (std::size_t t = 0; !kept.Regions.empty() && t < this->Used.size(); ++t)
   {
     own.push_back(kept.Regions[this->Used[t].Input]);
   }
@@ -111,6 +111,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
     const SurfaceGeometry geometry(std::move(merged.Mesh), *surface);
     std::vector<char> isHard = EdgesBetween(geometry.Mesh, isCut ? own : kept.Regions);
     this->Stairs = DropStairs(geometry, isHard, lengths.Face);
+    AddCurves(geometry.Mesh, kept.Curves, this->GetOriginals(), isHard);
     progress.Report(0.3);
     surface->Triangles = this->Decimated(
       geometry, kept.Features, isHard, this->Continued(lengths.Decimated), progress.Part(0.3, 0.9));
@@ -119,10 +120,11 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
   else
   {
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
-    if (this->HasRegions)
+    if (this->HasHard)
     {
       std::vector<char> isHard = EdgesBetween(this->Geometry->Mesh, own);
       this->Stairs = DropStairs(*this->Geometry, isHard, lengths.Face);
+      AddCurves(this->Geometry->Mesh, kept.Curves, this->GetOriginals(), isHard);
       this->Paths = FeaturePaths(this->Geometry->Mesh, isHard);
     }
   }
@@ -287,7 +289,7 @@ std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings)
 
 std::vector<char> PreparedSurface::FindHard() const
 {
-  return this->HasRegions ? this->Paths.FindHard(this->Geometry->Mesh) : std::vector<char>();
+  return this->HasHard ? this->Paths.FindHard(this->Geometry->Mesh) : std::vector<char>();
 }
 
 std::vector<Index> PreparedSurface::GetOriginals() const

@@ -47,19 +47,26 @@ struct WorkingLengths
   }
 };
 
-/// What a mesh keeps of a surface: features by their shape, and the borders of regions.
+/// What a mesh keeps of a surface: features by their shape, the borders of regions, and curves.
 struct KeptEdges
 {
   // NOLINTNEXTLINE(google-explicit-constructor): features alone are enough.
-  KeptEdges(const FeatureSettings& features, std::vector<Index> regions = {})
+  KeptEdges(const FeatureSettings& features, std::vector<Index> regions = {},
+    std::vector<std::array<Index, 2>> curves = {})
     : Features(features)
     , Regions(std::move(regions))
+    , Curves(std::move(curves))
   {
   }
   FeatureSettings Features;
   /// The region of each triangle of the input; empty for one region. Edges between two of them are
   /// hard: kept whatever their shape.
   std::vector<Index> Regions;
+  /// Edges of the input that are hard, too: the points at their ends, the lower one first,
+  /// ascending.
+  std::vector<std::array<Index, 2>> Curves;
+
+  bool HasHard() const { return !this->Regions.empty() || !this->Curves.empty(); }
 };
 
 /// A surface that can be mapped: connected across seams, one-sided components cut open, wound
@@ -87,8 +94,8 @@ public:
 
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
-  /// Not 0 for each edge of the prepared surface between two regions; empty where there is only
-  /// one.
+  /// Not 0 for each edge of the prepared surface between two regions, or on a curve; empty where
+  /// there is only one region and no curve.
   std::vector<char> FindHard() const;
   /// The part of the length of the borders of regions that runs in stairs, which are not kept.
   double GetStairs() const { return this->Stairs; }
@@ -174,7 +181,7 @@ private:
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
   bool IsDecimated = false;
-  bool HasRegions = false;
+  bool HasHard = false;
   double Stairs = 0.0;
   FeaturePaths Paths;
   std::vector<UsedTriangle> Used;

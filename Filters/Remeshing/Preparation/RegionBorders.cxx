@@ -27,6 +27,27 @@ std::vector<char> EdgesBetween(const TriangleMesh& mesh, const std::vector<Index
   return isBetween;
 }
 
+void AddCurves(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& curves,
+  const std::vector<Index>& original, std::vector<char>& isHard)
+{
+  if (curves.empty())
+  {
+    return;
+  }
+  isHard.resize(static_cast<std::size_t>(mesh.GetNumberOfEdges()), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    const auto ends =
+      std::minmax(original[mesh.Point(mesh.Tail(h))], original[mesh.Point(mesh.Head(h))]);
+    const std::array<Index, 2> edge = { ends.first, ends.second };
+    if (mesh.Twin(h) != None && std::binary_search(curves.begin(), curves.end(), edge))
+    {
+      isHard[e] = 1;
+    }
+  }
+}
+
 namespace
 {
 /// A turn by less is no stair.

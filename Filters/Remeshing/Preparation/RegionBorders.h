@@ -15,6 +15,13 @@ namespace DirectionFields::Internal
 /// @param regions of the triangles that the mesh was made of; empty for one region
 std::vector<char> EdgesBetween(const TriangleMesh& mesh, const std::vector<Index>& regions);
 
+/// Makes the edges of curves hard, too.
+/// @param curves   the points at the ends of each edge, the lower one first, ascending
+/// @param original of each point of the mesh's surface the one that it is a copy of, or itself
+/// @param isHard   not 0 for each edge that is hard already; empty for none
+void AddCurves(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& curves,
+  const std::vector<Index>& original, std::vector<char>& isHard);
+
 /// Takes the chains of borders out that run in stairs: where regions were drawn on a surface, their
 /// borders turn to and fro at its triangles, which no row of faces can follow. A chain does where a
 /// twentieth of its edges are shorter than a length and join opposite turns of more than 20

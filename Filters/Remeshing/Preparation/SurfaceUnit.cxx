@@ -103,6 +103,19 @@ std::shared_ptr<const Surface> InUnit(
   return scaled;
 }
 
+std::vector<std::vector<Vector3>> InUnit(
+  std::vector<std::vector<Vector3>> curves, const Vector3& origin, double unit)
+{
+  for (std::vector<Vector3>& curve : curves)
+  {
+    for (Vector3& point : curve)
+    {
+      point = (point - origin) * (1.0 / unit);
+    }
+  }
+  return curves;
+}
+
 double Extent(const Surface& surface)
 {
   Eigen::AlignedBox3d box;

@@ -23,6 +23,10 @@ Vector3 OriginFor(const Surface& surface);
 std::shared_ptr<const Surface> InUnit(
   std::shared_ptr<const Surface> surface, const Vector3& origin, double unit);
 
+/// Curves on the surface likewise.
+std::vector<std::vector<Vector3>> InUnit(
+  std::vector<std::vector<Vector3>> curves, const Vector3& origin, double unit);
+
 /// The diagonal of the box around a surface.
 double Extent(const Surface& surface);
 }

@@ -35,8 +35,15 @@ struct BorderEdges
   std::vector<ClosestPoints::Corners> Edges;
   std::vector<ClosestPoints::Corners> Ends;
 
-  BorderEdges(const FaceMesh& mesh, const std::vector<Index>& ofFaces)
+  BorderEdges(const FaceMesh& mesh, const std::vector<Index>& ofFaces, bool hasCurves)
   {
+    for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
+    {
+      if (hasCurves)
+      {
+        this->Add(mesh.Points[edge.Ends[0]], mesh.Points[edge.Ends[1]]);
+      }
+    }
     std::map<std::array<Index, 2>, std::vector<Index>> regionsAt;
     for (std::size_t f = 0; f < mesh.Cells.Corners.size(); ++f)
     {
@@ -54,13 +61,17 @@ struct BorderEdges
       if (regions.size() > 1 &&
         std::any_of(regions.begin(), regions.end(), [&](Index r) { return r != regions[0]; }))
       {
-        this->Edges.push_back(Degenerate(mesh.Points[ends[0]], mesh.Points[ends[1]]));
-        for (const Index v : ends)
-        {
-          this->Ends.push_back(Degenerate(mesh.Points[v], mesh.Points[v]));
-        }
+        this->Add(mesh.Points[ends[0]], mesh.Points[ends[1]]);
       }
     }
+  }
+
+private:
+  void Add(const Vector3& a, const Vector3& b)
+  {
+    this->Edges.push_back(Degenerate(a, b));
+    this->Ends.push_back(Degenerate(a, a));
+    this->Ends.push_back(Degenerate(b, b));
   }
 };
 
@@ -154,11 +165,11 @@ RegionLines::RegionLines(const PreparedSurface& surface, const FeatureLines& fea
 }
 
 RegionFigures FiguresOf(const Surface& surface, const std::vector<Index>& regions,
-  const RegionLines& lines, const FaceMesh& mesh, const std::vector<Index>& ofFaces,
+  const RegionLines& lines, const FaceMesh& mesh, const std::vector<Index>& ofFaces, bool hasCurves,
   double edgeLength)
 {
   RegionFigures figures;
-  const BorderEdges edges(mesh, ofFaces);
+  const BorderEdges edges(mesh, ofFaces, hasCurves);
   figures.BordersKept = std::min(1.0, PartNear(lines.Segments, edges.Edges, edgeLength));
   const ClosestPoints ends(edges.Ends);
   for (const Vector3& corner : lines.Corners)
@@ -189,7 +200,7 @@ namespace
 {
 /// @param names of the regions, by their numbers; empty for the numbers themselves
 std::vector<std::string> RegionAdvice(
-  const RegionFigures& figures, const std::vector<std::string>& names)
+  const RegionFigures& figures, const std::vector<std::string>& names, bool hasCurves)
 {
   std::vector<std::string> sentences;
   if (!figures.Lost.empty())
@@ -218,9 +229,12 @@ std::vector<std::string> RegionAdvice(
   if (figures.BordersKept + figures.Stairs < EnoughKept || figures.MissedCorners > 0)
   {
     sentences.push_back(Figure(100.0 * (1.0 - figures.BordersKept - figures.Stairs)) +
-      " % of the borders of regions are not on edges of the mesh, and of the places where they meet " +
-      std::to_string(figures.MissedCorners) +
-      " are no vertices, since regions are narrow there, or round. More faces, or shorter edges, "
+      (hasCurves ? " % of the curves, and of borders of regions,"
+                 : " % of the borders of regions") +
+      " are not on edges of the mesh, and of the places where they meet " +
+      std::to_string(figures.MissedCorners) + " are no vertices, since " +
+      (hasCurves ? "they are close" : "regions are narrow") +
+      " there, or round. More faces, or shorter edges, "
       "come closer.");
   }
   return sentences;
@@ -228,18 +242,29 @@ std::vector<std::string> RegionAdvice(
 }
 
 RegionReport ReportRegions(const Surface& input, const std::vector<Index>& regions,
-  const std::vector<std::string>& names, const PreparedSurface& surface,
+  const std::vector<std::string>& names, bool hasCurves, const PreparedSurface& surface,
   const FeatureLines& features, const FaceMesh& mesh, double edgeLength,
   std::vector<Index>& closest)
 {
   RegionReport report;
   const RegionLines lines(surface, features);
+  if (regions.empty())
+  {
+    const std::vector<Index> ofTriangles(input.Triangles.size(), 0);
+    const std::vector<Index> ofFaces(mesh.Cells.Corners.size(), 0);
+    const RegionFigures curves =
+      FiguresOf(input, ofTriangles, lines, mesh, ofFaces, hasCurves, edgeLength);
+    report.Shown.BordersKept = curves.BordersKept;
+    report.Shown.MissedCorners = curves.MissedCorners;
+    report.Sentences = RegionAdvice(report.Shown, names, hasCurves);
+    return report;
+  }
   report.OfFaces = RegionsOfFaces(mesh, regions, closest, lines.IsBorder);
   FindInRegions(surface, mesh, regions, report.OfFaces, closest);
-  report.Shown = FiguresOf(input, regions, lines, mesh, report.OfFaces, edgeLength);
+  report.Shown = FiguresOf(input, regions, lines, mesh, report.OfFaces, hasCurves, edgeLength);
   report.Shown.Stairs = surface.GetStairs();
   report.Shown.BordersKept *= 1.0 - surface.GetStairs();
-  report.Sentences = RegionAdvice(report.Shown, names);
+  report.Sentences = RegionAdvice(report.Shown, names, hasCurves);
   return report;
 }
 }

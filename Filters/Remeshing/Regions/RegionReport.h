@@ -30,9 +30,10 @@ struct RegionLines
 /// How well a mesh shows the regions of a surface.
 /// @param regions    of each triangle of the surface
 /// @param ofFaces    the region of each face
+/// @param hasCurves  all lines of the mesh count as borders
 /// @param edgeLength wanted
 RegionFigures FiguresOf(const Surface& surface, const std::vector<Index>& regions,
-  const RegionLines& lines, const FaceMesh& mesh, const std::vector<Index>& ofFaces,
+  const RegionLines& lines, const FaceMesh& mesh, const std::vector<Index>& ofFaces, bool hasCurves,
   double edgeLength);
 
 /// The regions of the faces of a mesh, how well they are shown, and a sentence each about regions
@@ -44,13 +45,14 @@ struct RegionReport
   std::vector<std::string> Sentences;
 };
 
-/// @param regions    of each triangle of the input
+/// @param regions    of each triangle of the input; empty for curves without regions
 /// @param names      of the regions, by their numbers; empty for the numbers themselves
+/// @param hasCurves  curves are hard, too, and count like borders
 /// @param edgeLength wanted
 /// @param closest    triangle of the input to each face; those of another region than the face are
 ///                   replaced by the closest one of its own
 RegionReport ReportRegions(const Surface& input, const std::vector<Index>& regions,
-  const std::vector<std::string>& names, const PreparedSurface& surface,
+  const std::vector<std::string>& names, bool hasCurves, const PreparedSurface& surface,
   const FeatureLines& features, const FaceMesh& mesh, double edgeLength,
   std::vector<Index>& closest);
 }

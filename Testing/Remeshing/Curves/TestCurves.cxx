@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Curves/CurveCut.h"
+#include "Remesh.h"
+
+#include "Meshes/Remeshed.h"
+#include "Meshes/Soundness.h"
+#include "Meshes/Surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace DirectionFields;
+
+namespace
+{
+using Curve = std::vector<Vector3>;
+
+Curve Circle(const Vector3& center, double radius, int points)
+{
+  Curve curve;
+  for (int k = 0; k <= points; ++k)
+  {
+    const double angle = 2.0 * Pi * (k % points) / points;
+    curve.push_back(center + radius * Vector3(std::cos(angle), std::sin(angle), 0.0));
+  }
+  return curve;
+}
+
+double AreaOf(const Surface& surface)
+{
+  double area = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    const Vector3& a = surface.Points[t[0]];
+    area += 0.5 * (surface.Points[t[1]] - a).cross(surface.Points[t[2]] - a).norm();
+  }
+  return area;
+}
+
+double LengthOf(const CurveCut& cut)
+{
+  double length = 0.0;
+  for (const std::array<Index, 2>& edge : cut.Edges)
+  {
+    length += (cut.Cut.Points[edge[1]] - cut.Cut.Points[edge[0]]).norm();
+  }
+  return length;
+}
+
+/// Each point on an edge of the features of a mesh, at most this far from them.
+double FarthestFromFeatures(const RemeshResult& mesh, const Curve& samples)
+{
+  double farthest = 0.0;
+  for (const Vector3& sample : samples)
+  {
+    double least = 1e300;
+    for (const MeshChain& chain : mesh.Chains)
+    {
+      for (std::size_t i = 1; i < chain.Points.size() && chain.Kind != ChainKind::Boundary; ++i)
+      {
+        const Vector3& a = mesh.Points[chain.Points[i - 1]];
+        const Vector3 edge = mesh.Points[chain.Points[i]] - a;
+        const double s = std::clamp(edge.dot(sample - a) / edge.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (a + s * edge - sample).norm());
+      }
+    }
+    farthest = std::max(farthest, least);
+  }
+  return farthest;
+}
+
+RemeshResult Remeshed(
+  const Surface& surface, const std::vector<Curve>& curves, Index faces, RemeshOptions options = {})
+{
+  options.NumberOfFaces = faces;
+  return Remesh(std::make_shared<Surface>(surface), curves).Compute(options);
+}
+}
+
+TEST(Curves, CutsKeepTheSurface)
+{
+  const Surface square = Meshes::Jittered(Meshes::Square(10), 0.0, 1);
+  const CurveCut cut = CutAlong(square, { { { 0.0, 0.13, 0.0 }, { 1.0, 0.71, 0.0 } } });
+  EXPECT_TRUE(cut.Notes.empty());
+  EXPECT_NEAR(AreaOf(cut.Cut), 1.0, 1e-12);
+  // A straight curve has no more length for its cuts, but for points that it takes.
+  EXPECT_NEAR(LengthOf(cut), std::hypot(1.0, 0.58), 2e-3);
+  for (std::size_t p = 0; p < square.Points.size(); ++p)
+  {
+    EXPECT_EQ(cut.Cut.Points[p], square.Points[p]);
+  }
+  std::vector<double> parts(square.Triangles.size(), 0.0);
+  for (std::size_t t = 0; t < cut.Cut.Triangles.size(); ++t)
+  {
+    const Triangle& c = cut.Cut.Triangles[t];
+    const Vector3 area = 0.5 *
+      (cut.Cut.Points[c[1]] - cut.Cut.Points[c[0]])
+        .cross(cut.Cut.Points[c[2]] - cut.Cut.Points[c[0]]);
+    EXPECT_GT(area.z(), 0.0);
+    parts[cut.Parents[t]] += area.z();
+  }
+  for (const double part : parts)
+  {
+    EXPECT_NEAR(part, 0.005, 1e-12);
+  }
+  // Each interior edge has two triangles, also along the cut.
+  std::map<std::array<Index, 2>, int> triangles;
+  for (const Triangle& t : cut.Cut.Triangles)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const auto ends = std::minmax(t[c], t[(c + 1) % 3]);
+      ++triangles[{ ends.first, ends.second }];
+    }
+  }
+  for (const auto& [ends, count] : triangles)
+  {
+    const Vector3 middle = 0.5 * (cut.Cut.Points[ends[0]] + cut.Cut.Points[ends[1]]);
+    const bool isBoundary =
+      std::min({ middle.x(), middle.y(), 1.0 - middle.x(), 1.0 - middle.y() }) < 1e-12;
+    EXPECT_EQ(count, isBoundary ? 1 : 2);
+  }
+}
+
+TEST(Curves, CurvesThatCrossMeetInAPoint)
+{
+  const CurveCut cut = CutAlong(Meshes::Square(9),
+    { { { 0.1, 0.17, 0.0 }, { 0.9, 0.83, 0.0 } }, { { 0.1, 0.83, 0.0 }, { 0.9, 0.17, 0.0 } } });
+  std::map<Index, int> valence;
+  for (const std::array<Index, 2>& edge : cut.Edges)
+  {
+    ++valence[edge[0]];
+    ++valence[edge[1]];
+  }
+  int ends = 0;
+  int crossings = 0;
+  for (const auto& entry : valence)
+  {
+    ends += entry.second == 1 ? 1 : 0;
+    crossings += entry.second == 4 ? 1 : 0;
+  }
+  EXPECT_EQ(ends, 4);
+  EXPECT_EQ(crossings, 1);
+}
+
+TEST(Curves, EdgesOfTheSurfaceAreTakenAsTheyAre)
+{
+  const Surface square = Meshes::Square(8);
+  const CurveCut cut = CutAlong(square, { { { 0.5, 0.0, 0.0 }, { 0.5, 1.0, 0.0 } } });
+  EXPECT_EQ(cut.Cut.Points.size(), square.Points.size());
+  EXPECT_EQ(cut.Cut.Triangles, square.Triangles);
+  EXPECT_EQ(cut.Edges.size(), 8U);
+}
+
+TEST(Curves, PartsThatAreNotOnTheSurfaceAreLeftOutAndSaid)
+{
+  const Curve away = { { 0.2, 0.5, 0.0 }, { 0.4, 0.5, 0.0 }, { 0.6, 0.5, 0.3 }, { 0.8, 0.5, 0.0 } };
+  const CurveCut cut = CutAlong(Meshes::Square(10), { away });
+  ASSERT_EQ(cut.Notes.size(), 1U);
+  EXPECT_NE(cut.Notes[0].find("Parts of curve 0 are"), std::string::npos);
+  EXPECT_NEAR(LengthOf(cut), 0.2, 1e-9);
+}
+
+// Across the plane of an oblique line, a circle, and a line that ends within.
+TEST(Curves, BecomeLinesOfTheMesh)
+{
+  const Surface square = Meshes::Square(30);
+  const Curve circle = Circle({ 0.5, 0.5, 0.0 }, 0.3, 60);
+  const RemeshResult mesh = Remeshed(square, { circle }, 900);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
+  EXPECT_LT(FarthestFromFeatures(mesh, circle), 0.1 * mesh.EdgeLength);
+  for (const MeshChain& chain : mesh.Chains)
+  {
+    for (std::size_t i = 0; chain.Kind == ChainKind::Feature && i < chain.Points.size(); ++i)
+    {
+      EXPECT_NEAR((mesh.Points[chain.Points[i]] - Vector3(0.5, 0.5, 0.0)).norm(), 0.3,
+        0.08 * mesh.EdgeLength);
+    }
+  }
+  EXPECT_TRUE(mesh.Notes.empty()) << mesh.Notes[0];
+  const RemeshResult without = Remeshed(square, {}, 900);
+  EXPECT_GT(FarthestFromFeatures(without, circle), 1.0);
+}
+
+TEST(Curves, LinesAroundARoundBodyAreKept)
+{
+  const Surface sphere = Meshes::Icosphere(4);
+  Curve wave;
+  for (int k = 0; k <= 120; ++k)
+  {
+    const double angle = 2.0 * Pi * (k % 120) / 120;
+    wave.push_back(
+      Vector3(std::cos(angle), std::sin(angle), 0.25 * std::cos(3.0 * angle)).normalized());
+  }
+  RemeshOptions options;
+  for (const bool isPure : { false, true })
+  {
+    options.PureQuads = isPure;
+    const RemeshResult mesh = Remeshed(sphere, { wave }, 1500, options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
+    EXPECT_LT(FarthestFromFeatures(mesh, wave), 0.1 * mesh.EdgeLength);
+    EXPECT_TRUE(mesh.Notes.empty()) << mesh.Notes[0];
+  }
+}
+
+// Sources, regions, sizes and directions are those of the surface that came in.
+TEST(Curves, EverythingRefersToTheSurfaceGiven)
+{
+  const Surface square = Meshes::Square(12);
+  RemeshOptions options;
+  std::vector<Vector3> directions;
+  for (const Vector3& p : square.Points)
+  {
+    options.Sizing.push_back(1.0 + p.x());
+    directions.emplace_back(1.0, 0.0, 0.0);
+  }
+  for (const Triangle& t : square.Triangles)
+  {
+    options.Regions.push_back(
+      (square.Points[t[0]] + square.Points[t[1]] + square.Points[t[2]]).y() > 1.5 ? 1 : 0);
+  }
+  options.NumberOfFaces = 300;
+  const Curve line = { { 0.31, 0.0, 0.0 }, { 0.31, 1.0, 0.0 } };
+  const RemeshResult mesh =
+    Remesh(std::make_shared<Surface>(square), { line }).Compute(options, directions);
+  for (std::size_t v = 0; v < mesh.Points.size(); ++v)
+  {
+    const Triangle& t = square.Triangles[mesh.SourceTriangle[v]];
+    Vector3 place = Vector3::Zero();
+    for (int c = 0; c < 3; ++c)
+    {
+      place += mesh.SourceWeights[v][c] * square.Points[t[c]];
+    }
+    EXPECT_LT((place - mesh.Points[v]).norm(), 1e-9);
+  }
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    EXPECT_EQ(mesh.Regions[f], options.Regions[mesh.FaceSource[f]]);
+  }
+  EXPECT_LT(
+    FarthestFromFeatures(mesh, { { 0.31, 0.2, 0.0 }, { 0.31, 0.7, 0.0 } }), 0.1 * mesh.EdgeLength);
+}
+
+// Sides of a cut that have points of their own.
+TEST(Curves, SeamsAreCrossed)
+{
+  const Surface soup = Meshes::Soup(Meshes::Square(6));
+  const Curve line = { { 0.0, 0.4, 0.0 }, { 1.0, 0.63, 0.0 } };
+  const CurveCut cut = CutAlong(soup, { line });
+  EXPECT_TRUE(cut.Notes.empty());
+  EXPECT_NEAR(LengthOf(cut), std::hypot(1.0, 0.23), 1e-3);
+  EXPECT_LT(FarthestFromFeatures(Remeshed(soup, { line }, 200), line), 1e-2);
+}
