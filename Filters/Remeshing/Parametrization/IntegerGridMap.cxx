@@ -4,6 +4,7 @@
 #include "Parametrization/IntegerGridMap.h"
 
 #include "Integers/IntegerRounding.h"
+#include "Integers/IntegerSearch.h"
 #include "Parametrization/IsolineFolds.h"
 #include "Parametrization/ParametrizationEnergy.h"
 
@@ -109,8 +110,11 @@ public:
     }
     else if (this->System->IsDefinite())
     {
-      Eigen::VectorXd integers = factor * this->Relaxed.tail(this->Energy.GetNumberOfIntegers());
+      const Eigen::VectorXd relaxed =
+        factor * this->Relaxed.tail(this->Energy.GetNumberOfIntegers());
+      Eigen::VectorXd integers = relaxed;
       RoundGreedily(this->System->TrailingFactor(), integers, this->Energy.Least());
+      ImproveIntegers(this->System->TrailingFactor(), relaxed, integers, this->Energy.Least());
       x = this->System->SolveWith(factor * this->Relaxed, integers);
     }
     return x.size() == this->Side.size() ? std::optional(std::move(x)) : std::nullopt;

@@ -56,6 +56,48 @@ Surface Cone(int sides, double height)
   }
   return cone;
 }
+
+/// A square plate with a round hole of this number of sides, a multiple of 4, without points inside
+/// of its two faces.
+Surface PlateWithHole(int sides)
+{
+  Surface plate;
+  const auto corner = [](double x, double y) { return Vector3(x, y, 0.0); };
+  plate.Points = { corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0) };
+  for (int k = 0; k < sides; ++k)
+  {
+    const double angle = 2.0 * Pi * k / sides - Pi;
+    plate.Points.push_back(corner(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle)));
+  }
+  const auto top = static_cast<Index>(plate.Points.size());
+  for (Index v = 0; v < top; ++v)
+  {
+    plate.Points.push_back(plate.Points[v] + Vector3(0.0, 0.0, 0.2));
+  }
+  const auto add = [&](Index a, Index b, Index c)
+  {
+    plate.Triangles.push_back({ a, c, b });
+    plate.Triangles.push_back({ a + top, b + top, c + top });
+  };
+  const auto wall = [&](Index a, Index b)
+  {
+    plate.Triangles.push_back({ a, b, b + top });
+    plate.Triangles.push_back({ a, b + top, a + top });
+  };
+  for (Index k = 0; k < sides; ++k)
+  {
+    const Index quarter = 4 * k / sides;
+    const Index next = 4 + (k + 1) % sides;
+    add(quarter, next, 4 + k);
+    wall(next, 4 + k);
+    if (4 * (k + 1) % sides == 0)
+    {
+      add(quarter, (quarter + 1) % 4, next);
+      wall(quarter, (quarter + 1) % 4);
+    }
+  }
+  return plate;
+}
 }
 
 TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
@@ -79,6 +121,18 @@ TEST(LongTriangles, PrismsHaveTheIrregularVerticesOfTheirTwoEnds)
     EXPECT_GT(Meshes::LeastQuality(mesh), 0.5) << one.Sides;
     EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 2000.0, 200.0) << one.Sides;
   }
+}
+
+TEST(LongTriangles, FacesOfAPlateWithAHoleAreEven)
+{
+  // Rounded greedily, the sides of the hole have other numbers of edges than what is around them.
+  RemeshOptions options;
+  options.NumberOfFaces = 700;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(PlateWithHole(20))).Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_LE(mesh.Triangles, 7);
+  EXPECT_LE(mesh.IrregularVertices, 24);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.5);
 }
 
 TEST(LongTriangles, FansOfHundredsAndThousandsAreRemeshedAsOthers)
