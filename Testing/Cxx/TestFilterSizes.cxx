@@ -167,6 +167,68 @@ void TestMagnitudes()
   }
 }
 
+/// Where a point is far away from the others, as in a broken file, each filter works, and what it
+/// makes is finite. Lines along the spike may be too long for the memory, which is said.
+void TestSpikes()
+{
+  for (const double spike : { 1e20, 1e100 })
+  {
+    const auto mesh = Sized(1.0);
+    double place[3];
+    mesh->GetPoint(17, place);
+    vtkMath::MultiplyScalar(place, spike);
+    mesh->GetPoints()->SetPoint(17, place);
+    vtkNew<vtkDirectionField> crosses;
+    vtkNew<vtkDirectionField> directed;
+    vtkNew<Messages> mended;
+    for (vtkDirectionField* field : { crosses.Get(), directed.Get() })
+    {
+      mended->Observe(field);
+      field->SetDegree(field == crosses ? 4 : 2);
+      field->SetInputData(mesh);
+      field->Update();
+    }
+    CHECK(mended->Errors.empty());
+    vtkPolyData* const cross = crosses->GetOutput();
+    for (vtkIdType i = 0; i < cross->GetNumberOfPoints(); ++i)
+    {
+      CHECK(std::abs(vtkMath::Norm(Direction(cross, 0)->GetTuple3(i)) - 1.0) < 1e-9);
+    }
+    vtkNew<vtkDirectionField> aligned;
+    aligned->SetAlignment(vtkDirectionField::ALIGN_PRINCIPAL_CURVATURE);
+    const auto lines = vtkSmartPointer<vtkDirectionFieldStreamlines>::New();
+    lines->SetMaximumNumberOfLines(2);
+    const auto stripes = vtkSmartPointer<vtkStripePattern>::New();
+    for (const auto& filter :
+      std::vector<vtkSmartPointer<vtkAlgorithm>>{ aligned, vtkNew<vtkDirectionFieldGlyphs>(), lines,
+        stripes, vtkNew<vtkDirectionFieldSingularities>(), vtkNew<vtkCompareDirectionFields>(),
+        vtkNew<vtkGuidanceCurves>(), vtkNew<vtkFieldAlignedRemesh>() })
+    {
+      vtkNew<Messages> messages;
+      messages->Observe(filter);
+      filter->SetInputDataObject(0, cross);
+      if (filter->IsA("vtkCompareDirectionFields") || filter->IsA("vtkGuidanceCurves"))
+      {
+        filter->SetInputDataObject(1, cross);
+      }
+      if (filter == stripes)
+      {
+        filter->SetInputDataObject(0, directed->GetOutput());
+      }
+      filter->Update();
+      if (filter == lines && !messages->Errors.empty())
+      {
+        CHECK(messages->IsOneError({ "Lower Maximum Streamline Length" }));
+        continue;
+      }
+      CHECK(messages->Errors.empty());
+      auto* const output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+      REQUIRE(output->GetNumberOfPoints() > 0);
+      CHECK(std::isfinite(output->GetBounds()[0]) && std::isfinite(output->GetBounds()[1]));
+    }
+  }
+}
+
 /// Lines of any length end in an error before the memory does.
 void TestEndlessLines()
 {
@@ -190,6 +252,7 @@ int TestFilterSizes(int, char*[])
   TestBeyondNumbers();
   TestWideLines();
   TestMagnitudes();
+  TestSpikes();
   TestEndlessLines();
   return Result();
 }

@@ -24,6 +24,60 @@ constexpr double OwnPart = 3.0;
 constexpr double ClosedPart = 0.1;
 constexpr double ClosingPart = 0.15;
 constexpr double NearStartPart = 0.6;
+/// The part of a line between samples may be this many times as long as it is wide: a longer one
+/// winds around something that is much thinner than the spacing, a spike for instance. Its width is
+/// looked at each time that it has as many pieces more. It may come back to the triangle where it
+/// begins this many times: long triangles are wound around in long turns.
+constexpr double MostWinding = 4.0;
+constexpr std::size_t PiecesPerLook = 16;
+constexpr int MostReturns = 2;
+
+/// The part of a line since a sample that is there for its length, not for its turn.
+class SinceSample
+{
+public:
+  /// @param length of the line up to here
+  SinceSample(const Vector3& position, Index triangle, double length)
+    : Position(position)
+    , Triangle(triangle)
+    , Before(length)
+  {
+  }
+
+  /// Whether the part winds around something thin, now that it has come to the end of a piece.
+  /// @param position returns the place in space, which takes time
+  template <typename Place>
+  bool Winds(Index triangle, double length, const Place& position)
+  {
+    const bool isBack = triangle == this->Triangle;
+    this->Returns += isBack && !this->WasBack ? 1 : 0;
+    this->WasBack = isBack;
+    if (++this->Pieces % PiecesPerLook == 0)
+    {
+      this->Width = std::max(this->Width, (position() - this->Position).stableNorm());
+      return length - this->Before > MostWinding * this->Width;
+    }
+    return this->Returns > MostReturns;
+  }
+
+private:
+  Vector3 Position;
+  Index Triangle;
+  double Before;
+  std::size_t Pieces = 0;
+  int Returns = 0;
+  bool WasBack = true;
+  /// How far any place that was looked at is from the sample.
+  double Width = 0.0;
+};
+
+LineStart PlaceOn(const LinePiece& piece, double part, int sense)
+{
+  const Complex direction =
+    piece.BeginDirection + part * (piece.EndDirection - piece.BeginDirection);
+  return { piece.Triangle, piece.Begin + part * (piece.End - piece.Begin),
+    direction / std::abs(direction), sense };
+}
 
 Vector3 Lateral(const LineSample& sample, const Vector3& position)
 {
@@ -187,8 +241,9 @@ bool SpacedTracing::IsTooClose(const LineSample& sample, const LineGrid& grid, c
   return own.IsNear(sample, radius, counts);
 }
 
-bool SpacedTracing::ComesBack(const LinePiece& piece, const LineSample& first, double& part) const
+bool SpacedTracing::Closes(const LineSample& first, SpacedHalf& half) const
 {
+  LinePiece& piece = half.Pieces.back();
   const Vector3 tangent = first.Tangent;
   const Vector3 begin = this->PositionOf(piece.Triangle, piece.Begin) - first.Position;
   const Vector3 end = this->PositionOf(piece.Triangle, piece.End) - first.Position;
@@ -199,9 +254,16 @@ bool SpacedTracing::ComesBack(const LinePiece& piece, const LineSample& first, d
   {
     return false;
   }
-  part = before / (before - after);
+  const double part = before / (before - after);
   const Vector3 passes = begin + part * (end - begin);
-  return passes.stableNorm() < ClosedPart * this->Options.Spacing;
+  if (passes.stableNorm() >= ClosedPart * this->Options.Spacing)
+  {
+    return false;
+  }
+  piece.End = piece.Begin + part * (piece.End - piece.Begin);
+  half.End = StreamlineEnd::Loop;
+  half.IsClosed = true;
+  return true;
 }
 
 void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLength,
@@ -216,12 +278,10 @@ void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLeng
   bool isNearStart = false;
   // Since the last sample.
   Complex turn = 1.0;
+  SinceSample since(first.Position, start.Triangle, 0.0);
   const auto mark = [&](const LinePiece& piece, double part)
   {
-    const Complex direction =
-      piece.BeginDirection + part * (piece.EndDirection - piece.BeginDirection);
-    const LineStart place{ piece.Triangle, piece.Begin + part * (piece.End - piece.Begin),
-      direction / std::abs(direction), start.Sense };
+    const LineStart place = PlaceOn(piece, part, start.Sense);
     LineSample sample = this->SampleAt(place, 0.0);
     sample.Arc = sense * this->Unit * (piece.Arc + part * piece.Length());
     if (this->IsTooClose(sample, grid, own, first))
@@ -241,13 +301,8 @@ void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLeng
     piece->Arc = length;
     half.Pieces.push_back(*piece);
     const double pieceLength = piece->Length();
-    double part = 0.0;
-    if (isNearStart && this->ComesBack(*piece, first, part))
+    if (isNearStart && this->Closes(first, half))
     {
-      LinePiece& last = half.Pieces.back();
-      last.End = last.Begin + part * (last.End - last.Begin);
-      half.End = StreamlineEnd::Loop;
-      half.IsClosed = true;
       return;
     }
     while (nextMark <= length + pieceLength)
@@ -258,6 +313,7 @@ void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLeng
         half.Keep(half.Marks.size());
         return;
       }
+      since = { half.Marks.back().Sample.Position, piece->Triangle, this->Unit * nextMark };
       nextMark += step;
     }
     turn *= piece->EndDirection * std::conj(piece->BeginDirection);
@@ -267,6 +323,12 @@ void SpacedTracing::TraceHalf(const LineStart& start, int sense, double mostLeng
       return;
     }
     length += pieceLength;
+    if (since.Winds(piece->Triangle, this->Unit * length,
+          [&] { return this->PositionOf(piece->Triangle, piece->End); }))
+    {
+      half.End = StreamlineEnd::TooClose;
+      return;
+    }
     if (length >= mostLength)
     {
       half.Keep(half.Marks.size());

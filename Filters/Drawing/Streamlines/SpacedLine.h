@@ -87,8 +87,8 @@ private:
   /// Whether a sample is too close to lines in the grid, or to the line itself further back.
   bool IsTooClose(const LineSample& sample, const LineGrid& grid, const LineGrid& own,
     const LineSample& first) const;
-  /// Whether a piece comes back to the first sample; sets the part of the piece before that.
-  bool ComesBack(const LinePiece& piece, const LineSample& first, double& part) const;
+  /// Ends a line where its last piece comes back to its first sample; false where it does not.
+  bool Closes(const LineSample& first, SpacedHalf& half) const;
   Vector3 PositionOf(Index triangle, const Complex& place) const;
 
   const GivenField& Field;

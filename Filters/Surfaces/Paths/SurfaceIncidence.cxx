@@ -21,8 +21,23 @@ constexpr double MostUsual = 1e130;
 /// Points of more triangles have their normals kept.
 constexpr std::ptrdiff_t LargeFan = 64;
 
-/// @param longestEdge is raised to the square of the triangle's longest edge
-double SoundArea(const Surface& surface, const Triangle& triangle, double& longestEdge)
+/// The squares of the longest edges of sound triangles and of all.
+struct LongestEdges
+{
+  double OfSound = 0.0;
+  double OfAll = 0.0;
+
+  /// Whether areas can be squared. Spikes have no part in that: where triangles are sound beside
+  /// them, these decide.
+  bool AreUsual() const
+  {
+    const double longest = this->OfSound > 0.0 ? this->OfSound : this->OfAll;
+    return longest >= LeastUsual && longest <= MostUsual;
+  }
+};
+
+/// @param edges gets those of the triangle, too
+double SoundArea(const Surface& surface, const Triangle& triangle, LongestEdges& edges)
 {
   const auto size = static_cast<Index>(surface.Points.size());
   for (const Index i : triangle)
@@ -36,8 +51,10 @@ double SoundArea(const Surface& surface, const Triangle& triangle, double& longe
   const Vector3 b = surface.Points[triangle[2]] - surface.Points[triangle[0]];
   const double area = 0.5 * a.cross(b).norm();
   const double longest = std::max({ a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm() });
-  longestEdge = std::max(longestEdge, longest);
-  return std::isfinite(area) && area > LeastFlatness * longest ? area : 0.0;
+  const bool isSound = std::isfinite(area) && area > LeastFlatness * longest;
+  edges.OfAll = std::max(edges.OfAll, longest);
+  edges.OfSound = std::max(edges.OfSound, isSound ? longest : 0.0);
+  return isSound ? area : 0.0;
 }
 }
 
@@ -46,7 +63,7 @@ SurfaceIncidence::SurfaceIncidence(const Surface& surface)
   , Areas(surface.Triangles.size())
   , First(surface.Points.size() + 1, 0)
 {
-  double longest = 0.0;
+  LongestEdges longest;
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
     this->Areas[t] = SoundArea(surface, surface.Triangles[t], longest);
@@ -58,7 +75,7 @@ SurfaceIncidence::SurfaceIncidence(const Surface& surface)
       }
     }
   }
-  this->UsualSize = longest >= LeastUsual && longest <= MostUsual;
+  this->UsualSize = longest.AreUsual();
   for (std::size_t i = 0; i + 1 < this->First.size(); ++i)
   {
     this->First[i + 1] += this->First[i];

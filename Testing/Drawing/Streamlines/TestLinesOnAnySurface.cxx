@@ -235,3 +235,31 @@ TEST(LinesOnAnySurface, GetOnOverSlivers)
     }
   }
 }
+
+TEST(LinesOnAnySurface, DoNotWindAroundSpikesOfAnyLength)
+{
+  for (const double spike : { 1e2, 1e3, 1e100 })
+  {
+    Surface surface = Meshes::Potato(3);
+    surface.Points[100] *= spike;
+    const Result result = Fields::Compute(surface, 4);
+    const PointDirections directions = Fields::Of(result);
+    const GivenField field(surface, directions);
+    StreamlineOptions options = OnSurface();
+    options.MaximumNumber = spike > 1e3 ? 3 : 1000;
+    const Streamlines lines = TraceStreamlines(field, directions, {}, options);
+    ASSERT_FALSE(lines.Length.empty());
+    for (std::size_t i = 0; i < lines.Length.size(); ++i)
+    {
+      Vector3 low = lines.Points[lines.Offsets[i]];
+      Vector3 high = low;
+      for (std::int64_t k = lines.Offsets[i]; k < lines.Offsets[i + 1]; ++k)
+      {
+        ASSERT_TRUE(lines.Points[k].allFinite());
+        low = low.cwiseMin(lines.Points[k]);
+        high = high.cwiseMax(lines.Points[k]);
+      }
+      EXPECT_GT((high - low).stableNorm(), std::min(0.25 * lines.Length[i], 0.5 * lines.Spacing));
+    }
+  }
+}
