@@ -17,6 +17,7 @@ set(pictures
   "filters.ReadDirectionField=files"
   "filters.FieldAlignedRemesh=remesh"
   "sources.DirectionFieldFile=files"
+  "sources.SurfaceStrokes=curves"
   "writers.DirectionFieldWriter=files"
   "writers.AbaqusMeshWriter=remesh")
 file(GLOB pages RELATIVE "${HELP}" "${HELP}/filters.*.html" "${HELP}/sources.*.html"

@@ -3,14 +3,13 @@
 
 #include "DirectionFieldActions.h"
 
+#include "PythonAction.h"
+#include "StrokeTool.h"
 #include "pqActiveObjects.h"
-#include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSaveDataReaction.h"
-#include "pqUndoStack.h"
-#include "vtkPythonInterpreter.h"
 #include "vtkSMProxy.h"
 
 #include <QAction>
@@ -20,26 +19,6 @@
 
 namespace
 {
-/// Calls a function of the Python module, which itself raises nothing, as one step to undo. The
-/// modules of plugins are known once ParaView's own are.
-void Run(const QString& button, const char* function)
-{
-  BEGIN_UNDO_SET(button);
-  const QString script = QString("try:\n"
-                                 "  import paraview.simple\n"
-                                 "  import directionfields\n"
-                                 "  directionfields.%2()\n"
-                                 "except ImportError as problem:\n"
-                                 "  from vtkmodules.vtkCommonCore import vtkOutputWindow\n"
-                                 "  vtkOutputWindow.GetInstance().DisplayWarningText(\n"
-                                 "    f'%1 needs a module of Python that is not there: "
-                                 "{problem}\\n')\n")
-                           .arg(button, function);
-  vtkPythonInterpreter::RunSimpleString(script.toUtf8().constData());
-  END_UNDO_SET();
-  pqApplicationCore::instance()->render();
-}
-
 /// The selected mesh of quads, if it is on show and no change of it waits for Apply.
 pqPipelineSource* ShownQuads()
 {
@@ -60,6 +39,8 @@ pqPipelineSource* ShownQuads()
 DirectionFieldActions::DirectionFieldActions(QObject* parent)
   : QActionGroup(parent)
 {
+  // Else what can be switched on could not be switched off.
+  this->setExclusive(false);
   this->connect(this->newAction("ShowDirectionField", tr("Show direction field"),
                   tr("Show the selected mesh with its direction field: all directions as glyphs, "
                      "singularities as red and blue balls")),
@@ -69,6 +50,14 @@ DirectionFieldActions::DirectionFieldActions(QObject* parent)
       tr("Show the selected mesh as quads along its direction field, vertices of more or fewer "
          "edges than four as blue and red balls; pressed again, save the quads to a file")),
     &QAction::triggered, this, &DirectionFieldActions::remesh);
+  QAction* const draw = this->newAction("DrawStrokes", tr("Draw strokes"),
+    tr(
+      "While this is on, drag with the left button over a surface to draw strokes that its direction "
+      "field follows; Delete takes the stroke under the mouse away, or the last one"));
+  draw->setCheckable(true);
+  // The toolbar and the menu have an action each.
+  this->connect(draw, &QAction::toggled, StrokeTool::instance(), &StrokeTool::setOn);
+  this->connect(StrokeTool::instance(), &StrokeTool::toggled, draw, &QAction::setChecked);
 }
 
 //------------------------------------------------------------------------------
@@ -84,7 +73,7 @@ QAction* DirectionFieldActions::newAction(const char* name, const QString& text,
 //------------------------------------------------------------------------------
 void DirectionFieldActions::show()
 {
-  Run("Show direction field", "show_active");
+  RunPythonAction("Show direction field", "show_active()");
 }
 
 //------------------------------------------------------------------------------
@@ -98,5 +87,5 @@ void DirectionFieldActions::remesh()
     pqSaveDataReaction::saveActiveData();
     return;
   }
-  Run("Remesh to quads", "remesh_active");
+  RunPythonAction("Remesh to quads", "remesh_active()");
 }

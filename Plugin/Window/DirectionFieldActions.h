@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The actions "Show direction field" and "Remesh to quads" of ParaView's window. They do what
- * directionfields.show_active() and directionfields.remesh_active() do in a script; with quads
- * selected that are on show, the latter saves them.
+ * The actions "Show direction field", "Remesh to quads" and "Draw strokes" of ParaView's window. The
+ * first two do what directionfields.show_active() and directionfields.remesh_active() do in a script;
+ * with quads selected that are on show, the latter saves them. The third one switches StrokeTool on.
  */
 
 #ifndef DirectionFieldActions_h

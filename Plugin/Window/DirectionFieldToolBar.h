@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Puts the actions of direction fields first into the toolbar that ParaView makes of the filters' category in
- * Menu.xml, so that there is one toolbar. ParaView fills that anew whenever filters come or go.
+ * Puts the actions of direction fields first into the toolbar that ParaView makes of the filters'
+ * category in Menu.xml, so that there is one toolbar, and takes the least needed filter out. ParaView
+ * fills that anew whenever filters come or go.
  */
 
 #ifndef DirectionFieldToolBar_h

@@ -11,11 +11,14 @@
 
 show() computes a field and builds the whole picture of it, show_active() does so for the active
 source, as the button "Show direction field" of ParaView's window, remesh_active() shows quads of it,
-as the button "Remesh to quads", and read() reads a mesh.
+as the button "Remesh to quads", draw_stroke() and remove_stroke() change the curves that a field
+follows, as the mouse does with "Draw strokes", and read() reads a mesh.
 """
 
 from directionfields.files import read
 from directionfields.picture import Picture, show, show_active
 from directionfields.quads import QuadPicture, remesh_active
+from directionfields.strokes import draw_stroke, remove_stroke
 
-__all__ = ["Picture", "QuadPicture", "read", "remesh_active", "show", "show_active"]
+__all__ = ["Picture", "QuadPicture", "draw_stroke", "read", "remesh_active", "remove_stroke", "show",
+           "show_active"]

@@ -30,6 +30,12 @@ def camera_of(view):
     return np.array([camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp()])
 
 
+def put_camera(view, camera):
+    """Puts a camera where camera_of() has found it."""
+    for name, value in zip(("CameraPosition", "CameraFocalPoint", "CameraViewUp"), camera):
+        setattr(view, name, list(value))
+
+
 def is_untouched(view, field):
     """Whether a view shows nothing yet, or its camera stands where ParaView or place_camera() has
     put it, and not where a user has moved it to; or, not turned by a user, it misses the field, as
@@ -52,12 +58,10 @@ def is_untouched(view, field):
     radius = 0.5 * np.linalg.norm(bounds[:, 1] - bounds[:, 0])
     if radius > 2.0 * half or np.any(np.abs(bounds.mean(axis=1) - now[1])[:2] > half):
         return True
-    names = ("CameraPosition", "CameraFocalPoint", "CameraViewUp")
     scale, center = view.CameraParallelScale, list(view.CenterOfRotation)
     view.ResetCamera()
     reset, reset_scale = camera_of(view), view.CameraParallelScale
-    for name, value in zip(names, now):
-        setattr(view, name, list(value))
+    put_camera(view, now)
     view.CameraParallelScale, view.CenterOfRotation = scale, center
     if is_flat:
         # ParaView shows flat data from very far away.

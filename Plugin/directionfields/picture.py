@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 from directionfields.camera import is_untouched, place_camera
 from directionfields.compute import check_properties, compute, connect, field_for, register
-from directionfields.pipeline import (EXTRACTORS, MAKERS, REMESHERS, follower, is_field, mesh_of,
+from directionfields.pipeline import (BETWEEN, MAKERS, REMESHERS, follower, is_field, mesh_of,
                                       name_of, proxy_of, singularities_port, sources, upstream)
 from directionfields.restore import Pipeline
 
@@ -127,10 +127,12 @@ def hide_others(field, parts, view):
     for source in sources():
         chain = upstream(source)
         belongs = proxy_of(mesh) in map(proxy_of, chain) and (
-            proxy_of(source) == proxy_of(mesh) or source.GetXMLName() in EXTRACTORS or
+            proxy_of(source) == proxy_of(mesh) or source.GetXMLName() in BETWEEN or
             any(is_field(before) or before.GetXMLName() in MAKERS + REMESHERS for before in chain))
         for port in range(source.SMProxy.GetNumberOfOutputPorts()):
-            if (belongs and (proxy_of(source), port) not in kept and
+            # Curves stay over the field that is drawn to them.
+            is_curves = source.GetXMLName() == "GuidanceFromCurves" and port == 1
+            if (belongs and (proxy_of(source), port) not in kept and not is_curves and
                     view.FindRepresentation(source.SMProxy, port)):
                 simple.Hide(simple.OutputPort(source, port), view)
         # The captions of all pictures are at the same place.

@@ -15,6 +15,8 @@ DRAWINGS = ("DirectionFieldGlyphs", "DirectionFieldStreamlines", "StripePattern"
 REMESHERS = ("FieldAlignedRemesh",)
 # The names that Extract Surface has had.
 EXTRACTORS = ("DataSetSurfaceFilter", "GeometryFilter", "ExtractSurface")
+# Those that hand a mesh on to the filter of its field.
+BETWEEN = EXTRACTORS + ("GuidanceFromCurves",)
 
 
 def proxy_of(source):
@@ -85,7 +87,7 @@ def mesh_of(field):
     """The source of the surface that a field is on; the field itself where a file has both."""
     chain = upstream(field)
     for source in chain[1:]:
-        if not is_field(source) and source.GetXMLName() not in EXTRACTORS:
+        if not is_field(source) and source.GetXMLName() not in BETWEEN:
             return source
     return chain[-1]
 

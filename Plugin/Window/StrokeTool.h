@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * While it is on, dragging with the left button over a 3-D view draws a stroke on the surface below,
+ * which directionfields.draw_stroke() adds to the pipeline when the button is let go, and the keys
+ * Delete and Backspace take the stroke under the mouse away, or the last one. Other buttons and the
+ * wheel move the camera as always; Escape ends it.
+ */
+
+#ifndef StrokeTool_h
+#define StrokeTool_h
+
+#include <QObject>
+#include <QPointer>
+#include <QPolygonF>
+
+class QKeyEvent;
+class QMouseEvent;
+class pqQVTKWidget;
+
+class StrokeTool : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// The one of the window.
+  static StrokeTool* instance();
+
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+public slots:
+  void setOn(bool on);
+
+signals:
+  void toggled(bool on);
+
+private slots:
+  /// Goes over to the active view.
+  void follow();
+
+private:
+  explicit StrokeTool(QObject* parent);
+  void leave();
+  bool mouse(QMouseEvent* event);
+  bool key(QKeyEvent* event);
+  void draw();
+  QPointF pixel(const QPointF& position) const;
+
+  bool IsOn = false;
+  bool IsDrawing = false;
+  QPolygonF Path;
+  QPointer<pqQVTKWidget> View;
+  QPointer<QWidget> Line;
+};
+
+#endif

@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A macro: each run is the next step of the playback of the same name. Checks what the mouse has drawn
+in the ParaView window."""
+import functools
+import os
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+
+sys.path.insert(0, os.environ["HOME"])
+import Steps
+
+
+def camera(view):
+    return " ".join(f"{x:.6g}" for x in view.GetActiveCamera().GetPosition())
+
+
+def start(view):
+    Render(view)
+    os.environ["DIRECTIONFIELDS_TEST_CAMERA"] = camera(view)
+
+
+def check_lines(view, number):
+    """The strokes, the field along them, and the camera as it was."""
+    strokes, field = FindSource("Strokes on bunny.ply"), FindSource("Field of bunny.ply")
+    assert servermanager.Fetch(strokes).GetNumberOfLines() == number, list(strokes.Points)
+    assert field.Input.GetXMLName() == "GuidanceFromCurves" and field.ConstrainGuidance
+    assert field.Input.Curves == strokes
+    for shown in (strokes, FindSource("Glyphs of bunny.ply"), OutputPort(field, 1)):
+        assert GetRepresentation(shown, view).Visibility, shown.GetXMLName()
+    assert not GetRepresentation(FindSource("bunny.ply"), view).Visibility
+    assert GetActiveSource() == field and len(GetSources()) == 7, list(GetSources())
+    assert camera(view) == os.environ["DIRECTIONFIELDS_TEST_CAMERA"], camera(view)
+
+
+def check_kept(view):
+    check_lines(view, 2)
+    SaveScreenshot(os.path.join(os.environ["DIRECTIONFIELDS_TEST_OUTPUT"], "Strokes.png"), view,
+                   ImageResolution=[800, 600])
+
+
+def check_off(view):
+    """With drawing switched off, the camera turns."""
+    assert camera(view) != os.environ["DIRECTIONFIELDS_TEST_CAMERA"]
+    os.environ["DIRECTIONFIELDS_TEST_CAMERA"] = camera(view)
+    check_lines(view, 2)
+
+
+steps = (start, functools.partial(check_lines, number=1), check_kept,
+         functools.partial(check_lines, number=2), check_off)
+Steps.take_next([functools.partial(check, GetActiveView()) for check in steps])

@@ -1,0 +1,271 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Strokes drawn over a view: TestStrokes.py PLUGIN MESH OUTDIR"""
+import os
+import sys
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import (VTK_STRING, mutable, vtkOutputWindow,
+                                      vtkStringOutputWindow)
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+
+plugin, mesh, output = sys.argv[1:4]
+simple.LoadPlugin(plugin, remote=False, ns=globals())
+import directionfields
+from directionfields import strokes as room
+
+SIZE = [800, 600]
+messages = []
+
+
+def listen():
+    def hear(_, event, text):
+        messages.append(text)
+    hear.CallDataType = VTK_STRING
+    window = vtkStringOutputWindow()
+    window.AddObserver("WarningEvent", hear)
+    window.AddObserver("ErrorEvent", hear)
+    before = vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    return before
+
+
+def bunny():
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    source = simple.PLYReader(registrationName="bunny", FileNames=[mesh])
+    simple.Show(source, view)
+    simple.SetActiveSource(source)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    return source, view
+
+
+def middle(view, source):
+    """Where the view shows the middle of a source."""
+    bounds = np.array(source.GetDataInformation().GetBounds()).reshape(3, 2)
+    return room.Screen(view).pixels(bounds.mean(axis=1)[None])[0]
+
+
+def names():
+    return sorted(source.GetXMLName() for source in simple.GetSources().values())
+
+
+def points_of(strokes):
+    data = servermanager.Fetch(strokes)
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    return [points[[data.GetCell(k).GetPointId(i) for i in range(data.GetCell(k).GetNumberOfPoints())]]
+            for k in range(data.GetNumberOfCells())]
+
+
+def distances(points, source):
+    data = servermanager.Fetch(source)
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(data)
+    locator.BuildLocator()
+    found, cell, part, square, all_of = [0.0] * 3, mutable(0), mutable(0), mutable(0.0), []
+    for point in points:
+        locator.FindClosestPoint(point, found, cell, part, square)
+        all_of.append(float(square) ** 0.5)
+    return np.array(all_of)
+
+
+def check_follows(field):
+    """Where the strokes are, one of the directions is theirs."""
+    data = servermanager.Fetch(field).GetPointData()
+    weights = vtk_to_numpy(data.GetArray("GuidanceWeights"))
+    on = weights > 0.5
+    assert on.sum() > 10, on.sum()
+    wanted = vtk_to_numpy(data.GetArray("GuidanceVectors"))[on].astype(float)
+    wanted /= np.linalg.norm(wanted, axis=1)[:, None]
+    degree = field.Degree
+    best = np.full(len(wanted), -1.0)
+    for k in range(degree):
+        given = vtk_to_numpy(data.GetArray(f"Direction{k}"))[on].astype(float)
+        given /= np.linalg.norm(given, axis=1)[:, None]
+        best = np.maximum(best, (given * wanted).sum(axis=1))
+    assert np.median(best) > 0.999 and best.min() > 0.95, (np.median(best), best.min())
+
+
+def test_first():
+    """A stroke on a mesh makes the pipeline; another one only changes it; both can be taken away."""
+    source, view = bunny()
+    x, y = middle(view, source)
+    strokes = directionfields.draw_stroke([(x - 60, y - 40), (x, y), (x + 70, y + 10)])
+    assert not messages, messages
+    made = names()
+    assert made == sorted(["PLYReader", "SurfaceStrokes", "GuidanceFromCurves", "DirectionField",
+                           "DirectionFieldGlyphs", "PolyDataNormals", "PythonAnnotation"]) or \
+        "PPolyDataNormals" in made or "SurfaceNormals" in made, made
+    field = simple.GetActiveSource()
+    assert field.GetXMLName() == "DirectionField" and field.UnitLength
+    assert simple.FindSource("Field of bunny").SMProxy == field.SMProxy, list(simple.GetSources())
+    check_follows(field)
+    line, = points_of(strokes)
+    diagonal = np.linalg.norm(np.ptp(np.array(source.GetDataInformation().GetBounds()).reshape(3, 2),
+                                     axis=1))
+    away = distances(line, source) / diagonal
+    assert 0.001 < away.min() and away.max() < 0.0021, (away.min(), away.max())
+    ends = room.Screen(view).pixels(line[[0, -1]])
+    assert np.abs(ends - [(x - 60, y - 40), (x + 70, y + 10)]).max() < 1.5, ends
+    assert simple.GetRepresentation(strokes, view).Visibility
+    assert not simple.GetRepresentation(source, view).Visibility
+
+    again = directionfields.draw_stroke([(x - 30, y - 60), (x + 50, y - 40)])
+    assert again.SMProxy == strokes.SMProxy and names() == made, names()
+    assert len(points_of(strokes)) == 2, points_of(strokes)
+    check_follows(field)
+    # Near the first one.
+    assert directionfields.remove_stroke((x + 3, y + 2))
+    rest, = points_of(strokes)
+    assert np.abs(room.Screen(view).pixels(rest[:1]) - [(x - 30, y - 60)]).max() < 1.5
+    # None is near, hence the last one; the field is free again.
+    assert directionfields.remove_stroke((1, 1))
+    assert "SurfaceStrokes" not in names() and "GuidanceFromCurves" not in names(), names()
+    assert field.Input.SMProxy == source.SMProxy and not field.ConstrainGuidance
+    assert not messages, messages
+    assert not directionfields.remove_stroke((1, 1))
+    assert len(messages) == 1 and "There are no strokes" in messages.pop(), messages
+    simple.ResetSession()
+
+
+def test_parts():
+    """A stroke ends where it leaves the surface or what it is on hides what is behind; it is never
+    behind the surface."""
+    source, view = bunny()
+    x, y = middle(view, source)
+    strokes = directionfields.draw_stroke([(0, y + 100), (SIZE[0] - 1, y + 100), (x, y), (0, y)])
+    lines = points_of(strokes)
+    assert len(lines) > 1, len(lines)
+    screen = room.Screen(view)
+    surface = room.Surface(source)
+    for line in lines:
+        steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
+        assert steps.max() < 8.0 * np.median(steps) or steps.max() < 0.6, steps
+        for point, pixel in zip(line, screen.pixels(line)):
+            ray = screen.ray(pixel)
+            seen = surface.hit(ray)
+            # Smoothing moves points by less than a step.
+            assert seen is None or np.linalg.norm(seen - point) < 0.5, (seen, point)
+    assert not messages, messages
+    simple.ResetSession()
+
+
+def test_moved():
+    """A mesh that has changed is drawn on as it is now."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    source = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    simple.Show(source, view)
+    simple.ResetCamera(view)
+    simple.SetActiveSource(source)
+    x, y = middle(view, source)
+    for radius in (0.5, 0.4):
+        source.Radius = radius
+        strokes = directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)])
+        lengths = np.linalg.norm(points_of(strokes)[-1], axis=1)
+        assert np.abs(lengths / radius - 1.0).max() < 0.02, (radius, lengths)
+    assert not messages, messages
+    simple.ResetSession()
+
+
+def test_given():
+    """A field that is there takes the strokes and keeps its properties; quads of it follow."""
+    source, view = bunny()
+    field = directionfields.show(source, degree=4, view=view, UnitLength=1, EnergyBias=0.25).field
+    quads = FieldAlignedRemesh(Input=field, NumberOfFaces=1500, KeepThinParts=0)
+    before = servermanager.Fetch(quads).GetPoint(7)
+    x, y = middle(view, source)
+    simple.SetActiveSource(quads)
+    strokes = directionfields.draw_stroke([(x - 60, y - 40), (x + 70, y + 30)])
+    assert not messages, messages
+    assert names().count("DirectionField") == 1, names()
+    assert field.EnergyBias == 0.25 and field.Input.GetXMLName() == "GuidanceFromCurves"
+    check_follows(field)
+    assert servermanager.Fetch(quads).GetPoint(7) != before
+
+    # In a state, and there to go on with.
+    state = os.path.join(output, "TestStrokes.pvsm")
+    simple.SaveState(state)
+    rows, summary = list(strokes.Points), caption(field)
+    simple.ResetSession()
+    simple.LoadState(state)
+    strokes, field = simple.FindSource("Strokes on bunny"), simple.FindSource("Field of bunny")
+    assert np.allclose(list(strokes.Points), rows) and caption(field) == summary
+    simple.SetActiveView(simple.GetRenderViews()[0])
+    simple.SetActiveSource(field)
+    again = directionfields.draw_stroke([(x - 30, y - 60), (x + 50, y - 40)])
+    assert again.SMProxy == strokes.SMProxy and len(points_of(again)) == 2
+    simple.ResetSession()
+
+
+def caption(field):
+    return servermanager.Fetch(field).GetFieldData().GetAbstractArray("Summary").GetValue(0)
+
+
+def refuse(words, path, view):
+    before = names(), sum(display.Visibility for display in view.Representations)
+    assert directionfields.draw_stroke(path) is None
+    assert len(messages) == 1 and messages[0].startswith("Draw strokes: "), messages
+    assert words in messages[0] and messages.pop().count("\n") == 1, words
+    assert before == (names(), sum(display.Visibility for display in view.Representations))
+
+
+def test_refused():
+    """What cannot be drawn on gets a sentence, and leaves nothing behind."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    simple.Render(view)
+    across = [(100, 300), (700, 300)]
+    refuse("no surface under the stroke", across, view)
+    line = simple.Line()
+    simple.Show(line, view)
+    simple.ResetCamera(view)
+    refuse("no surface under the stroke", across, view)
+    simple.Delete(line)
+    source, view = bunny()
+    refuse("no surface under the stroke", [(1, 1), (1, 30)], view)
+    refuse("Drag the mouse", [(400, 300)], view)
+    simple.ResetSession()
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    source = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    directionfields.show(source, view=view, Alignment="Point Vectors", GuidanceVectors="Normals")
+    x, y = middle(view, source)
+    del messages[:]
+    refuse("follows other vectors already", [(x - 30, y), (x + 30, y)], view)
+    simple.ResetSession()
+
+
+def test_blocks():
+    """Several blocks, and data whose surface is taken."""
+    for make in (lambda: simple.GroupDatasets(Input=[simple.Sphere(ThetaResolution=24, PhiResolution=16),
+                                                     simple.Sphere(Center=[2, 0, 0])]),
+                 lambda: simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])):
+        view = simple.CreateView("RenderView")
+        view.ViewSize = SIZE
+        source = make()
+        simple.Show(source, view)
+        simple.ResetCamera(view)
+        simple.SetActiveSource(source)
+        x, y = middle(view, source)
+        strokes = directionfields.draw_stroke([(x - 200, y - 20), (x + 200, y + 20)])
+        assert strokes is not None and not messages, messages
+        for source in reversed(directionfields.pipeline.sources()):
+            simple.Delete(source)
+        simple.Delete(view)
+
+
+window = listen()
+try:
+    test_first()
+    test_parts()
+    test_moved()
+    test_given()
+    test_refused()
+    test_blocks()
+finally:
+    vtkOutputWindow.SetInstance(window)
+print("passed")
