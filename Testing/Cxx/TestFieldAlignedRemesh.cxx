@@ -18,6 +18,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -316,6 +318,53 @@ void TestLines()
   CHECK(filter->GetOutput(0)->GetFieldData()->GetAbstractArray("ChainNames") == nullptr);
 }
 
+/// A circle on a plate: its lines are those of the mesh while it is there, and other ones for
+/// another circle, also in a group.
+void TestCurves()
+{
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  filter->SetInputData(Meshes::ToPolyData(Meshes::Square(20)));
+  filter->SetNumberOfFaces(400);
+  filter->Update();
+  CHECK(filter->GetOutput(2)->GetNumberOfCells() == 4);
+  const double missed = Number(filter->GetOutput(), "Faces");
+  for (const double radius : { 0.3, 0.2 })
+  {
+    vtkNew<vtkPolyData> circle;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    constexpr int sides = 48;
+    lines->InsertNextCell(sides + 1);
+    for (int k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * k / sides;
+      lines->InsertCellPoint(points->InsertNextPoint(
+        0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), 0.0));
+    }
+    lines->InsertCellPoint(0);
+    circle->SetPoints(points);
+    circle->SetLines(lines);
+    vtkNew<vtkMultiBlockDataSet> group;
+    group->SetBlock(0, circle);
+    radius > 0.25 ? filter->SetCurvesData(circle) : filter->SetCurvesData(group);
+    filter->Update();
+    vtkPolyData* const found = filter->GetOutput(2);
+    REQUIRE(found->GetNumberOfCells() == 5);
+    CHECK(found->GetCellData()->GetArray("ChainKind")->GetTuple1(4) == 1.0);
+    vtkPoints* const on = found->GetCell(4)->GetPoints();
+    CHECK(on->GetNumberOfPoints() > 12);
+    for (vtkIdType i = 0; i < on->GetNumberOfPoints(); ++i)
+    {
+      const double* const p = on->GetPoint(i);
+      CHECK(std::abs(std::hypot(p[0] - 0.5, p[1] - 0.5) - radius) < 0.005);
+    }
+  }
+  filter->SetInputConnection(1, nullptr);
+  filter->Update();
+  CHECK(filter->GetOutput(2)->GetNumberOfCells() == 4);
+  CHECK(Number(filter->GetOutput(), "Faces") == missed);
+}
+
 /// The same mesh with and without the cached stages.
 void TestKeptStages()
 {
@@ -368,6 +417,7 @@ int TestFieldAlignedRemesh(int, char*[])
   TestDataIsCarriedOver();
   TestRegions();
   TestLines();
+  TestCurves();
   TestFieldOfTheInput();
   TestErrorsAndUnusualInput();
   TestKeptStages();

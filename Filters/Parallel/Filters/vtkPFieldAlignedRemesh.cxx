@@ -13,6 +13,6 @@ vtkStandardNewMacro(vtkPFieldAlignedRemesh);
 //------------------------------------------------------------------------------
 vtkPFieldAlignedRemesh::vtkPFieldAlignedRemesh()
   : vtkPDirectionFieldFilter(
-      { OtherInput::None, { OutputKind::OfItself, OutputKind::OfItself, OutputKind::OfItself } })
+      { OtherInput::Parts, { OutputKind::OfItself, OutputKind::OfItself, OutputKind::OfItself } })
 {
 }

@@ -11,11 +11,13 @@
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Output/RemeshToPolyData.h"
 #include "Conversion/Regions/CellRegions.h"
+#include "Conversion/Regions/CurveLines.h"
 #include "Conversion/Regions/MeshLines.h"
 #include "Support/AlgorithmProgress.h"
 
 #include <DirectionFields/Reports/RemeshReports.h>
 
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -39,15 +41,18 @@ std::string OrEmpty(const char* name)
 }
 }
 
-/// The surface that the last mesh was made of, and its mesher, which keeps its stages.
+/// The surface and the curves that the last mesh was made of, and its mesher, which keeps its
+/// stages.
 struct vtkFieldAlignedRemesh::Stages
 {
-  explicit Stages(DirectionFields::TriangulatedPolyData&& surface)
+  Stages(DirectionFields::TriangulatedPolyData&& surface, DirectionFields::Curves&& curves)
     : Surface(std::move(surface))
-    , Mesher(std::make_shared<DirectionFields::Surface>(this->Surface.Mesh))
+    , Lines(std::move(curves))
+    , Mesher(std::make_shared<DirectionFields::Surface>(this->Surface.Mesh), this->Lines)
   {
   }
   DirectionFields::TriangulatedPolyData Surface;
+  DirectionFields::Curves Lines;
   DirectionFields::Remesh Mesher;
 
   /// The mesh for these options, which is that of before where they are the same.
@@ -108,6 +113,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->MaximumWarpage = limits.MaximumWarpage;
   this->KeepStages = true;
   this->NumberOfThreads = defaults.NumberOfThreads;
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -117,6 +123,30 @@ vtkFieldAlignedRemesh::~vtkFieldAlignedRemesh()
   this->SetSizingArray(nullptr);
   this->SetRegionArray(nullptr);
   this->SetConservedArray(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldAlignedRemesh::SetCurvesConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldAlignedRemesh::SetCurvesData(vtkDataObject* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldAlignedRemesh::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -180,11 +210,14 @@ void vtkFieldAlignedRemesh::Execute(
   auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
   auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
   DirectionFields::CheckPolyData(input);
-  if (!this->Last || !DirectionFields::IsSurfaceOf(input, this->Last->Surface))
+  DirectionFields::Curves curves = DirectionFields::LinesOf(inputs[1]);
+  if (!this->Last || !DirectionFields::IsSurfaceOf(input, this->Last->Surface) ||
+    this->Last->Lines != curves)
   {
     this->Last.reset();
     this->Last = std::make_unique<Stages>(
-      DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)));
+      DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)),
+      std::move(curves));
   }
   const DirectionFields::RemeshOptions options = this->MakeOptions(input, this->Last->Surface);
   const int pointType = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;

@@ -23,6 +23,8 @@
  * `Direction1`, ..., the mesh follows that, else a field of unit length along boundary and sharp
  * edges is computed, as Alignment says.
  *
+ * Lines on the surface, the second input, become edges of the mesh.
+ *
  * @section Output Output
  * Port 0: polygons, wound as the input, with its data, except the arrays of the field. Point data
  * of real numbers, and colors, are interpolated, others are those of the nearest point of the
@@ -105,6 +107,16 @@ public:
   static vtkFieldAlignedRemesh* New();
   vtkTypeMacro(vtkFieldAlignedRemesh, vtkDirectionFieldAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Curves, the optional input of port 1: polydata of lines, or a composite dataset of it, on the
+   * surface. They become edges of the mesh whatever KeepFeatures is. Parts that are farther from
+   * the surface than a hundredth of its diagonal are left out, with a warning.
+   */
+  void SetCurvesConnection(vtkAlgorithmOutput* output);
+  void SetCurvesData(vtkDataObject* curves);
+  ///@}
 
   enum Elements
   {
@@ -311,6 +323,7 @@ protected:
   vtkFieldAlignedRemesh();
   ~vtkFieldAlignedRemesh() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   void Execute(
     const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
   const char* MemoryAdvice() const override;

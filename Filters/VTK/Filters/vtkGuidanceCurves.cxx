@@ -7,24 +7,21 @@
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
+#include "Conversion/Regions/CurveLines.h"
 
 #include <DirectionFields/Guidance/CurveGuidance.h>
 #include <DirectionFields/Reports/FieldSummary.h>
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -36,50 +33,10 @@ vtkStandardNewMacro(vtkGuidanceCurves);
 
 namespace
 {
-using Curves = std::vector<std::vector<DirectionFields::Vector3>>;
+using DirectionFields::Curves;
 
 // Where reading the input ends in the progress.
 constexpr double ProgressRead = 0.2;
-
-/// Appends the lines of polydata.
-void AddLines(vtkPolyData* polyData, Curves& curves)
-{
-  DirectionFields::CheckPolyData(polyData);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < polyData->GetNumberOfLines(); ++i)
-  {
-    polyData->GetLines()->GetCellAtId(i, ids);
-    std::vector<DirectionFields::Vector3> curve(static_cast<std::size_t>(ids->GetNumberOfIds()));
-    for (std::size_t k = 0; k < curve.size(); ++k)
-    {
-      polyData->GetPoints()->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), curve[k].data());
-    }
-    curves.push_back(std::move(curve));
-  }
-}
-
-/// The lines of polydata, or of all polydata in a composite dataset.
-Curves LinesOf(vtkDataObject* data)
-{
-  Curves curves;
-  if (auto* const polyData = vtkPolyData::SafeDownCast(data))
-  {
-    AddLines(polyData, curves);
-  }
-  else if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> blocks;
-    blocks.TakeReference(composite->NewIterator());
-    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
-    {
-      if (auto* const block = vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject()))
-      {
-        AddLines(block, curves);
-      }
-    }
-  }
-  return curves;
-}
 
 /// The mean length of a surface's edges.
 double MeanEdge(const DirectionFields::Surface& surface)
@@ -202,7 +159,7 @@ void vtkGuidanceCurves::Execute(
     Summarize("no curves yet", outputs);
     return;
   }
-  const Curves lines = LinesOf(inputs[1]);
+  const Curves lines = DirectionFields::LinesOf(inputs[1]);
   const DirectionFields::TriangulatedPolyData surface =
     DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
   DirectionFields::CurveGuidanceOptions options;
