@@ -245,7 +245,8 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   {
     return;
   }
-  DistributedSolution solution = SolveDistributed(processes, messages, mesh, guide, options, goOn);
+  DistributedSolution solution =
+    SolveDistributed(processes, messages, mesh, around, guide, options, goOn);
   std::vector<Complex>& section = solution.Section;
   FollowPrevious(messages, mesh, around, guide, previous, options.Degree, section);
   processes.Together(

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Many components, of which most are on one process alone: mpiexec -n 3 pvbatch --symmetric TestComponents.py PACKAGES
 
-Those are solved for as one process does, on all processes at once; what lies across processes is solved for by all."""
+Those are solved for as one process does, on all processes at once, as small ones are that are moved to a process; large ones that lie
+across processes are solved for by all."""
 import sys
 
 sys.path.insert(0, sys.argv[1])
@@ -20,11 +21,11 @@ def many():
     """Closed and bounded components beside each other, and which process has which triangle."""
     points, triangles, owner, first = [], [], [], 0
     for k in range(8):
-        own, corners = (Surfaces.half if k % 3 == 2 else Surfaces.potato)(7 + k % 4)
+        own, corners = (Surfaces.half if k % 3 == 2 else Surfaces.potato)(7 + k % 4 if k < 5 else 12)
         points.append(own * (1.0, 1.0 + 0.1 * k, 1.0) + (3.0 * k, 0.0, 0.0))
         triangles.append(corners + first)
         first += len(own)
-        # The last three lie across processes.
+        # The last three lie across processes, and are too large to be moved to one.
         owner.append(np.full(len(corners), k % count) if k < 5 else
                      Surfaces.owners(own, corners, ("slabs", "random", "scattered")[k - 5], count))
     return np.concatenate(points), np.concatenate(triangles), np.concatenate(owner)
@@ -55,6 +56,31 @@ def test_fields():
                 check(np.allclose(found, wanted, rtol=1e-8), name, figure, wanted, found)
 
 
+def test_moved():
+    """Small components in pieces are moved to one process each, evenly, and solved for there: as on one process."""
+    points, triangles, first = [], [], 0
+    for k in range(30):
+        own, corners = (Surfaces.half if k % 3 == 2 else Surfaces.potato)(5 + k % 2)
+        points.append(own * (1.0, 1.0 + 0.02 * k, 1.0) + (3.0 * k, 0.0, 0.0))
+        triangles.append(corners + first)
+        first += len(own)
+    points, triangles = np.concatenate(points), np.concatenate(triangles)
+    owner = Surfaces.owners(points, triangles, "random", count)
+    arrays = {"Wanted": points[:, [1, 2, 0]] + 0.3, "Few": (points[:, 1] > 0.9) * 1.5}
+    guided = {"Alignment": vtkDirectionField.ALIGN_POINT_VECTORS, "GuidanceVectors": "Wanted"}
+    for options in ({}, {**guided, "GuidanceWeights": "Few", "ConstrainGuidance": 1, "ConstrainBoundary": 1},
+                    {"Alignment": vtkDirectionField.ALIGN_PRINCIPAL_CURVATURE}):
+        whole = make(vtkDirectionField, options, Surfaces.piece(points, triangles, arrays, owner * 0, 0))
+        part = make(vtkPDirectionField, {**options, "Distribution": vtkPDirectionField.DISTRIBUTED},
+                    Surfaces.piece(points, triangles, arrays, owner, rank))
+        name = f"moved {options}"
+        check(Surfaces.array(part.GetOutput().GetFieldData(), "Distribution").reshape(-1)[0] == 2, name)
+        compare(whole, part, 4, name)
+        compare_singularities(whole, part, name)
+        used = Surfaces.array(part.GetOutput().GetFieldData(), "SolverUsed")
+        check(len(used) == 30 and (used == DIRECT).all(), name, used)
+
+
 def test_stop():
     """Whoever is stopped while it solves for components of its own stops all, and the next time all go on."""
     points, triangles, owner = many()
@@ -78,7 +104,7 @@ def test_stop():
         check(total(field.GetOutput().GetNumberOfCells()) == len(triangles), "after a stop")
 
 
-for test in (test_fields, test_stop):
+for test in (test_fields, test_moved, test_stop):
     test()
 if rank == 0:
     # Open MPI 5 may lose what is still on its way when processes end.

@@ -13,6 +13,7 @@
 #include "Solver/DistributedHierarchy.h"
 #include "Solver/DistributedMatrices.h"
 #include "Solver/DistributedSystem.h"
+#include "Solver/MovedComponents.h"
 #include "Support/Division.h"
 #include "Systems/SystemSolution.h"
 
@@ -264,7 +265,7 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
 /// Which components of the whole surface are solved for in which way.
 struct Shares
 {
-  /// The components that are on this process alone.
+  /// The components that are on this process alone, and then those that have been moved here.
   std::vector<int> Own;
   /// The components that lie across processes.
   std::vector<int> Across;
@@ -272,7 +273,7 @@ struct Shares
   double OwnPart = 0.0;
 };
 
-Shares SharesOf(const Messages& messages, const DistributedMesh& mesh)
+Shares SharesOf(const Messages& messages, const DistributedMesh& mesh, const MovedComponents& moved)
 {
   Shares shares;
   double vertices = 0.0;
@@ -280,7 +281,10 @@ Shares SharesOf(const Messages& messages, const DistributedMesh& mesh)
   {
     if (mesh.ProcessOf(component) < 0)
     {
-      shares.Across.push_back(component);
+      if (!moved.IsMoved(component))
+      {
+        shares.Across.push_back(component);
+      }
     }
     else if (mesh.ProcessOf(component) == messages.Own())
     {
@@ -291,21 +295,18 @@ Shares SharesOf(const Messages& messages, const DistributedMesh& mesh)
   shares.OwnPart = shares.Across.empty()
     ? 1.0
     : vertices / std::max<Index>(1, mesh.GetMesh().GetNumberOfVertices());
+  shares.Own.insert(shares.Own.end(), moved.Here().begin(), moved.Here().end());
   return shares;
 }
 
 /// Solves for a component that is on this process alone, as one process does.
-void SolveAlone(const DistributedMesh& mesh, int component, const DistributedGuide& guide,
+/// @param section over the vertices of the geometry
+void SolveAlone(const SurfaceGeometry& geometry, std::size_t part, const ComponentGuide& own,
   const Options& options, const Progress& progress, std::vector<Complex>& section,
   ComponentReport& report)
 {
-  const SurfaceGeometry& geometry = mesh.GetGeometry();
-  const std::size_t part = mesh.PartsOf(component).front();
   ComponentStage stage =
     SetUpComponent(geometry, part, geometry, options, progress.Part(0.0, 0.65));
-  ComponentGuide own = GuideOf(geometry.Mesh, part,
-    guide.IsDrawn ? guide.Drawn : std::vector<Complex>(), guide.Kind, guide.Value);
-  own.Share = ShareOf(guide, component);
   const ComplexVector u = stage.Solve(own, options, progress.Part(0.65, 1.0), report);
   std::copy(u.begin(), u.end(), section.begin() + geometry.Mesh.GetComponents()[part].FirstVertex);
   report.Constraints = static_cast<Index>(own.Given.Vertices.size());
@@ -314,8 +315,8 @@ void SolveAlone(const DistributedMesh& mesh, int component, const DistributedGui
 /// Solves on each process for the components that it has alone, on all processes at once.
 /// @param goOn says nothing of the other processes
 void SolveOwn(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
-  const Shares& shares, const DistributedGuide& guide, const Options& options,
-  const std::function<bool(double)>& goOn, std::vector<Complex>& section,
+  const MovedComponents& moved, const Shares& shares, const DistributedGuide& guide,
+  const Options& options, const std::function<bool(double)>& goOn, std::vector<Complex>& section,
   std::vector<ComponentReport>& reports)
 {
   StopSignal signal(messages);
@@ -323,16 +324,38 @@ void SolveOwn(Processes& processes, const Messages& messages, const DistributedM
   { return goOn(shares.OwnPart * done) && !signal.IsRaised(); };
   const Progress progress(goOnOrStop);
   const auto count = static_cast<double>(shares.Own.size());
+  const std::size_t first = shares.Own.size() - moved.Here().size();
+  std::vector<Complex> movedSection;
+  const auto solveOne = [&](std::size_t k)
+  {
+    const int component = shares.Own[k];
+    const Progress part =
+      progress.Part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
+    if (k >= first)
+    {
+      ComponentGuide own = moved.GuideOf(k - first);
+      own.Share = ShareOf(guide, component);
+      SolveAlone(
+        moved.GetGeometry(), k - first, own, options, part, movedSection, reports[component]);
+      return;
+    }
+    const std::size_t own = mesh.PartsOf(component).front();
+    ComponentGuide guided = GuideOf(mesh.GetMesh(), own,
+      guide.IsDrawn ? guide.Drawn : std::vector<Complex>(), guide.Kind, guide.Value);
+    guided.Share = ShareOf(guide, component);
+    SolveAlone(mesh.GetGeometry(), own, guided, options, part, section, reports[component]);
+  };
   const auto solve = [&]
   {
     try
     {
+      if (!moved.Here().empty())
+      {
+        movedSection.resize(moved.GetGeometry().Positions.size());
+      }
       for (std::size_t k = 0; k < shares.Own.size(); ++k)
       {
-        const int component = shares.Own[k];
-        SolveAlone(mesh, component, guide, options,
-          progress.Part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count),
-          section, reports[component]);
+        solveOne(k);
       }
     }
     catch (const Stopped&)
@@ -356,6 +379,7 @@ void SolveOwn(Processes& processes, const Messages& messages, const DistributedM
     throw;
   }
   signal.Finish();
+  moved.SendBack(processes, messages, movedSection, section);
 }
 
 /// Tells all processes the reports of each about the components that it has alone.
@@ -377,8 +401,8 @@ void ShareReports(
 }
 
 DistributedSolution SolveDistributed(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
-  const std::function<bool(double)>& goOn)
+  const DistributedMesh& mesh, const PieceWithSurroundings& piece, const DistributedGuide& guide,
+  const Options& options, const std::function<bool(double)>& goOn)
 {
   DistributedSolution solution;
   std::vector<Complex>& section = solution.Section;
@@ -391,8 +415,9 @@ DistributedSolution SolveDistributed(Processes& processes, const Messages& messa
       rowOf.resize(section.size());
       reports.resize(static_cast<std::size_t>(mesh.CountComponents()));
     });
-  const Shares shares = SharesOf(messages, mesh);
-  SolveOwn(processes, messages, mesh, shares, guide, options, goOn, section, reports);
+  const MovedComponents moved(processes, messages, mesh, piece, guide);
+  const Shares shares = SharesOf(messages, mesh, moved);
+  SolveOwn(processes, messages, mesh, moved, shares, guide, options, goOn, section, reports);
   ShareReports(messages, shares, reports);
   const auto count = static_cast<double>(shares.Across.size());
   for (std::size_t k = 0; k < shares.Across.size(); ++k)

@@ -6,6 +6,7 @@
 
 #include "Mesh/DistributedMesh.h"
 #include "Mesh/Messages.h"
+#include "Mesh/PieceWithSurroundings.h"
 #include "Options.h"
 #include "Processes.h"
 #include "Result.h"
@@ -31,8 +32,8 @@ struct DistributedSolution
 /// All processes call it; throws ProcessesError.
 /// @param goOn    as in ComputeDistributed
 DistributedSolution SolveDistributed(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
-  const std::function<bool(double)>& goOn);
+  const DistributedMesh& mesh, const PieceWithSurroundings& piece, const DistributedGuide& guide,
+  const Options& options, const std::function<bool(double)>& goOn);
 }
 
 #endif
