@@ -5,6 +5,7 @@
 
 #include "Exchange/FileSet.h"
 #include "Exchange/TextWriter.h"
+#include "SolverFiles/EdgeMiddles.h"
 #include "SolverFiles/SetNames.h"
 #include "SolverFiles/ShellChecks.h"
 #include "SolverFiles/ShellEdges.h"
@@ -101,13 +102,11 @@ private:
                    << "\n";
       }
     }
-    for (std::size_t e = 0; this->Options.SecondOrder && e < this->MeshEdges.Ends.size(); ++e)
+    std::int64_t edge = 0;
+    for (const Vector3& middle :
+      this->Options.SecondOrder ? MiddlesOf(this->Mesh, this->MeshEdges) : std::vector<Vector3>())
     {
-      const std::array<Index, 2>& ends = this->MeshEdges.Ends[e];
-      // Halves first: the sum of large coordinates may be no number.
-      this->Text << this->NodeOfEdge(static_cast<std::int64_t>(e)) << ", "
-                 << Numbers(0.5 * this->Mesh.Points[ends[0]] + 0.5 * this->Mesh.Points[ends[1]])
-                 << "\n";
+      this->Text << this->NodeOfEdge(edge++) << ", " << Numbers(middle) << "\n";
     }
     this->IsUsed = std::move(isUsed);
   }

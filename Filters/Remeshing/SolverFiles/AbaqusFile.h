@@ -13,8 +13,8 @@ namespace DirectionFields
 /// What an input file of Abaqus and CalculiX has of a mesh.
 struct AbaqusOptions
 {
-  /// Elements S8R and S6 with a node in the middle of each edge, on the straight line between its
-  /// ends, in place of S4 and S3.
+  /// Elements S8R and S6 with a node in the middle of each edge, bent as the faces and lines there,
+  /// in place of S4 and S3. Where faces meet at more than 40 degrees there is no bend across.
   bool SecondOrder = false;
   /// Of the shells, in the unit of the mesh, for which sections are written; 0 for none.
   /// At least 0.

@@ -78,8 +78,9 @@ public:
 
   ///@{
   /**
-   * Write elements of second order, S8R and S6, with nodes in the middle of edges on the straight
-   * line between their ends. Default off: S4 and S3.
+   * Write elements of second order, S8R and S6, with nodes in the middle of edges. These are bent
+   * as the faces and lines there, but not across edges where faces meet at more than 40 degrees.
+   * Default off: S4 and S3.
    */
   vtkSetMacro(SecondOrder, bool);
   vtkGetMacro(SecondOrder, bool);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -123,6 +125,82 @@ TEST(AbaqusFile, NodesInTheMiddleOfEdgesAreSharedByFaces)
     }
   }
   EXPECT_EQ(deck.Nodes.size(), 8U + edges.size());
+}
+
+// A quarter of a pipe, wound in both ways.
+TEST(AbaqusFile, EdgesInTheMiddleOfACylinderAreRound)
+{
+  const auto worst = [](int around)
+  {
+    ShellMesh mesh;
+    for (int i = 0; i <= around; ++i)
+    {
+      for (int j = 0; j <= 3; ++j)
+      {
+        const double angle = 0.5 * Pi * i / around;
+        mesh.Points.emplace_back(std::cos(angle), std::sin(angle), j);
+        const Index p = 4 * i + j;
+        if (i < around && j < 3)
+        {
+          mesh.Faces.push_back({ p, p + 4, p + 5, p + 1 });
+        }
+      }
+    }
+    std::reverse(mesh.Faces.back().begin(), mesh.Faces.back().end());
+    AbaqusOptions options;
+    options.SecondOrder = true;
+    const InputDeck deck(AbaqusText(mesh, options));
+    double farthest = 0.0;
+    for (const auto& [number, place] : deck.Nodes)
+    {
+      farthest = std::max(farthest, std::abs(std::hypot(place.x(), place.y()) - 1.0));
+    }
+    return farthest;
+  };
+  // Straight ones are off by 0.0086.
+  EXPECT_LT(worst(6), 1e-12);
+}
+
+// The edges of a cube and the middles of a plane's faces stay straight, an arc in the plane is round.
+TEST(AbaqusFile, SharpEdgesAreNotRounded)
+{
+  ShellMesh cube;
+  for (int k = 0; k < 8; ++k)
+  {
+    cube.Points.emplace_back(k & 1, (k >> 1) & 1, k >> 2);
+  }
+  cube.Faces = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 },
+    { 1, 3, 7, 5 } };
+  AbaqusOptions options;
+  options.SecondOrder = true;
+  const InputDeck deck(AbaqusText(cube, options));
+  ASSERT_EQ(deck.Nodes.size(), 20U);
+  for (const auto& [number, place] : deck.Nodes)
+  {
+    const Vector3 doubled = 2.0 * place;
+    EXPECT_EQ(doubled, doubled.array().round().matrix());
+    EXPECT_EQ((place.array() == 0.5).count(), number > 8 ? 1 : 0);
+  }
+  // A ring around the origin, whose rims are lines.
+  ShellMesh ring;
+  constexpr int sides = 12;
+  for (int k = 0; k < sides; ++k)
+  {
+    const double angle = 2.0 * Pi * k / sides;
+    ring.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    ring.Points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    const Index p = 2 * k;
+    const Index q = 2 * ((k + 1) % sides);
+    ring.Faces.push_back({ p, p + 1, q + 1, q });
+  }
+  const InputDeck flat(AbaqusText(ring, options));
+  for (const auto& [number, place] : flat.Nodes)
+  {
+    const double radius = place.norm();
+    const double nearest = radius < 1.25 ? 1.0 : radius > 1.75 ? 2.0 : 1.5;
+    EXPECT_NEAR(radius, nearest, 1e-12) << number;
+    EXPECT_EQ(place.z(), 0.0);
+  }
 }
 
 TEST(AbaqusFile, SetsHaveTheirMembersAndTheBoundaryItsNodes)
