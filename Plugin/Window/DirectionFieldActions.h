@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The actions "Show direction field", "Remesh to quads" and "Draw strokes" of ParaView's window. The
- * first two do what directionfields.show_active() and directionfields.remesh_active() do in a script;
- * with quads selected that are on show, the latter saves them. The third one switches StrokeTool on.
+ * The actions "Show direction field", "Remesh to quads" and "Draw strokes" of ParaView's window.
+ * The first two do what directionfields.show_active() and directionfields.remesh_active() do in a
+ * script; with quads selected that are on show, the latter saves them. The third one switches
+ * StrokeTool on.
  */
 
 #ifndef DirectionFieldActions_h

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The actions of direction fields as entries of the menu Tools; ParaView asks for a class for each
- * place.
+ * The actions of direction fields as entries of the menu Tools, and a menu of presets: it does what
+ * directionfields.apply_preset() does in a script. ParaView asks for a class for each place.
  */
 
 #ifndef DirectionFieldMenu_h
@@ -15,7 +15,7 @@ class DirectionFieldMenu : public DirectionFieldActions
   Q_OBJECT
 
 public:
-  using DirectionFieldActions::DirectionFieldActions;
+  explicit DirectionFieldMenu(QObject* parent);
 };
 
 #endif

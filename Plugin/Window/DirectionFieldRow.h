@@ -19,7 +19,7 @@
  * from    and `to`: the ends of a logarithmic slider
  * unit    "diagonal" where these are parts of the diagonal of the input's box, as for lengths
  * zero    1 where the left end of such a slider is 0, for automatic
- * slow    1 where a change of the slider is to wait for a pause, until it is known how long one takes
+ * slow    1 where a change is to wait for a pause, until it is known how long one takes
  */
 
 #ifndef DirectionFieldRow_h

@@ -85,8 +85,8 @@ void DirectionFieldToolBar::insertButtons()
   bar->insertActions(first, this->Buttons);
   for (QAction* action : bar->actions())
   {
-    // In a window of 1280 pixels there is no room for all. Fields of files are opened by File, Open,
-    // and the menu has the filter. ParaView 5.11 ignores the attribute omit_from_toolbar.
+    // In a window of 1280 pixels there is no room for all. Fields of files are opened by File,
+    // Open, and the menu has the filter. ParaView 5.11 ignores the attribute omit_from_toolbar.
     if (action->objectName() == "ReadDirectionField")
     {
       bar->removeAction(action);

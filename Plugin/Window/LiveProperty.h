@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Changes one property of a filter at once, without Apply and without what else waits for Apply,
- * and shows the views again: while a slider is held, at each move where that takes less than a fifth
- * of a second, or else at each pause. All changes until the slider is let go are one step to undo,
- * and one line of a trace.
+ * and shows the views again: while a slider is held, at each move where that takes less than a
+ * fifth of a second, or else at each pause. All changes until the slider is let go are one step to
+ * undo, and one line of a trace.
  */
 
 #ifndef LiveProperty_h

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * While it is on, dragging with the left button over a 3-D view draws a stroke on the surface below,
- * which directionfields.draw_stroke() adds to the pipeline when the button is let go, and the keys
+ * While it is on, dragging with the left button over a 3-D view draws a stroke on the surface
+ * below, which directionfields.draw_stroke() adds to the pipeline when the button is let go, and the keys
  * Delete and Backspace take the stroke under the mouse away, or the last one. Other buttons and the
  * wheel move the camera as always; Escape ends it.
  */

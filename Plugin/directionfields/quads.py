@@ -63,7 +63,7 @@ def draw(quads, view):
 
 
 def quads_for(source):
-    """The quads that a source is or is made of, or that were made of it before, or else new ones."""
+    """The quads that a source is or is made of, or that were made of it, or else new ones."""
     if source is None:
         raise ValueError("There is no mesh: open one, press Apply, and select it.")
     source.UpdatePipeline()

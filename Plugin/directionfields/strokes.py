@@ -18,7 +18,7 @@ from directionfields.restore import Messages, Pipeline
 
 # A stroke has a point every so many pixels of its way over the view.
 STEP = 6.0
-# Where the surface runs steeper from one point to the next, the stroke has left it for another part.
+# Where the surface runs steeper from one point to the next, the stroke goes on elsewhere.
 STEEPEST = 8.0
 # How far a stroke is over the surface, relative to the diagonal of its box.
 LIFT = 0.002
@@ -213,7 +213,7 @@ def stroke_under(path, view):
 
 
 def guided_of(mesh):
-    """The Direction Field of a mesh that follows strokes, its guidance, and the strokes; or Nones."""
+    """The Direction Field of a mesh that follows strokes, its guidance, and these; or Nones."""
     for field in reversed(fields_of(mesh)):
         guidance = input_of(field)
         if guidance is not None and guidance.GetXMLName() == "GuidanceFromCurves":
@@ -253,8 +253,8 @@ def guided(mesh, surface, strokes):
     name = name_of(mesh)
     known = [field for field in fields_of(mesh) if field.GetXMLName() == "DirectionField"]
     if known and (known[-1].ConstrainGuidance or known[-1].Alignment == "Point Vectors"):
-        raise ValueError(f"{name_of(known[-1])} follows other vectors already: turn Constrain Guidance "
-                         "and Point Vectors off in its Properties, press Apply, and draw again.")
+        raise ValueError(f"{name_of(known[-1])} follows other vectors already: turn Constrain "
+                         "Guidance and Point Vectors off in its Properties, press Apply, and draw again.")
     base = input_of(known[-1]) if known else surface
     guidance = connect(check_properties("GuidanceFromCurves", {}), base,
                        {"Curves": strokes, "Degree": known[-1].Degree if known else 4})
@@ -319,7 +319,8 @@ def remove(pixel, view):
 
 def take_out(strokes):
     """Takes strokes and their guidance out of the pipeline; fields are free again."""
-    for guidance in [source for source in sources() if source.GetXMLName() == "GuidanceFromCurves" and
+    for guidance in [source for source in sources()
+                     if source.GetXMLName() == "GuidanceFromCurves" and
                      proxy_of(source.Curves) == proxy_of(strokes)]:
         for user in sources():
             if proxy_of(input_of(user)) == proxy_of(guidance):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A macro: each run is the next step of the playback of the same name. Checks what the sliders of the
-panel have changed in the ParaView window."""
+"""A macro: each run is the next step of the playback of the same name. Checks what the sliders of
+the panel have changed in the ParaView window."""
 import os
 import sys
 
@@ -63,4 +63,13 @@ def check_count():
     assert 150 < faces < 400, faces
 
 
-Steps.take_next([check_undone, check_waiting, check_applied, check_new, check_count])
+def check_preset():
+    """A preset of the menu changes the field of what is selected, and shows it."""
+    names = ("Degree", "Alignment", "CurvatureDirection", "ConstrainBoundary", "EnergyBias")
+    assert values(field(), *names) == [2, "Principal Curvature", "Least Bent", 0, 0.0], (
+        values(field(), *names))
+    assert GetActiveSource() == field() and caption().startswith("10 singularities"), caption()
+
+
+Steps.take_next([check_undone, check_waiting, check_applied, check_new, check_count,
+                 check_preset])

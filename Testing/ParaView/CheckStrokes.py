@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A macro: each run is the next step of the playback of the same name. Checks what the mouse has drawn
-in the ParaView window."""
+"""A macro: each run is the next step of the playback of the same name. Checks what the mouse has
+drawn in the ParaView window."""
 import functools
 import os
 import sys

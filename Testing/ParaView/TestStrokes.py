@@ -7,9 +7,10 @@ import sys
 import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import (VTK_STRING, mutable, vtkOutputWindow,
-                                      vtkStringOutputWindow)
+from vtkmodules.vtkCommonCore import mutable, vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+
+import Messages
 
 plugin, mesh, output = sys.argv[1:4]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
@@ -18,18 +19,6 @@ from directionfields import strokes as room
 
 SIZE = [800, 600]
 messages = []
-
-
-def listen():
-    def hear(_, event, text):
-        messages.append(text)
-    hear.CallDataType = VTK_STRING
-    window = vtkStringOutputWindow()
-    window.AddObserver("WarningEvent", hear)
-    window.AddObserver("ErrorEvent", hear)
-    before = vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    return before
 
 
 def bunny():
@@ -56,8 +45,10 @@ def names():
 def points_of(strokes):
     data = servermanager.Fetch(strokes)
     points = vtk_to_numpy(data.GetPoints().GetData())
-    return [points[[data.GetCell(k).GetPointId(i) for i in range(data.GetCell(k).GetNumberOfPoints())]]
-            for k in range(data.GetNumberOfCells())]
+
+    def numbers(cell):
+        return [cell.GetPointId(i) for i in range(cell.GetNumberOfPoints())]
+    return [points[numbers(data.GetCell(k))] for k in range(data.GetNumberOfCells())]
 
 
 def distances(points, source):
@@ -90,7 +81,7 @@ def check_follows(field):
 
 
 def test_first():
-    """A stroke on a mesh makes the pipeline; another one only changes it; both can be taken away."""
+    """A stroke on a mesh makes the pipeline; another one only changes it; both can go."""
     source, view = bunny()
     x, y = middle(view, source)
     strokes = directionfields.draw_stroke([(x - 60, y - 40), (x, y), (x + 70, y + 10)])
@@ -104,8 +95,8 @@ def test_first():
     assert simple.FindSource("Field of bunny").SMProxy == field.SMProxy, list(simple.GetSources())
     check_follows(field)
     line, = points_of(strokes)
-    diagonal = np.linalg.norm(np.ptp(np.array(source.GetDataInformation().GetBounds()).reshape(3, 2),
-                                     axis=1))
+    bounds = np.array(source.GetDataInformation().GetBounds()).reshape(3, 2)
+    diagonal = np.linalg.norm(bounds[:, 1] - bounds[:, 0])
     away = distances(line, source) / diagonal
     assert 0.001 < away.min() and away.max() < 0.0021, (away.min(), away.max())
     ends = room.Screen(view).pixels(line[[0, -1]])
@@ -241,8 +232,8 @@ def test_refused():
 
 def test_blocks():
     """Several blocks, and data whose surface is taken."""
-    for make in (lambda: simple.GroupDatasets(Input=[simple.Sphere(ThetaResolution=24, PhiResolution=16),
-                                                     simple.Sphere(Center=[2, 0, 0])]),
+    for make in (lambda: simple.GroupDatasets(Input=[
+            simple.Sphere(ThetaResolution=24, PhiResolution=16), simple.Sphere(Center=[2, 0, 0])]),
                  lambda: simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])):
         view = simple.CreateView("RenderView")
         view.ViewSize = SIZE
@@ -258,7 +249,7 @@ def test_blocks():
         simple.Delete(view)
 
 
-window = listen()
+window = Messages.collect(messages)
 try:
     test_first()
     test_parts()
