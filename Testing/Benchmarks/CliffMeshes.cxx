@@ -204,7 +204,7 @@ Surface Holes(int triangles, double holes)
     const Vector3 middle = surface.Points[corner] + Vector3(0.5, 0.5, 0.0);
     for (int k = 0; k < 4 * quarter; ++k)
     {
-      const double angle = 0.5 * Pi * k / quarter - 0.75 * Pi;
+      const double angle = 0.5 * Pi * k / quarter - Pi;
       surface.Points.push_back(middle + 0.3 * Vector3(std::cos(angle), std::sin(angle), 0.0));
     }
     for (int side = 0; side < 4; ++side)
