@@ -349,10 +349,11 @@ void ClosestPoints::AddLevelOfSlabs(std::vector<Directions>& directions, Index c
     for (std::size_t d = 0; d < 2; ++d)
     {
       const Vector3 direction = length * directions[k][d];
-      double low = std::numeric_limits<double>::infinity();
-      double high = -low;
+      double low = Infinity;
+      double high = -Infinity;
       for (std::int64_t t = first; t < last; ++t)
       {
+        slabs.AddNormal(child % Width, NormalOf(this->Triangles[t]));
         for (const Vector3& corner : this->Triangles[t])
         {
           low = std::min(low, direction.dot(corner));
@@ -394,8 +395,7 @@ void ClosestPoints::Consider(
   Index at, const Vector3& place, const Vector3& normal, Answer& best) const
 {
   const Corners& corners = this->Triangles[at];
-  if (!normal.isZero(0.0) &&
-    (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(normal) < 0.0)
+  if (!normal.isZero(0.0) && NormalOf(corners).dot(normal) < 0.0)
   {
     return;
   }
@@ -449,15 +449,19 @@ ClosestPoints::Answer ClosestPoints::Find(
     Node::Numbers distances = this->Levels[entry.Level][entry.Node].SquaredDistances(place);
     if (!this->LevelsOfSlabs.empty())
     {
-      distances =
-        distances.max(this->LevelsOfSlabs[entry.Level][entry.Node].SquaredDistances(place, error));
+      const Slabs& slabs = this->LevelsOfSlabs[entry.Level][entry.Node];
+      distances = distances.max(slabs.SquaredDistances(place, error));
+      if (!normal.isZero(0.0))
+      {
+        distances = (slabs.LargestProducts(normal) < 0.0).select(Infinity, distances);
+      }
     }
     // The nearest one last, which is taken from the stack first.
     std::array<Entry, Width> children;
     int count = 0;
     for (Index k = 0; k < std::min(Width, below - first); ++k)
     {
-      if (distances[k] <= best.SquaredDistance)
+      if (distances[k] <= best.SquaredDistance && distances[k] < Infinity)
       {
         int at = count++;
         for (; at > 0 && children[at - 1].Distance < distances[k]; --at)

@@ -7,6 +7,7 @@
 #include "Surface.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -55,6 +56,7 @@ public:
 
 private:
   static constexpr Index Width = 4;
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
   /// The boxes of Width nodes of the level below, or triangles.
   struct Node
   {
@@ -72,12 +74,39 @@ private:
     }
   };
   /// The slabs, each between two planes, that the parts of a node lie in: one across the needles
-  /// and one along their normals. The directions are at right angles, and no longer than 1.
+  /// and one along their normals. The directions are at right angles, and no longer than 1. And the
+  /// ranges of the triangles' normals, without which a search for the other side looks at a whole
+  /// fan.
   struct Slabs
   {
     std::array<std::array<Node::Numbers, 3>, 2> Direction;
     std::array<Node::Numbers, 2> Low;
     std::array<Node::Numbers, 2> High;
+    std::array<Node::Numbers, 3> LeastNormal = Filled(Infinity);
+    std::array<Node::Numbers, 3> LargestNormal = Filled(-Infinity);
+    static std::array<Node::Numbers, 3> Filled(double value)
+    {
+      const Node::Numbers numbers = Node::Numbers::Constant(value);
+      return { numbers, numbers, numbers };
+    }
+    void AddNormal(Index part, const Vector3& normal)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->LeastNormal[axis][part] = std::min(this->LeastNormal[axis][part], normal[axis]);
+        this->LargestNormal[axis][part] = std::max(this->LargestNormal[axis][part], normal[axis]);
+      }
+    }
+    /// At least the products of the triangles' normals with this one: sums of the same order are
+    /// rounded the same way.
+    Node::Numbers LargestProducts(const Vector3& normal) const
+    {
+      const auto largest = [&](int axis) {
+        return (normal[axis] * this->LeastNormal[axis])
+          .max(normal[axis] * this->LargestNormal[axis]);
+      };
+      return largest(0) + largest(1) + largest(2);
+    }
     Node::Numbers SquaredDistances(const Vector3& p, double error) const
     {
       Node::Numbers sum = Node::Numbers::Zero();
@@ -91,6 +120,7 @@ private:
     }
   };
   using Directions = std::array<Vector3, 2>;
+  static Vector3 NormalOf(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
   void Build(std::vector<Corners>&& triangles);
   void BuildLevels();
   bool HasOverlappingBoxes() const;

@@ -103,6 +103,41 @@ TEST(ClosestPoints, NeedlesAreFoundWithoutLookingAtAll)
   }
 }
 
+TEST(ClosestPoints, NeedlesThatFaceTheOtherWayAreNotLookedAt)
+{
+  // Searches for the other side of a fan would look at all of its triangles.
+  constexpr int count = 40000;
+  const Surface cone = Needles(count);
+  const ClosestPoints tree(cone);
+  for (int k = 0; k < count; ++k)
+  {
+    const Vector3 place = 0.5 * (cone.Points[0] + cone.Points[1 + k]);
+    ASSERT_EQ(tree.Find(place, Vector3(0.0, 0.0, -1.0)).Triangle, None);
+  }
+  // Where one half of them faces the right way it is found whatever the order is.
+  const std::vector<ClosestPoints::Corners> few = TrianglesOf(Needles(300));
+  const ClosestPoints tip(few);
+  std::mt19937 engine(2);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vector3 place = RandomPlace(engine);
+    const Vector3 normal = RandomPlace(engine) - Vector3(0.0, 0.0, 1.0);
+    double least = Anywhere;
+    for (const ClosestPoints::Corners& t : few)
+    {
+      const ClosestPoints::Answer answer =
+        ClosestPoints(std::vector<ClosestPoints::Corners>{ t }).Find(place, normal);
+      least = answer.Triangle == None ? least : std::min(least, answer.SquaredDistance);
+    }
+    const ClosestPoints::Answer answer = tip.Find(place, normal);
+    EXPECT_EQ(answer.Triangle == None, least == Anywhere);
+    if (answer.Triangle != None)
+    {
+      EXPECT_NEAR(answer.SquaredDistance, least, 1e-14);
+    }
+  }
+}
+
 TEST(ClosestPoints, OfManyTrianglesAtOnePlaceTheFirstIsFound)
 {
   // Nothing tells them apart where the tree is cut into halves.
