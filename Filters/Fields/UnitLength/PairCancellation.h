@@ -42,6 +42,8 @@ private:
 
   const UnitLengthProblem& Problem;
   double Cost;
+  /// The rise of the energy of a patch that is accepted for one singularity of index 1 less.
+  double Allowance;
   PatchNumbers Numbers;
   std::vector<SingularityPair> OnApproval;
   /// 1 for the vertices that the last round has turned.

@@ -4,6 +4,7 @@
 #include "UnitLength/UnitLengthField.h"
 
 #include "Sections/Singularities.h"
+#include "UnitLength/LevelDiffusion.h"
 #include "UnitLength/PairCancellation.h"
 #include "UnitLength/PhaseDescent.h"
 #include "UnitLength/SingularityMoves.h"
@@ -17,24 +18,20 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// How much is done for a field.
-struct Plan
-{
-  /// The times of diffusion, over the inverse of the rate. They end with short ones, which leave
-  /// little for the descent to smooth.
-  std::vector<double> DiffusionTimes;
-  /// V-cycles for each of them.
-  int DiffusionCycles;
-  /// Sweeps over the singularities that might move.
-  int Sweeps;
-};
-
-/// The smoothest field's singularities are nearly where they belong.
-const Plan FreePlan{ { 0.3, 0.1, 0.03, 0.01 }, 1, 2 };
-/// Singularities of linear systems with given values may be far away, in the middle of the free
-/// vertices.
-const Plan GivenPlan{ { 3.0, 3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.1, 0.03, 0.01 }, 3, 12 };
-
+/// V-cycles for each step of diffusion on the finest level after the coarse ones.
+constexpr int FineCycles = 2;
+/// Where a guidance draws, it has brought the singularities near their places in the start; and
+/// where levels hardly get smaller, coarse ones are of little use. Then there are these times, over
+/// the inverse of the rate, with this many cycles each. Singularities of linear systems with given
+/// values may be far from where they belong.
+const std::vector<double> FreeTimes = { 0.3, 0.1, 0.03, 0.01 };
+constexpr int FreeCycles = 1;
+const std::vector<double> GivenTimes = { 3.0, 3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.1, 0.03, 0.01 };
+constexpr int GivenCycles = 3;
+/// Sweeps over the singularities that might move. Those of linear systems with given values may be
+/// far from where they belong.
+constexpr int SweepsOfFree = 2;
+constexpr int SweepsOfGiven = 12;
 /// Later rounds look at changed places only, and find little that the first has left.
 constexpr int Rounds = 3;
 /// The descent ends where a step lowers the energy by less than this part.
@@ -60,6 +57,8 @@ public:
     : Problem(problem)
     , Settings(settings)
     , Progress(progress)
+    , Matrices(hierarchy)
+    , Free(free)
     , Descent(problem, hierarchy, free)
     , U(u)
   {
@@ -75,14 +74,7 @@ public:
       return this->Report;
     }
     const ComplexVector start = this->U;
-    const Plan& plan = this->Problem.IsGiven.empty() ? FreePlan : GivenPlan;
-    for (const double time : plan.DiffusionTimes)
-    {
-      this->Progress.RequireToGoOn();
-      this->Descent.Diffuse(
-        this->Settings.Pull + this->Settings.Rate / time, plan.DiffusionCycles, this->U);
-      ++this->Report.Steps;
-    }
+    this->Diffuse();
     this->Polish(this->U, Decrease, StepsBetween);
     PairCancellation pairs(this->Problem, this->Settings.SingularityCost);
     for (int round = 0; round < Rounds; ++round)
@@ -100,7 +92,7 @@ public:
       }
     }
     this->Progress.Report(0.8);
-    this->MoveSingularities(plan.Sweeps);
+    this->MoveSingularities(this->Problem.IsGiven.empty() ? SweepsOfFree : SweepsOfGiven);
     this->Polish(this->U, Decrease, LastSteps);
     this->Report.EnergyAfter = this->Problem.Energy(this->U);
     if (this->Price(this->U, this->Report.EnergyAfter) >
@@ -114,6 +106,40 @@ public:
   }
 
 private:
+  void Diffuse()
+  {
+    LevelDiffusion diffusion(this->Problem, this->Matrices, this->Free, this->Settings.Rate);
+    if (this->Problem.Pull.size() > 0 || !diffusion.IsPossible())
+    {
+      const bool isFree = this->Problem.IsGiven.empty();
+      this->DiffuseFor(isFree ? FreeTimes : GivenTimes, isFree ? FreeCycles : GivenCycles);
+      return;
+    }
+    // Coarse levels bring the singularities to their places, the finest one smooths what the
+    // interpolation from them has left.
+    this->Report.Steps += diffusion.Run(this->Progress, this->U);
+    for (const double shift : diffusion.FineShifts())
+    {
+      this->DiffuseOnce(shift, FineCycles);
+    }
+  }
+
+  /// Diffuses for these times over the inverse of the rate.
+  void DiffuseFor(const std::vector<double>& times, int cycles)
+  {
+    for (const double time : times)
+    {
+      this->DiffuseOnce(this->Settings.Rate / time, cycles);
+    }
+  }
+
+  void DiffuseOnce(double shift, int cycles)
+  {
+    this->Progress.RequireToGoOn();
+    this->Descent.Diffuse(this->Settings.Pull + shift, cycles, this->U);
+    ++this->Report.Steps;
+  }
+
   void Polish(ComplexVector& u, double decrease, int mostSteps)
   {
     this->Report.Steps +=
@@ -172,6 +198,8 @@ private:
   const UnitLengthProblem& Problem;
   const UnitLengthSettings& Settings;
   const DirectionFields::Progress& Progress;
+  const Hierarchy& Matrices;
+  const FreeVertices* Free;
   PhaseDescent Descent;
   ComplexVector& U;
   UnitLengthReport Report;

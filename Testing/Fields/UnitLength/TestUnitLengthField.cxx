@@ -198,32 +198,48 @@ TEST(UnitLengthField, ASphereKeepsTheSingularitiesThatItNeeds)
 }
 
 /// With the boundary given, the representation of degree 4 turns four times around the disk. The singularities of
-/// Ginzburg-Landau theory are at the radius (3/11)^(1/8), in the corners of a square.
+/// Ginzburg-Landau theory are at the radius (3/11)^(1/8), in the corners of a square. On finer and on uneven
+/// triangles they are not farther from there: linear systems have them in the middle, and descent leaves each in
+/// its triangle.
 TEST(UnitLengthField, ADiskAlongItsBoundaryHasFourSingularitiesWhereTheyBelong)
 {
   const double radius = std::pow(3.0 / 11.0, 0.125);
-  for (const int rings : { 20, 40 })
+  const auto uneven = [](const Surface& disk, double length)
   {
-    const Surface surface = Disk(rings);
+    Surface moved = Jittered(disk, length, 1);
+    for (std::size_t i = 0; i < moved.Points.size(); ++i)
+    {
+      const bool isInside = disk.Points[i].norm() < 1.0 - 1e-9;
+      moved.Points[i] =
+        isInside ? Vector3(moved.Points[i].x(), moved.Points[i].y(), 0.0) : disk.Points[i];
+    }
+    return moved;
+  };
+  for (const Surface& surface :
+    { Disk(20), Disk(40), Disk(80), uneven(Disk(40), 0.3 / 40.0), uneven(Disk(80), 0.3 / 80.0) })
+  {
     Options options = Unit(4);
     options.ConstrainBoundary = true;
     const Result result = Compute(surface, options);
     std::vector<double> angles;
+    double mean = 0.0;
     for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
     {
       if (result.SingularityIndex[t] != 0)
       {
         EXPECT_EQ(result.SingularityIndex[t], 1);
         const Vector3 place = Centre(surface, t);
-        EXPECT_NEAR(place.norm(), radius, 0.03 * radius);
+        EXPECT_NEAR(place.norm(), radius, 0.1 * radius);
+        mean += 0.25 * place.norm();
         angles.push_back(std::atan2(place.y(), place.x()));
       }
     }
+    EXPECT_NEAR(mean, radius, 0.03 * radius);
     ASSERT_EQ(angles.size(), 4u);
     std::sort(angles.begin(), angles.end());
     for (int k = 0; k < 3; ++k)
     {
-      EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * Pi, 0.2);
+      EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * Pi, 0.3);
     }
   }
 }
