@@ -213,6 +213,42 @@ void AddCurvature(const DistributedMesh& mesh, const PieceWithSurroundings& piec
   }
 }
 
+/// The share of the vertices of the whole surface whose vectors have faded.
+double FadedShare(
+  const Messages& messages, const DistributedMesh& mesh, const std::vector<Complex>& section)
+{
+  std::vector<double> longest(static_cast<std::size_t>(mesh.CountComponents()), 0.0);
+  const auto forEachOwned = [&](const auto& body)
+  {
+    for (int component = 0; component < mesh.CountComponents(); ++component)
+    {
+      for (const std::size_t c : mesh.PartsOf(component))
+      {
+        const TriangleMesh::Component& part = mesh.GetMesh().GetComponents()[c];
+        for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
+        {
+          if (mesh.IsOwned(v))
+          {
+            body(component, std::abs(section[v]));
+          }
+        }
+      }
+    }
+  };
+  forEachOwned([&](int component, double length)
+    { longest[component] = std::max(longest[component], length); });
+  messages.Largest(longest.data(), static_cast<int>(longest.size()));
+  double counts[2] = { 0.0, 0.0 };
+  forEachOwned(
+    [&](int component, double length)
+    {
+      counts[0] += length < FadedPart * longest[component] ? 1.0 : 0.0;
+      counts[1] += 1.0;
+    });
+  messages.Sum(counts, 2);
+  return counts[0] / std::max(1.0, counts[1]);
+}
+
 void Compute(Processes& processes, const Messages& messages, const Surface& surface,
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
   const std::vector<Vector3>& previous, const std::function<bool(double)>& goOn,
@@ -249,10 +285,12 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
     SolveDistributed(processes, messages, mesh, around, guide, options, goOn);
   std::vector<Complex>& section = solution.Section;
   FollowPrevious(messages, mesh, around, guide, previous, options.Degree, section);
+  const double faded = FadedShare(messages, mesh, section);
   processes.Together(
     [&]
     {
       field.Field.Degree = options.Degree;
+      NoteFading(faded, field.Field.Notes);
       if (solution.Ambiguous > 0)
       {
         field.Field.Notes.push_back(DescribeAmbiguous(solution.Ambiguous));

@@ -81,6 +81,23 @@ def test_moved():
         check(len(used) == 30 and (used == DIRECT).all(), name, used)
 
 
+def test_faded():
+    """Where a field fades away on a rough surface the user is told as on one process."""
+    points, triangles = Surfaces.potato(24)
+    edge = np.linalg.norm(points[triangles[:, 0]] - points[triangles[:, 1]], axis=1).mean()
+    points = points + np.random.default_rng(1).uniform(-edge, edge, points.shape)
+    owner = Surfaces.owners(points, triangles, "slabs", count)
+    shares = []
+    for kind, options, own in ((vtkDirectionField, {}, owner * 0),
+                               (vtkPDirectionField, {"Distribution": vtkPDirectionField.DISTRIBUTED}, owner)):
+        field = make(kind, {"Tolerance": 1e-6, **options},
+                     Surfaces.piece(points, triangles, {}, own, 0 if kind is vtkDirectionField else rank))
+        warnings = field.GetOutput().GetFieldData().GetAbstractArray("Warnings")
+        texts = [warnings.GetValue(k) for k in range(warnings.GetNumberOfValues())] if warnings else []
+        shares += [int(text.split(" faded at ")[1].split(" %")[0]) for text in texts if " faded at " in text]
+    check(len(shares) == 2 and abs(shares[0] - shares[1]) < 10, "faded", shares)
+
+
 def test_stop():
     """Whoever is stopped while it solves for components of its own stops all, and the next time all go on."""
     points, triangles, owner = many()
@@ -104,7 +121,7 @@ def test_stop():
         check(total(field.GetOutput().GetNumberOfCells()) == len(triangles), "after a stop")
 
 
-for test in (test_fields, test_moved, test_stop):
+for test in (test_fields, test_moved, test_faded, test_stop):
     test()
 if rank == 0:
     # Open MPI 5 may lose what is still on its way when processes end.

@@ -20,11 +20,6 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr Index PieceSize = 1 << 13;
-/// A vector has faded where it is shorter than this part of its component's longest: the residual
-/// that counts as solved lets it turn anywhere.
-constexpr double Faded = 1e-5;
-/// The share of faded vertices from which on the field needs a note.
-constexpr double NotedShare = 0.5;
 
 /// The share of the vertices whose vectors have faded.
 double FadedShare(const TriangleMesh& mesh, const std::vector<Complex>& section)
@@ -39,23 +34,9 @@ double FadedShare(const TriangleMesh& mesh, const std::vector<Complex>& section)
     }
     const auto begin = section.begin();
     faded += std::count_if(begin + component.FirstVertex, begin + component.EndVertex,
-      [&](const Complex& u) { return std::norm(u) < Faded * Faded * longest; });
+      [&](const Complex& u) { return std::norm(u) < FadedPart * FadedPart * longest; });
   }
   return section.empty() ? 0.0 : static_cast<double>(faded) / section.size();
-}
-
-/// Says that most directions are arbitrary, and how to get others.
-void NoteFading(
-  const TriangleMesh& mesh, const std::vector<Complex>& section, std::vector<std::string>& notes)
-{
-  const double share = FadedShare(mesh, section);
-  if (share > NotedShare)
-  {
-    notes.push_back("The field has faded at " + std::to_string(std::lround(100.0 * share)) +
-      " % of the points, to less than 1e-5 of its greatest magnitude: directions are arbitrary "
-      "there and depend on the solver, as on very rough surfaces. Switch on Unit Length, or smooth "
-      "the surface first.");
-  }
 }
 
 /// Fills in the counts of each component's part that belongs to this piece of the surface.
@@ -151,6 +132,19 @@ std::vector<double> DensityPerArea(
 }
 }
 
+void NoteFading(double share, std::vector<std::string>& notes)
+{
+  // A field that has faded at fewer points needs no note.
+  constexpr double noted = 0.5;
+  if (share > noted)
+  {
+    notes.push_back("The field has faded at " + std::to_string(std::lround(100.0 * share)) +
+      " % of the points, to less than 1e-5 of its greatest magnitude: directions are arbitrary "
+      "there and depend on the solver, as on very rough surfaces. Switch on Unit Length, or smooth "
+      "the surface first.");
+  }
+}
+
 Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
   std::vector<std::string> notes)
 {
@@ -161,7 +155,7 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   result.Repaired.MergedPoints = stages.CountMergedPoints();
   if (!options.UnitLength)
   {
-    NoteFading(stages.GetMesh(), fields.Section, notes);
+    NoteFading(FadedShare(stages.GetMesh(), fields.Section), notes);
   }
   result.Notes = std::move(notes);
   result.Components = std::move(fields.Reports);

@@ -12,6 +12,13 @@
 
 namespace DirectionFields::Internal
 {
+/// A vector has faded where it is shorter than this part of its component's longest: the residual
+/// that counts as solved lets it turn anywhere.
+constexpr double FadedPart = 1e-5;
+/// Says that most directions are arbitrary, and how to get others, where most are.
+/// @param share of the vertices whose vectors have faded
+void NoteFading(double share, std::vector<std::string>& notes);
+
 /// The field and its figures as the caller gets them: over the points and triangles of the input.
 /// @param notes the sentences for the user
 Result ToResult(Stages& stages, const Options& options, const Guide& guide, ComponentFields fields,
