@@ -55,6 +55,8 @@ ChosenMesh ReadRemeshOptions(Keywords& keywords)
   keywords("edge_length", options.EdgeLength, 0.0);
   options.UseEdgeLength = options.EdgeLength != 0.0;
   options.EdgeLength = options.UseEdgeLength ? options.EdgeLength : 1.0;
+  keywords("sizing_is_length", options.SizingIsLength);
+  keywords("gradation", options.Gradation, 0.0);
   keywords("pure_quads", options.PureQuads);
   keywords("keep_thin_parts", options.KeepThinParts);
   keywords("keep_features", options.KeepFeatures);
@@ -188,6 +190,7 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
         all["corners_missed"] = mesh->RegionsShown.MissedCorners;
         all["largest_area_error"] = mesh->RegionsShown.LargestAreaError;
         all["edge_length"] = mesh->EdgeLength;
+        all["edges_as_wanted"] = mesh->EdgesAsWanted;
         all["maximum_distance"] = mesh->MaximumDistance;
         all["summary"] = summary;
         all["warnings"] = mesh->Notes;

@@ -270,7 +270,8 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), prog
     points, triangles
         As for `field`; or a Field of degree 4, or 6 for ``element="triangles"``, alone.
     sizing : (points,) array of numbers, optional
-        Wanted edge length at each point relative to elsewhere, 1/8 to 8.
+        Wanted edge length at each point relative to elsewhere, 1/8 to 8; with
+        ``sizing_is_length`` the length itself.
     regions : (triangles,) array of integers or strings, optional
         Of each triangle, or polygon. Borders between regions become edges of the mesh, places where
         three meet points, and each face has the value of its region.

@@ -141,6 +141,7 @@ class Mesh(_Result):
     corners_missed: int
     largest_area_error: float
     edge_length: float
+    edges_as_wanted: float
     maximum_distance: float
 
 class Guidance(_Result):
@@ -270,6 +271,8 @@ def remesh(
     element: Literal['quads', 'triangles'] = 'quads',
     faces: int = 5000,
     edge_length: float = 0.0,
+    sizing_is_length: bool = False,
+    gradation: float = 0.0,
     pure_quads: bool = False,
     keep_thin_parts: bool = True,
     keep_features: bool = True,

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace DirectionFields
 {
@@ -68,17 +67,6 @@ ShapeAlignment AlignmentOf(const RemeshOptions& options)
     options.Alignment == FieldAlignment::Shape && options.Element == Element::Quads;
   return isDrawn ? ShapeAlignment{ options.AlignmentStrength, options.SingularityCost }
                  : ShapeAlignment();
-}
-
-/// The length of edges that is asked for, or that gives the wanted number of faces.
-double EdgeLengthFor(double area, const RemeshOptions& options)
-{
-  if (options.UseEdgeLength)
-  {
-    return options.EdgeLength;
-  }
-  const double face = area / options.NumberOfFaces;
-  return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
 }
 }
 
@@ -245,6 +233,8 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
     wishes.Sizes.push_back(
       result.EdgeLength * (w[0] * sizes[t[0]] + w[1] * sizes[t[1]] + w[2] * sizes[t[2]]));
   }
+  result.IsSized = !options.Sizing.empty();
+  result.EdgesAsWanted = EdgesAsWanted(mesh.Points, mesh.Cells, wishes);
   for (const std::vector<std::string>& sentences : { MeshAdvice(mesh.Points, mesh.Cells, wishes),
          TopologyAdvice(CountTouching(request.Field.GetGeometry().Mesh,
                           request.Field.GetSurface().GetOriginals()),
@@ -348,10 +338,8 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
     mapping.ContinueSizes(options.Sizing);
     mapping.ContinueDirections(directions);
   }
-  options.EdgeLength = given.UseEdgeLength
-    ? std::clamp(given.EdgeLength / this->Unit, std::numeric_limits<double>::min(),
-        std::numeric_limits<double>::max())
-    : given.EdgeLength;
+  std::vector<std::string> aboutSizes;
+  options = this->InUnitOfInput(options, aboutSizes);
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
   const Progress progress(progressFunction);
@@ -365,6 +353,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
       mapping.ReferToGiven(result.SourceTriangle, result.SourceWeights, result.FaceSource);
       result.Notes.insert(result.Notes.end(), this->Cut->Notes.begin(), this->Cut->Notes.end());
     }
+    result.Notes.insert(result.Notes.end(), aboutSizes.begin(), aboutSizes.end());
     return InUnitOfSurface(std::move(result), this->Origin, this->Unit);
   }
   catch (const Stopped&)

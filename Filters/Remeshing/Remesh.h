@@ -58,6 +58,13 @@ struct RemeshOptions
   /// Wanted length of the edges at each point relative to elsewhere; empty for the same everywhere.
   /// Values are clamped to 1/8 ... 8; values that are no positive numbers count as 1.
   std::vector<double> Sizing;
+  /// Sizing is the wanted length itself, in the unit of the surface, in place of NumberOfFaces and
+  /// EdgeLength. All lengths have to be positive numbers. A note says where they differ by more
+  /// than a factor of 64, which no mesh reaches.
+  bool SizingIsLength = false;
+  /// The factor by which lengths of edges beside each other may differ: sizes that grow faster are
+  /// made smaller, around the smallest ones. Above 1; 0 for any.
+  double Gradation = 0.0;
   /// Only quads: triangles are joined in pairs with the quads between them, also without smoothing;
   /// vertices of other faces stay on the grid then. Notes say where triangles are left.
   bool PureQuads = false;
@@ -102,6 +109,10 @@ void Check(const RemeshOptions& options, std::size_t points, std::size_t triangl
 
 /// Whether these are the same, so that the mesh of a surface and its field is, too.
 bool AreSame(const RemeshOptions& a, const RemeshOptions& b);
+
+/// The length of edges that is asked for, or that gives the wanted number of faces.
+/// @param area of the surface in units of the square of the size there
+double EdgeLengthFor(double area, const RemeshOptions& options);
 
 /// The role of a vertex of the new mesh.
 enum class VertexKind : signed char
@@ -152,8 +163,13 @@ struct RemeshResult
   /// V - E + F of the repaired surface and of the mesh.
   int EulerCharacteristicBefore = 0;
   int EulerCharacteristicAfter = 0;
-  /// The length of edges that was asked for.
+  /// The length of edges that was asked for; with sizes that where they are 1, and with lengths one
+  /// that faces of even size would have.
   double EdgeLength = 0.0;
+  /// Whether there were sizes or lengths, and the part of all edges, from 0 to 1, whose length is
+  /// within 25 % of what they ask for.
+  bool IsSized = false;
+  double EdgesAsWanted = 1.0;
   Repairs Repaired;
   /// Sentences for the user.
   std::vector<std::string> Notes;
@@ -189,6 +205,9 @@ public:
   static const char* StepAt(double done);
 
 private:
+  /// Options for the surface that is computed on, with sizes that are relative and grow as they
+  /// may.
+  RemeshOptions InUnitOfInput(const RemeshOptions& given, std::vector<std::string>& notes) const;
   /// Makes a mesh, and others where that one loses thin parts. Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);

@@ -3,10 +3,15 @@
 
 #include "Remesh.h"
 
+#include "Preparation/WantedSizes.h"
+#include "Sizes/SizeField.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace DirectionFields
 {
@@ -25,6 +30,11 @@ void Check(const RemeshOptions& options, std::size_t points, std::size_t triangl
     "Edge Length has to be a positive number.");
   require(options.Sizing.empty() || options.Sizing.size() == points,
     "There has to be one wanted size for each point of the surface.");
+  require(!options.SizingIsLength || !options.Sizing.empty() || points == 0,
+    "Lengths of edges at the points are asked for, but there are none. Choose a Sizing Array that "
+    "has them.");
+  require(options.Gradation == 0.0 || (options.Gradation > 1.0 && std::isfinite(options.Gradation)),
+    "Gradation has to be above 1, or 0 for any.");
   require(options.Regions.empty() || options.Regions.size() == triangles,
     "There has to be one region for each triangle of the surface.");
   require(options.RegionNames.empty() ||
@@ -50,11 +60,49 @@ bool AreSame(const RemeshOptions& a, const RemeshOptions& b)
   const auto all = [](const RemeshOptions& options)
   {
     // This does not compile where an option is not among them.
-    const auto& [element, faces, usesLength, length, sizing, pure, thin, features, angle, shortest,
-      regions, names, alignment, strength, cost, smoothing, threads] = options;
-    return std::tie(element, faces, usesLength, length, sizing, pure, thin, features, angle,
-      shortest, regions, names, alignment, strength, cost, smoothing, threads);
+    const auto& [element, faces, usesLength, length, sizing, areLengths, gradation, pure, thin,
+      features, angle, shortest, regions, names, alignment, strength, cost, smoothing, threads] =
+      options;
+    return std::tie(element, faces, usesLength, length, sizing, areLengths, gradation, pure, thin,
+      features, angle, shortest, regions, names, alignment, strength, cost, smoothing, threads);
   };
   return all(a) == all(b);
+}
+
+double EdgeLengthFor(double area, const RemeshOptions& options)
+{
+  if (options.UseEdgeLength)
+  {
+    return options.EdgeLength;
+  }
+  const double face = area / options.NumberOfFaces;
+  return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
+}
+
+RemeshOptions Remesh::InUnitOfInput(
+  const RemeshOptions& given, std::vector<std::string>& notes) const
+{
+  RemeshOptions options = given;
+  if (given.SizingIsLength)
+  {
+    RelativeSizes sizes = SizesFor(*this->Input, given.Sizing, this->Unit);
+    options.UseEdgeLength = true;
+    options.EdgeLength = sizes.EdgeLength;
+    options.Sizing = std::move(sizes.Sizes);
+    notes.insert(notes.end(), sizes.Notes.begin(), sizes.Notes.end());
+  }
+  else if (given.UseEdgeLength)
+  {
+    options.EdgeLength = std::clamp(given.EdgeLength / this->Unit,
+      std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  }
+  if (given.Gradation > 0.0 && !given.Sizing.empty())
+  {
+    options.Sizing = ClampedSizes(options.Sizing, this->Input->Points.size());
+    LimitGradation(
+      *this->Input, given.Gradation, [&](double area) { return EdgeLengthFor(area, options); },
+      options.Sizing);
+  }
+  return options;
 }
 }

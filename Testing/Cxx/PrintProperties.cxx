@@ -161,6 +161,7 @@ void PrintRemesh()
   VALUE(SizingArray);
   VALUE(RegionArray);
   VALUE(ConservedArray);
+  RANGE(Gradation);
 }
 
 void PrintStripes()

@@ -118,6 +118,15 @@ class Meshes(unittest.TestCase):
         valence = np.bincount(np.array(sorted(edges)).ravel())
         self.assertEqual(np.flatnonzero(valence != 4).tolist(), mesh.irregular.tolist())
 
+    def test_lengths_are_met(self):
+        points, triangles = torus()
+        mesh = df.remesh(points, triangles, sizing=0.1 + 0.01 * points[:, 0], sizing_is_length=True,
+                         gradation=1.3)
+        self.assertGreater(mesh.edges_as_wanted, 0.5)
+        self.assertIn(f"{100 * mesh.edges_as_wanted:.3g} % of edges within", mesh.summary)
+        with self.assertRaisesRegex(ValueError, "at point 0 is 0"):
+            df.remesh(points, triangles, sizing=np.zeros(len(points)), sizing_is_length=True)
+
     def test_faces_are_judged_by_limits(self):
         with self.assertWarnsRegex(df.DirectionFieldWarning, r"\. passes shows where"):
             mesh = df.remesh(*torus(), faces=300, minimum_scaled_jacobian=0.995,

@@ -16,10 +16,10 @@ AllFigures.switch_on()
 
 ENUMERATIONS = {
     "Element": ["Quads", "Triangles"],
-    "SizeMode": ["Number Of Faces", "Edge Length"],
+    "SizeMode": ["Number Of Faces", "Edge Length", "Lengths At Points"],
     "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("GatherLimit", "SizingArray", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
+ADVANCED = ("GatherLimit", "Gradation", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
             "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "ConservedArray", "KeepStages", "NumberOfThreads")
 
 
@@ -85,6 +85,14 @@ def test_options():
     mesh = servermanager.Fetch(remesh)
     below = sum(mesh.GetPoint(i)[0] < 0 for i in range(mesh.GetNumberOfPoints()))
     assert below > 0.54 * mesh.GetNumberOfPoints(), below / mesh.GetNumberOfPoints()
+    # The same as lengths.
+    sized = Calculator(Input=Plane(XResolution=40, YResolution=40), Function="0.02*(2+coordsX)",
+                       ResultArrayName="Size")
+    remesh = FieldAlignedRemesh(Input=sized, SizeMode="Lengths At Points", SizingArray="Size", Gradation=1.3)
+    mesh = servermanager.Fetch(remesh)
+    assert 500 < mesh.GetNumberOfCells() < 800, mesh.GetNumberOfCells()
+    assert number(mesh, "EdgesAsWanted") > 0.9
+    assert "% of edges within 25 %" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
 
 
 def test_quality():

@@ -56,7 +56,7 @@ double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& fac
   return least;
 }
 
-int EulerCharacteristic(Index points, const Faces& faces)
+std::vector<std::array<Index, 2>> EdgesOf(const Faces& faces)
 {
   std::vector<std::array<Index, 2>> edges;
   for (const Faces::Face& face : faces.Corners)
@@ -70,8 +70,13 @@ int EulerCharacteristic(Index points, const Faces& faces)
     }
   }
   std::sort(edges.begin(), edges.end());
-  const auto end = std::unique(edges.begin(), edges.end());
-  return static_cast<int>(points) - static_cast<int>(end - edges.begin()) +
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+int EulerCharacteristic(Index points, const Faces& faces)
+{
+  return static_cast<int>(points) - static_cast<int>(EdgesOf(faces).size()) +
     static_cast<int>(faces.Corners.size());
 }
 }

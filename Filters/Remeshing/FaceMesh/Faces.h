@@ -32,6 +32,9 @@ double AreaOf(const std::vector<Vector3>& points, const Faces::Face& face);
 /// 60 degrees.
 double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& face);
 
+/// The edges of all faces, each once, with the lower point first, in ascending order.
+std::vector<std::array<Index, 2>> EdgesOf(const Faces& faces);
+
 /// V - E + F of a mesh with this number of points.
 int EulerCharacteristic(Index points, const Faces& faces);
 }

@@ -26,6 +26,8 @@ constexpr double MostDistance = 0.02;
 constexpr double MostPerLength = 1.0 / 3.0;
 /// How many times too large or too small a size may be.
 constexpr double MostMissed = 1.3;
+/// The part of its wanted length that an edge may be off.
+constexpr double MostOff = 0.25;
 /// Sizes are judged by this part of the faces, those that are to be the smallest or the largest.
 constexpr double Extremes = 0.1;
 
@@ -185,6 +187,21 @@ std::string AboutSizes(
     " where it asks for the longest: a grid of few irregular vertices cannot change its size that "
     "fast. Sizes that differ less, as their square roots do, would be kept better.";
 }
+}
+
+double EdgesAsWanted(
+  const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes)
+{
+  const std::vector<std::array<Index, 2>> edges = EdgesOf(faces);
+  const auto isAsWanted = [&](const std::array<Index, 2>& edge)
+  {
+    const double wanted = 0.5 * (wishes.Sizes[edge[0]] + wishes.Sizes[edge[1]]);
+    return std::abs((points[edge[1]] - points[edge[0]]).norm() - wanted) <= MostOff * wanted;
+  };
+  return edges.empty() || wishes.Sizes.empty()
+    ? 1.0
+    : static_cast<double>(std::count_if(edges.begin(), edges.end(), isAsWanted)) /
+      static_cast<double>(edges.size());
 }
 
 std::vector<std::string> MeshAdvice(

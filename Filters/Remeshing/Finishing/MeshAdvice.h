@@ -28,7 +28,8 @@ struct MeshWishes
   /// from the mesh.
   double ToSurface = 0.0;
   double ToMesh = 0.0;
-  /// The wanted length of edges at each vertex of the mesh; empty for the same everywhere.
+  /// The wanted length of edges at each vertex of the mesh, in the unit of its points; empty for
+  /// the same everywhere.
   std::vector<double> Sizes;
 };
 
@@ -36,6 +37,11 @@ struct MeshWishes
 /// triangles, faces that are flat or folded, places far from the surface, another number of faces
 /// than was asked for, and sizes that are not reached. None for a mesh that is as it should be.
 std::vector<std::string> MeshAdvice(
+  const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes);
+
+/// The part of all edges, from 0 to 1, whose length is within a quarter of the wanted one: the mean
+/// of the wishes at its ends. 1 without edges.
+double EdgesAsWanted(
   const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes);
 
 /// Tells the user where the mesh is connected in another way than the surface: a sentence each for

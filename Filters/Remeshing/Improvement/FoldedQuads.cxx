@@ -15,20 +15,6 @@ std::array<Index, 2> EdgeOf(Index a, Index b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-std::vector<std::array<Index, 2>> EdgesOf(const Faces& faces)
-{
-  std::vector<std::array<Index, 2>> edges;
-  for (const Faces::Face& face : faces.Corners)
-  {
-    for (int c = 0; c < Faces::Size(face); ++c)
-    {
-      edges.push_back(EdgeOf(face[c], face[(c + 1) % Faces::Size(face)]));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
 /// The two triangles that the diagonal from corner c on makes.
 std::array<Faces::Face, 2> Halves(const Faces::Face& quad, int c)
 {

@@ -83,12 +83,11 @@ void WantedSizes::LengthenFor(const SurfaceGeometry& geometry, Index faces)
 
 std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t points)
 {
-  constexpr double least = 0.125;
   std::vector<double> sizes(points, 1.0);
   for (std::size_t p = 0; p < wanted.size(); ++p)
   {
     const bool isSize = wanted[p] > 0.0 && std::isfinite(wanted[p]);
-    sizes[p] = isSize ? std::clamp(wanted[p], least, 1.0 / least) : 1.0;
+    sizes[p] = isSize ? std::clamp(wanted[p], 1.0 / LargestSize, LargestSize) : 1.0;
   }
   return sizes;
 }

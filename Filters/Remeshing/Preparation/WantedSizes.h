@@ -44,7 +44,10 @@ struct WantedSizes
   void LengthenFor(const SurfaceGeometry& geometry, Index faces);
 };
 
-/// The sizes that are asked for at each point, between 1/8 and 8. Where no positive number is
+/// The largest size of edges relative to others; the smallest is its inverse.
+constexpr double LargestSize = 8.0;
+
+/// The sizes that are asked for at each point, in this range. Where no positive number is
 /// given, and without any, the size is 1.
 std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t points);
 

@@ -83,6 +83,13 @@ std::string AboutRegions(const RemeshResult& mesh)
       Figure(100.0 * shown.BordersKept) + " % of their borders on edges";
 }
 
+std::string AboutSizes(const RemeshResult& mesh)
+{
+  return mesh.IsSized
+    ? ", " + Figure(100.0 * mesh.EdgesAsWanted) + " % of edges within 25 % of their wanted length"
+    : std::string();
+}
+
 std::string AboutLimits(const QualityReport& quality)
 {
   return !quality.IsLimited ? std::string()
@@ -111,9 +118,9 @@ std::string Summary(const RemeshResult& mesh, const QualityReport& quality)
   return text +
     Count(
       static_cast<std::size_t>(mesh.IrregularVertices), "irregular vertex", "irregular vertices") +
-    AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + ", scaled Jacobian " +
-    Figure(quality.LeastScaledJacobian) + " or more, " + Figure(mesh.MaximumDistance) +
-    " or less from the surface, which is " + Figure(mesh.MaximumDistanceToMesh) +
-    " or less from the mesh" + AboutLimits(quality);
+    AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + AboutSizes(mesh) +
+    ", scaled Jacobian " + Figure(quality.LeastScaledJacobian) + " or more, " +
+    Figure(mesh.MaximumDistance) + " or less from the surface, which is " +
+    Figure(mesh.MaximumDistanceToMesh) + " or less from the mesh" + AboutLimits(quality);
 }
 }

@@ -97,6 +97,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->NumberOfFaces = defaults.NumberOfFaces;
   this->EdgeLength = defaults.EdgeLength;
   this->SizingArray = nullptr;
+  this->Gradation = defaults.Gradation;
   this->RegionArray = nullptr;
   this->ConservedArray = nullptr;
   this->PureQuads = defaults.PureQuads;
@@ -158,6 +159,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
+  os << indent << "Gradation: " << this->Gradation << "\n";
   os << indent << "RegionArray: " << (this->RegionArray ? this->RegionArray : "(none)") << "\n";
   os << indent << "ConservedArray: " << (this->ConservedArray ? this->ConservedArray : "(none)")
      << "\n";
@@ -186,6 +188,8 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
   options.NumberOfFaces = this->NumberOfFaces;
   options.EdgeLength = this->EdgeLength;
   options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
+  options.SizingIsLength = this->SizeMode == LENGTHS_AT_POINTS;
+  options.Gradation = this->Gradation;
   DirectionFields::CellRegions regions = DirectionFields::FindRegions(input,
     { surface.Mesh.Triangles.size(), [&](std::size_t t) { return surface.Cell(t); } },
     this->RegionArray);

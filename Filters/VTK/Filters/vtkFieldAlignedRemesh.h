@@ -50,6 +50,9 @@
  * - field data `LeastScaledJacobian`, `MeanScaledJacobian`, `LargestAspectRatio`, `LargestWarpage`:
  *   double, over all faces; with a limit of them `FailedFaces`, the number of those that fail, and
  *   `Pass`, 1 if there are none: int.
+ * - with a SizingArray: field data `EdgesAsWanted`, the part of the edges whose length is within 25
+ *   % of what it asks for: double, 0 to 1. EdgeLength is that where the size is 1, or, with
+ *   lengths, one that faces of even size would have.
  * - with a RegionArray: field data `Regions`, their number, and `RegionsLost`, of those without
  *   faces: int; `BordersKept`, the part of the length of their borders that is on edges between
  *   them, to a tenth of EdgeLength: double, 0 to 1; `CornersMissed`, the places where three meet,
@@ -135,15 +138,17 @@ public:
   enum SizeModes
   {
     FACES = 0,
-    EDGE_LENGTH = 1
+    EDGE_LENGTH = 1,
+    LENGTHS_AT_POINTS = 2
   };
 
   ///@{
   /**
-   * How the size of the faces is given: by NumberOfFaces (FACES, 0, default), or by EdgeLength
-   * (EDGE_LENGTH, 1).
+   * How the size of the faces is given: by NumberOfFaces (FACES, 0, default), by EdgeLength
+   * (EDGE_LENGTH, 1), or by the lengths that the SizingArray has at the points (LENGTHS_AT_POINTS,
+   * 2), which differ by no more than a factor of 64.
    */
-  vtkSetClampMacro(SizeMode, int, FACES, EDGE_LENGTH);
+  vtkSetClampMacro(SizeMode, int, FACES, LENGTHS_AT_POINTS);
   vtkGetMacro(SizeMode, int);
   ///@}
 
@@ -167,11 +172,21 @@ public:
   ///@{
   /**
    * Name of a point array of 1 component: the wanted length of edges relative to elsewhere, from
-   * 1/8 to 8. An error if there is none. Null, the default, an empty name and "None" are no array:
-   * the same everywhere.
+   * 1/8 to 8, or, with the SizeMode LENGTHS_AT_POINTS, in the input's unit of length. An error if
+   * there is none. Null, the default, an empty name and "None" are no array: the same everywhere.
    */
   vtkSetStringMacro(SizingArray);
   vtkGetStringMacro(SizingArray);
+  ///@}
+
+  ///@{
+  /**
+   * The factor by which lengths of edges beside each other may differ: where the SizingArray grows
+   * faster, edges are shorter than it asks for, around the shortest ones. A grid cannot follow
+   * jumps. Above 1, 1.3 say; 0, the default, for any. Values between 0 and 1 are an error.
+   */
+  vtkSetClampMacro(Gradation, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Gradation, double);
   ///@}
 
   ///@{
@@ -192,7 +207,8 @@ public:
    * is to have: the sum of value times area over the faces is that over the cells, of each
    * component and in each region, since means are changed by a multiple of their size. A quad has
    * the area of the triangles beside its first diagonal, as vtkIntegrateAttributes takes it. The
-   * array is of doubles then. An error if there is none. Null, the default, an empty name and "None" are no array.
+   * array is of doubles then. An error if there is none. Null, the default, an empty name and
+   * "None" are no array.
    */
   vtkSetStringMacro(ConservedArray);
   vtkGetStringMacro(ConservedArray);
@@ -342,6 +358,7 @@ private:
   int NumberOfFaces;
   double EdgeLength;
   char* SizingArray;
+  double Gradation;
   char* RegionArray;
   char* ConservedArray;
   bool PureQuads;

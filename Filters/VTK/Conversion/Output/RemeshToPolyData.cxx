@@ -85,6 +85,10 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   AddNumber<vtkDoubleArray>("EdgeLength", mesh.EdgeLength, data);
   AddNumber<vtkDoubleArray>("MaximumDistance", mesh.MaximumDistance, data);
   AddNumber<vtkDoubleArray>("MaximumDistanceToMesh", mesh.MaximumDistanceToMesh, data);
+  if (mesh.IsSized)
+  {
+    AddNumber<vtkDoubleArray>("EdgesAsWanted", mesh.EdgesAsWanted, data);
+  }
   if (!mesh.Regions.empty())
   {
     const RegionFigures& shown = mesh.RegionsShown;
