@@ -172,8 +172,7 @@ struct Streamlines
 /// @param seeds      for SeedType::Points; ignored for the other types
 /// @param progress   returns false to stop: Streamlines::Aborted is set then
 /// @throw std::invalid_argument for options out of their ranges, and for evenly spaced lines that
-///        would have many million points: on a surface thinner than the spacing, too; for a surface
-///        so large that its lengths are infinite
+///        would have many million points: on a surface thinner than the spacing, too
 Streamlines TraceStreamlines(const GivenField& field, const PointDirections& directions,
   const std::vector<StreamlineSeed>& seeds = {}, const StreamlineOptions& options = {},
   const ProgressFunction& progress = {});

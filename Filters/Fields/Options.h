@@ -107,8 +107,8 @@ struct Options
   /// minimum, no global one.
   bool UnitLength = false;
   /// The cost of a singularity of index 1/n to a field of unit length, in units of 2 pi ln 2, the
-  /// energy that one gains each time the mesh is subdivided: the more, the fewer remain. Range 0 to
-  /// 4.
+  /// energy that one gains each time the mesh is subdivided: the more, the fewer remain. Those in
+  /// triangles with a given value cost nothing, since corners ask for them. Range 0 to 4.
   double SingularityCost = 0.0;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.

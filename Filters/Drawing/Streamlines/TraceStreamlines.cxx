@@ -70,12 +70,6 @@ public:
     , Traced{ field, this->Zeros, this->Limit }
     , Spacing(SpacingFor(field, options))
   {
-    if (!std::isfinite(this->Spacing))
-    {
-      throw std::invalid_argument(
-        "The surface is so large that there are no numbers for lengths on "
-        "it. Scale the surface down.");
-    }
   }
 
   const SingularPoints& GetZeros() const { return this->Zeros; }

@@ -352,6 +352,10 @@ int PairPatch::CountIndices(
   int count = 0;
   for (const Index t : triangles)
   {
+    if (problem.IsAtGiven(t))
+    {
+      continue;
+    }
     double sum = problem.Degree * problem.Geometry.Transport.Curvature[t];
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {

@@ -64,7 +64,7 @@ public:
   double GetEnergyChange() const { return this->EnergyChange; }
   /// The new values, in the order of the vertices.
   const std::vector<Complex>& GetValues() const { return this->Values; }
-  /// The change of the sum of |index| over all triangles.
+  /// The change of the sum of |index| over all triangles without a given value.
   int CountIndexChange(const ComplexVector& u) const;
 
 private:

@@ -179,18 +179,21 @@ private:
     return true;
   }
 
-  /// The energy and the cost of the singularities.
+  /// The energy and the cost of the singularities. Those at given values cost nothing: the corners of
+  /// features and of the boundary ask for them.
   double Price(const ComplexVector& u, double energy) const
   {
     if (this->Settings.SingularityCost == 0.0)
     {
       return energy;
     }
+    const std::vector<int> indices = SingularityIndices(
+      this->Problem.Geometry, this->Problem.Component, this->Problem.Degree, u.data());
     double count = 0.0;
-    for (const int index : SingularityIndices(
-           this->Problem.Geometry, this->Problem.Component, this->Problem.Degree, u.data()))
+    for (Index t = 0; t < static_cast<Index>(indices.size()); ++t)
     {
-      count += std::abs(index);
+      const bool isFree = !this->Problem.IsAtGiven(this->Problem.Component.FirstTriangle + t);
+      count += isFree ? std::abs(indices[t]) : 0;
     }
     return energy + this->Settings.SingularityCost * count;
   }

@@ -35,6 +35,16 @@ struct UnitLengthProblem
   std::vector<char> IsGiven;
 
   bool IsFree(Index v) const { return this->IsGiven.empty() || this->IsGiven[v] == 0; }
+  /// Whether a corner of a triangle of the geometry has a given value.
+  bool IsAtGiven(Index t) const
+  {
+    bool isGiven = false;
+    for (Index h = 3 * t; !this->IsGiven.empty() && h < 3 * t + 3; ++h)
+    {
+      isGiven = isGiven || !this->IsFree(this->Geometry.Mesh.Tail(h) - this->Component.FirstVertex);
+    }
+    return isGiven;
+  }
   Index Rows() const { return this->Component.Vertices(); }
   /// Half of the gradient of E without the bound |u| = 1: K u - p.
   ComplexVector Gradient(const ComplexVector& u) const;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Distance/ClosestPoints.h"
 #include "Meshes/Remeshed.h"
 #include "Meshes/Surfaces.h"
 #include "Preparation/WantedSizes.h"
@@ -11,7 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 using namespace DirectionFields;
 using namespace DirectionFields::Internal;
@@ -97,6 +102,47 @@ Surface PlateWithHole(int sides)
     }
   }
   return plate;
+}
+
+/// The mouth and the bottom of the keyway of a hub.
+const std::array<Eigen::Vector2d, 4> Keyway = { Eigen::Vector2d(std::sqrt(0.1125), -0.1),
+  Eigen::Vector2d(0.5, -0.1), Eigen::Vector2d(0.5, 0.1), Eigen::Vector2d(std::sqrt(0.1125), 0.1) };
+
+/// A round hub of radius 1 with a bore and a keyway in it, in strips from the bore to the rim.
+Surface HubWithKeyway(double height)
+{
+  std::vector<Eigen::Vector2d> bore(Keyway.begin(), Keyway.end());
+  constexpr int sides = 24;
+  const double half = std::atan2(Keyway[3].y(), Keyway[3].x());
+  for (int k = 1; k < sides; ++k)
+  {
+    const double angle = half + 2.0 * (Pi - half) * k / sides;
+    bore.push_back(Keyway[3].norm() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  Surface hub;
+  for (const Eigen::Vector2d& p : bore)
+  {
+    for (const Eigen::Vector2d& q : { p, Eigen::Vector2d(p.normalized()) })
+    {
+      hub.Points.emplace_back(q.x(), q.y(), 0.0);
+      hub.Points.emplace_back(q.x(), q.y(), height);
+    }
+  }
+  const auto size = static_cast<Index>(hub.Points.size());
+  const auto quad = [&](Index a, Index b, Index c, Index d)
+  {
+    hub.Triangles.push_back({ a, b, c });
+    hub.Triangles.push_back({ a, c, d });
+  };
+  for (Index a = 0; a < size; a += 4)
+  {
+    const Index b = (a + 4) % size;
+    quad(a + 1, a + 3, b + 3, b + 1);
+    quad(a, b, b + 2, a + 2);
+    quad(b, a, a + 1, b + 1);
+    quad(a + 2, b + 2, b + 3, a + 3);
+  }
+  return hub;
 }
 }
 
@@ -226,5 +272,45 @@ TEST(LongTriangles, FlipsMakePlanesDelaunayAndLeaveFoldsAlone)
     // An edge that is fixed stays.
     const std::vector<char> all(geometry.Mesh.GetNumberOfEdges(), 1);
     EXPECT_EQ(FlipFlat(geometry, all, longest), kite.Triangles);
+  }
+}
+
+TEST(LongTriangles, KeywaysKeepTheirEdges)
+{
+  for (const double height : { 0.3, 0.5 })
+  {
+    for (const Index faces : { 1500, 2000 })
+    {
+      RemeshOptions options;
+      options.NumberOfFaces = faces;
+      const RemeshResult mesh =
+        Remesh(std::make_shared<Surface>(HubWithKeyway(height))).Compute(options);
+      std::vector<ClosestPoints::Corners> edges;
+      for (const auto& face : mesh.Faces)
+      {
+        const std::size_t corners = face[3] == None ? 3 : 4;
+        for (std::size_t c = 0; c < corners; ++c)
+        {
+          const Vector3& end = mesh.Points[face[(c + 1) % corners]];
+          edges.push_back({ mesh.Points[face[c]], end, end });
+        }
+      }
+      const ClosestPoints closest(std::move(edges));
+      double farthest = 0.0;
+      for (const double z : { 0.0, height })
+      {
+        for (std::size_t side = 0; side < 3; ++side)
+        {
+          for (const double part : { 0.0, 0.2, 0.4, 0.6, 0.8, 1.0 })
+          {
+            const Eigen::Vector2d p = (1.0 - part) * Keyway[side] + part * Keyway[side + 1];
+            farthest =
+              std::max(farthest, std::sqrt(closest.Find(Vector3(p.x(), p.y(), z)).SquaredDistance));
+          }
+        }
+      }
+      EXPECT_LT(farthest, 1e-6) << faces << " faces, height " << height;
+      EXPECT_GT(Meshes::LeastQuality(mesh), 0.6);
+    }
   }
 }
