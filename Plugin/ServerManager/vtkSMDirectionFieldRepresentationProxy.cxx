@@ -7,9 +7,11 @@
 #include "DisplayHints.h"
 #include "vtkCaptionedRepresentation.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVGeneralSettings.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
@@ -106,6 +108,38 @@ bool ShowsColorsOf(vtkSMProxy* map, vtkSMProxy* view)
       vtkSMPropertyHelper(display, "LookupTable", /*quiet=*/true).GetAsProxy() == map)
     {
       return true;
+    }
+  }
+  return false;
+}
+
+/// Whether ParaView colors a display by an array when nobody chooses: the scalars of the data, or the
+/// array by which the input of the filter is shown in the same view.
+bool IsParaViewsChoice(
+  vtkSMProxy* display, vtkSMProxy* view, int association, const std::string& name)
+{
+  vtkPVDataInformation* const data = DataOf(display);
+  vtkPVDataSetAttributesInformation* const arrays =
+    data ? data->GetAttributeInformation(association) : nullptr;
+  vtkPVArrayInformation* const scalars =
+    arrays ? arrays->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
+  if (scalars && scalars->GetName() && name == scalars->GetName())
+  {
+    return true;
+  }
+  vtkSMProxy* const source = InputOf(InputOf(display));
+  const vtkSMPropertyHelper shown(view, "Representations", /*quiet=*/true);
+  for (unsigned int i = 0; source && i < shown.GetNumberOfElements(); ++i)
+  {
+    auto* const other = vtkSMPVRepresentationProxy::SafeDownCast(shown.GetAsProxy(i));
+    if (other && InputOf(other) == source && other->GetUsingScalarColoring())
+    {
+      const vtkSMPropertyHelper coloring(other, "ColorArrayName");
+      const char* const array = coloring.GetInputArrayNameToProcess();
+      if (array && name == array && coloring.GetInputArrayAssociation() == association)
+      {
+        return true;
+      }
     }
   }
   return false;
@@ -250,7 +284,8 @@ void vtkSMDirectionFieldRepresentationProxy::LeaveOneValue(vtkSMProxy* view)
             isHinted || (name && std::strcmp(map->GetAttributeOrEmpty("array"), name) == 0);
         });
     });
-  if (array && !isHinted && array->GetNumberOfComponents() == 1)
+  if (array && !isHinted && array->GetNumberOfComponents() == 1 &&
+    IsParaViewsChoice(this, view, association, name))
   {
     const double* const range = array->GetComponentRange(0);
     // What is interpolated, as the value of a contour, differs by rounding.

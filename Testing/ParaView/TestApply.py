@@ -231,6 +231,13 @@ def test_one_value():
             made.UpdatePipeline()
             surface = apply(view, made)[0]
             assert (surface.ColorArrayName[1] or "") == array, (made, surface.ColorArrayName[:])
+    # What a script chooses stays, from the first picture on.
+    made = FieldAlignedRemesh(Input=height, NumberOfFaces=100, MaximumWarpage=1)
+    chosen = simple.Show(made, view)
+    simple.ColorBy(chosen, ("CELLS", "Pass"))
+    simple.Render(view)
+    low, high = made.CellData["Pass"].GetRange()
+    assert low == high and chosen.ColorArrayName[:] == ["CELLS", "Pass"], chosen.ColorArrayName[:]
     simple.ResetSession()
 
 
