@@ -179,8 +179,8 @@ private:
     return true;
   }
 
-  /// The energy and the cost of the singularities. Those at given values cost nothing: the corners of
-  /// features and of the boundary ask for them.
+  /// The energy and the cost of the singularities. Those at given values cost nothing: the corners
+  /// of features and of the boundary ask for them.
   double Price(const ComplexVector& u, double energy) const
   {
     if (this->Settings.SingularityCost == 0.0)
