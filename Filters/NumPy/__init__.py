@@ -19,7 +19,8 @@ import numpy
 
 from . import _core
 from ._calls import (
-    DirectionFieldWarning, _call, _keyword_options, _listener, _numbers, _optional, _regions, _result,
+    DirectionFieldWarning, _call, _keyword_options, _listener, _numbers, _optional, _region_name, _regions,
+    _result,
     _surface, _tensors)
 from ._core import FileError, MeshError
 from ._results import Comparison, Field, Guidance, Lines, Mesh, Stripes
@@ -292,13 +293,14 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), prog
         if points.degree != degree:
             raise ValueError(f"field must be of degree {degree}, not {points.degree}.")
         surface, directions = points._surface, points.directions[:, 0]
+        polygons = points.polygons
     else:
         surface, polygons = _surface(points, triangles)
     sizing = _optional("sizing", sizing, len(surface.points))
     values, numbers, names = numpy.zeros(0, int), None, []
     if regions is not None:
         values, numbers = _regions(regions, surface, polygons)
-        names = [f'"{value}"' if values.dtype.kind in "US" else str(value) for value in values.tolist()]
+        names = [_region_name(value) for value in values.tolist()]
     made = _call(
         _core.remesh, surface, directions, sizing, numbers, names,
         [_numbers("curves", curve, None, 3) for curve in curves], _listener(progress), options)

@@ -161,6 +161,13 @@ def _regions(regions, surface, polygons):
     return values, numbers.reshape(-1)
 
 
+def _region_name(value):
+    """As the libraries name the region of a value: strings are in quotation marks."""
+    if isinstance(value, bytes):
+        value = value.decode("utf-8", errors="replace")
+    return f'"{value}"' if isinstance(value, str) else str(value)
+
+
 def _listener(progress):
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function of the fraction done.")

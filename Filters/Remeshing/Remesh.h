@@ -59,11 +59,11 @@ struct RemeshOptions
   /// Values are clamped to 1/8 ... 8; values that are no positive numbers count as 1.
   std::vector<double> Sizing;
   /// Sizing is the wanted length itself, in the unit of the surface, in place of NumberOfFaces and
-  /// EdgeLength. All lengths have to be positive numbers. A note says where they differ by more
+  /// EdgeLength. All lengths have to be finite and above 0. A note says where they differ by more
   /// than a factor of 64, which no mesh reaches.
   bool SizingIsLength = false;
   /// The factor by which lengths of edges beside each other may differ: sizes that grow faster are
-  /// made smaller, around the smallest ones. Above 1; 0 for any.
+  /// made smaller, around the smallest ones. Above 1; 0 for any. No effect without Sizing.
   double Gradation = 0.0;
   /// Only quads: triangles are joined in pairs with the quads between them, also without smoothing;
   /// vertices of other faces stay on the grid then. Notes say where triangles are left.
@@ -187,7 +187,8 @@ public:
   ///               first one again at the end of closed ones. They are projected to the surface;
   ///               parts that are farther from it than a hundredth of its diagonal are left out,
   ///               and a note says so.
-  /// Throws MeshError for a surface that cannot be processed, if there are curves.
+  /// Throws MeshError for a surface that cannot be processed, if there are curves, and
+  /// std::invalid_argument for curves with coordinates that are no finite numbers.
   explicit Remesh(
     std::shared_ptr<const Surface> surface, const std::vector<std::vector<Vector3>>& curves = {});
   ~Remesh();

@@ -122,9 +122,9 @@ void TestText()
   text = ReadFile(Path);
   CHECK(text.find("*ELSET, ELSET=GLASS_FIBRE\n2\n") != std::string::npos);
   CHECK(text.find("** No direction in the plane of 1 elements") != std::string::npos);
-  CHECK(text.find("*ORIENTATION, NAME=O_1\n1, 0, 0, 0, 1, 0\n*SHELL SECTION, ELSET=E_1, "
+  CHECK(text.find("*ORIENTATION, NAME=O_1\n1, 0, 0, 0, 1, 0\n3, 0.\n*SHELL SECTION, ELSET=E_1, "
                   "MATERIAL=STEEL, ORIENTATION=O_1\n0.5\n") != std::string::npos);
-  CHECK(text.find("*ORIENTATION, NAME=O_2\n0, 1, 0, -1, 0, 0\n*SHELL SECTION, ELSET=E_2, "
+  CHECK(text.find("*ORIENTATION, NAME=O_2\n0, 1, 0, -1, 0, 0\n3, 0.\n*SHELL SECTION, ELSET=E_2, "
                   "MATERIAL=GLASS_FIBRE, ORIENTATION=O_2\n0.5\n") != std::string::npos);
 }
 

@@ -18,6 +18,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 
@@ -309,6 +310,20 @@ void TestLines()
     CHECK(two->GetVariantValue(border).ToString() == (areNumbers ? "3" : "glass"));
     CHECK(one->GetVariantValue(0).ToString() == (areNumbers ? "-1" : ""));
   }
+  // Numbers that are too large for int.
+  vtkNew<vtkLongLongArray> large;
+  large->SetName("Large");
+  for (vtkIdType c = 0; c < square->GetNumberOfCells(); ++c)
+  {
+    large->InsertNextValue(number->GetValue(c) == 3 ? 3 : 5000000000);
+  }
+  square->GetCellData()->AddArray(large);
+  square->Modified();
+  filter->SetRegionArray("Large");
+  filter->Update();
+  vtkDataArray* const beside = filter->GetOutput(2)->GetCellData()->GetArray("FirstRegion");
+  REQUIRE(beside && beside->GetDataType() == VTK_LONG_LONG && beside->GetNumberOfTuples() == 7);
+  CHECK(beside->GetRange()[0] == -1.0 && beside->GetRange()[1] == 5e9);
   // A mesh without lines does not keep those of the surface that it is of.
   vtkNew<vtkPolyData> again;
   again->ShallowCopy(Meshes::ToPolyData(Meshes::Potato(2)));
@@ -367,6 +382,28 @@ void TestCurves()
   CHECK(Number(filter->GetOutput(), "Faces") == missed);
 }
 
+/// The sentence names the input that is at fault.
+void TestBadCurves()
+{
+  vtkNew<vtkPolyData> line;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  points->InsertNextPoint(0.2, 0.2, 0.0);
+  points->InsertNextPoint(0.5, vtkMath::Nan(), 0.0);
+  const vtkIdType ids[] = { 0, 1 };
+  lines->InsertNextCell(2, ids);
+  line->SetPoints(points);
+  line->SetLines(lines);
+  vtkNew<vtkFieldAlignedRemesh> filter;
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->SetInputData(Meshes::ToPolyData(Meshes::Square(4)));
+  filter->SetCurvesData(line);
+  filter->Update();
+  REQUIRE(messages->Errors.size() == 1);
+  CHECK(messages->Errors[0].find("Point 1 of the second input") != std::string::npos);
+}
+
 /// The same mesh with and without the cached stages.
 void TestKeptStages()
 {
@@ -420,6 +457,7 @@ int TestFieldAlignedRemesh(int, char*[])
   TestRegions();
   TestLines();
   TestCurves();
+  TestBadCurves();
   TestFieldOfTheInput();
   TestErrorsAndUnusualInput();
   TestKeptStages();

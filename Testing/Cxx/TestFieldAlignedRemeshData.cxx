@@ -198,11 +198,19 @@ void TestErrors()
   vtkNew<vtkFieldAlignedRemesh> filter;
   vtkNew<Messages> messages;
   messages->Observe(filter);
-  filter->SetInputData(BodyWithData());
+  const auto body = BodyWithData();
+  const vtkIdType cells = body->GetNumberOfCells();
+  vtkCellData* const data = body->GetCellData();
+  const auto one = [](vtkIdType, int) { return 1.0; };
+  data->SetNormals(Add<vtkFloatArray>(data, "Normals", 3, cells, one));
+  Add<vtkIntArray>(data, "SingularityIndex", 1, cells, one);
+  Add<vtkFloatArray>(data, "Direction0", 3, cells, one);
+  filter->SetInputData(body);
   filter->SetNumberOfFaces(100);
   filter->SetRegionArray("Part");
   std::size_t errors = 0;
-  for (const char* name : { "Nothing", "Name", "Part" })
+  for (const char* name :
+    { "Nothing", "Name", "Part", "Normals", "SingularityIndex", "Direction0" })
   {
     filter->SetConservedArray(name);
     filter->Update();

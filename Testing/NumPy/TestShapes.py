@@ -197,6 +197,10 @@ class Meshes(unittest.TestCase):
             np.unique(np.concatenate([ids for name, ids in mesh.chains.items() if "Boundary" in name])),
             np.flatnonzero(np.isin(mesh.points[:, :2], (0, 8)).any(axis=1)))
         self.assertTrue(((mesh.points[mesh.faces].mean(axis=1)[:, 0] < 4) == (mesh.regions == 3)).all())
+        # A field is of the polygons that it was computed on; bytes are text.
+        made = df.remesh(df.field(points, quads), faces=40, regions=np.where(regions == 3, b"lid", b"base"))
+        self.assertEqual(set(made.regions), {b"lid", b"base"})
+        self.assertEqual(list(made.chains)[-1], "Border base/lid 1")
         for wrong, error in ((regions[1:], ValueError), (0.5 * regions, TypeError)):
             with self.assertRaisesRegex(error, "regions must be"):
                 df.remesh(points, quads, regions=wrong)

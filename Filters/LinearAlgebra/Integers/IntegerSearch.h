@@ -13,7 +13,8 @@ namespace DirectionFields::Internal
 /// around a gear's teeth. From each variable that goes up or down by one, others follow, the one
 /// that lowers the energy most at each step, as long as one does, and the best of these states is
 /// kept if it is below the one before (S. Lin, B. Kernighan: An Effective Heuristic Algorithm for
-/// the Traveling-Salesman Problem, 1973). Time grows with the square of their number.
+/// the Traveling-Salesman Problem, 1973). The search takes
+/// time quadratic in their number, the product of factors before it cubic time.
 /// @param factor  lower triangular: factor factor^T is the matrix of the energy
 /// @param relaxed where the energy is least
 /// @param x       integers at or above least; become ones of no higher energy

@@ -17,7 +17,8 @@ enum class ChainKind : signed char
 {
   /// Edges of one face.
   Boundary = 0,
-  /// A sharp edge that is kept, or one where more than two faces meet, within a region.
+  /// A sharp edge that is kept, a given curve, or an edge where more than two faces meet, within a
+  /// region.
   Feature = 1,
   /// Edges between faces of different regions.
   Border = 2

@@ -6,6 +6,7 @@
 #include "Curves/SplittableMesh.h"
 #include "Distance/ClosestPoints.h"
 #include "Mesh/MergePoints.h"
+#include "Preparation/SurfaceUnit.h"
 #include "Support/Sentences.h"
 
 #include <algorithm>
@@ -47,12 +48,27 @@ double DiagonalOf(const Surface& surface)
   return least.x() <= most.x() ? (most - least).norm() : 0.0;
 }
 
+/// The surface without triangles that have a corner twice, which can be no part of a cut: their
+/// corners become ids of no point, so that the others keep their numbers.
+Surface WithoutCollapsed(const Surface& surface)
+{
+  Surface result = surface;
+  for (Triangle& t : result.Triangles)
+  {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+    {
+      t = { None, None, None };
+    }
+  }
+  return result;
+}
+
 class Cutter
 {
 public:
   explicit Cutter(const Surface& surface)
     : Mesh(surface)
-    , Places(surface)
+    , Places(WithoutCollapsed(surface))
     , Limit(MostDistance * DiagonalOf(surface))
   {
   }
@@ -92,7 +108,7 @@ private:
     return middle;
   }
 
-  /// The part of a triangle of the surface that a place is in.
+  /// The part of a triangle of the surface that a place is in; None where distances overflow.
   Index PartAt(Index parent, const Vector3& place, std::array<double, 3>& weights) const
   {
     Index best = None;
@@ -125,6 +141,10 @@ private:
     }
     std::array<double, 3> weights{};
     const Index t = this->PartAt(answer.Triangle, answer.Position, weights);
+    if (t == None)
+    {
+      return None;
+    }
     const Triangle corners = this->Mesh.GetTriangles()[t];
     double shortest = std::numeric_limits<double>::infinity();
     for (int c = 0; c < 3; ++c)
@@ -242,7 +262,9 @@ private:
 
 CurveCut CutAlong(const Surface& surface, const std::vector<std::vector<Vector3>>& curves)
 {
-  const std::vector<Index> first = MergedMesh::AcrossSeams(surface).FirstPoint;
+  const MergedMesh merged = MergedMesh::AcrossSeams(surface);
+  RequireRange(merged.Mesh, surface.Points);
+  const std::vector<Index>& first = merged.FirstPoint;
   Cutter cutter(first.empty() ? surface : Merged(surface, first));
   CurveCut result;
   std::vector<std::size_t> left;

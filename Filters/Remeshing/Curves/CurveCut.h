@@ -31,7 +31,8 @@ struct CurveCut
 /// point. Parts of curves between points that are farther from the surface than a hundredth of its
 /// diagonal are left out, and so are those that do not come to their end on it. Points at the same
 /// place across seams are one.
-/// @param curves in the unit of the surface, of finite coordinates
+/// Throws MeshError for a surface that cannot be processed.
+/// @param curves in the unit of the surface; points that have overflowed in it are far away
 CurveCut CutAlong(const Surface& surface, const std::vector<std::vector<Vector3>>& curves);
 }
 

@@ -5,8 +5,8 @@
 
 #include "Charts/FeatureLines.h"
 #include "Mesh/MergePoints.h"
-#include "MeshError.h"
 #include "Preparation/RegionBorders.h"
+#include "Preparation/SurfaceUnit.h"
 #include "Refinement/FlatFlips.h"
 #include "Refinement/LongEdges.h"
 #include "Refinement/SmoothedPoints.h"
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <string>
 
 namespace DirectionFields::Internal
 {
@@ -62,22 +61,6 @@ std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3
     }
   }
   return isChosen;
-}
-
-/// Sums of a few coordinates, as middles of faces take, must not overflow.
-void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
-{
-  constexpr double most = 1e300;
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    const Index point = mesh.Point(v);
-    if (!(points[point].lpNorm<Eigen::Infinity>() < most))
-    {
-      throw MeshError(MeshError::Kind::NonFinitePoint, point,
-        "Point " + std::to_string(point) +
-          " has a coordinate of 1e300 or more, too large to be computed with. Scale the surface down.");
-    }
-  }
 }
 }
 

@@ -3,6 +3,7 @@
 
 #include "Sizes/SizeField.h"
 
+#include "Mesh/MergePoints.h"
 #include "Preparation/WantedSizes.h"
 #include "Support/Sentences.h"
 
@@ -20,27 +21,6 @@ namespace
 {
 /// How often sizes are limited for an edge length that depends on them.
 constexpr int GradationRounds = 4;
-
-/// The first point at the place of each point.
-std::vector<Index> PlacesOf(const Surface& surface)
-{
-  std::vector<Index> order(surface.Points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto isBefore = [&](Index a, Index b)
-  {
-    const Vector3& p = surface.Points[a];
-    const Vector3& q = surface.Points[b];
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
-  };
-  std::stable_sort(order.begin(), order.end(), isBefore);
-  std::vector<Index> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    const bool isSame = k > 0 && !isBefore(order[k - 1], order[k]);
-    place[order[k]] = isSame ? place[order[k - 1]] : order[k];
-  }
-  return place;
-}
 
 /// The edges that leave each point, as pairs of a length and a point, and where those of a point
 /// begin.
@@ -84,7 +64,7 @@ struct Edges
 {
   throw std::invalid_argument("The wanted length of edges at point " + std::to_string(point) +
     " is " + (std::isnan(length) ? std::string("no number") : Figure(length)) +
-    ". All lengths of the Sizing Array have to be above 0.");
+    ". All lengths of the Sizing Array have to be finite and above 0.");
 }
 }
 
@@ -133,7 +113,7 @@ RelativeSizes SizesFor(const Surface& surface, const std::vector<double>& length
 
 void LimitGrowth(const Surface& surface, double slope, std::vector<double>& sizes)
 {
-  const std::vector<Index> place = PlacesOf(surface);
+  const std::vector<Index> place = FirstAtSamePlace(surface);
   const Edges edges(surface, place);
   for (std::size_t p = 0; p < sizes.size(); ++p)
   {

@@ -125,6 +125,10 @@ private:
       }
       if (std::exchange(isFirst, false))
       {
+        if (this->Options.SecondOrder && corners == 3)
+        {
+          this->Text << "** Abaqus: STRI65 in place of S6.\n";
+        }
         this->Text << "*ELEMENT, TYPE=" << type << ", ELSET=EALL\n";
       }
       this->Text << static_cast<std::int64_t>(f) + 1;
@@ -360,7 +364,7 @@ private:
       const std::string orientation = this->Names.Unique("O_" + number);
       this->Text << "*ELSET, ELSET=" << elements << "\n" << number << "\n";
       this->Text << "*ORIENTATION, NAME=" << orientation << "\n"
-                 << Numbers(axes[f][0]) << ", " << Numbers(axes[f][1]) << "\n";
+                 << Numbers(axes[f][0]) << ", " << Numbers(axes[f][1]) << "\n3, 0.\n";
       this->AddSection(elements, this->MaterialOf(setOf[f]), orientation);
     }
   }

@@ -14,7 +14,8 @@ namespace DirectionFields
 struct AbaqusOptions
 {
   /// Elements S8R and S6 with a node in the middle of each edge, bent as the faces and lines there,
-  /// in place of S4 and S3. Where faces meet at more than 40 degrees there is no bend across.
+  /// in place of S4 and S3. Where faces meet at more than 40 degrees there is no bend across. S6 is
+  /// a name of CalculiX: for Abaqus it has to be STRI65, as a comment before these elements says.
   bool SecondOrder = false;
   /// Of the shells, in the unit of the mesh, for which sections are written; 0 for none.
   /// At least 0.

@@ -3,6 +3,7 @@
 
 #include "SolverFiles/ShellChecks.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -64,6 +65,15 @@ void CheckFace(const ShellMesh& mesh, std::size_t f)
     throw std::invalid_argument("Face " + std::to_string(f) +
       " has no area: two of its corners are at one place, or all on a line. Remove it, or join "
       "such points with Clean.");
+  }
+  // With an area it is a quad, and these two are beside each other.
+  for (int k = 1; k < corners; ++k)
+  {
+    if (std::find(face.begin(), face.begin() + k, face[k]) != face.begin() + k)
+    {
+      throw std::invalid_argument("Face " + std::to_string(f) + " has point " +
+        std::to_string(face[k]) + " twice. Clean makes a triangle of it.");
+    }
   }
 }
 }

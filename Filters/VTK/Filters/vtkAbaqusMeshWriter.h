@@ -80,6 +80,7 @@ public:
   /**
    * Write elements of second order, S8R and S6, with nodes in the middle of edges. These are bent
    * as the faces and lines there, but not across edges where faces meet at more than 40 degrees.
+   * S6 is a name of CalculiX: for Abaqus it has to be STRI65, as a comment in the file says.
    * Default off: S4 and S3.
    */
   vtkSetMacro(SecondOrder, bool);

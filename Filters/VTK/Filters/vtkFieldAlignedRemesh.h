@@ -69,12 +69,13 @@
  * regions between the places where these end, meet or turn, with
  * - point data `MeshPoint`: int. The number of the point on the mesh.
  * - cell data `ChainId`: int. The number of the line, from 0 on.
- * - cell data `ChainKind`: signed char. 0 boundary, 1 feature, 2 border of regions.
+ * - cell data `ChainKind`: signed char. 0 boundary, 1 feature or curve of input port 1, 2 border of
+ *   regions.
  * - cell data `ChainName`: string. The kind, the regions beside it and a number, as in
  *   `Border steel/copper 1`: different for all lines, and the same in a finer or coarser mesh, but
  *   where lines are next to each other.
- * - cell data `FirstRegion` and `SecondRegion` with a RegionArray: int, -1 outside; strings, empty
- *   outside, if that is an array of strings.
+ * - cell data `FirstRegion` and `SecondRegion` with a RegionArray: int, long long where values
+ *   are beyond int, -1 outside; strings, empty outside, if that is an array of strings.
  * The mesh of port 0 has them in its field data, too, for files: `ChainNames`, string, a value for
  * each line; `ChainOffsets`, int, where each line begins in `ChainPoints`, and the end; and
  * `ChainPoints`, int, the numbers of the points.
@@ -183,7 +184,8 @@ public:
   /**
    * The factor by which lengths of edges beside each other may differ: where the SizingArray grows
    * faster, edges are shorter than it asks for, around the shortest ones. A grid cannot follow
-   * jumps. Above 1, 1.3 say; 0, the default, for any. Values between 0 and 1 are an error.
+   * jumps. Above 1, 1.3 say; 0, the default, for any. Values above 0 and up to 1 are an error. No
+   * effect without a SizingArray.
    */
   vtkSetClampMacro(Gradation, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Gradation, double);
@@ -207,7 +209,8 @@ public:
    * is to have: the sum of value times area over the faces is that over the cells, of each
    * component and in each region, since means are changed by a multiple of their size. A quad has
    * the area of the triangles beside its first diagonal, as vtkIntegrateAttributes takes it. The
-   * array is of doubles then. An error if there is none. Null, the default, an empty name and
+   * array is of doubles then. An error if there is none, and for arrays that the mesh does not take
+   * over: active normals, ghost marks and those of the field. Null, the default, an empty name and
    * "None" are no array.
    */
   vtkSetStringMacro(ConservedArray);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Curves/CurveCut.h"
+#include "MeshError.h"
 #include "Remesh.h"
 
 #include "Meshes/Remeshed.h"
@@ -13,7 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 using namespace DirectionFields;
 
@@ -258,4 +262,52 @@ TEST(Curves, SeamsAreCrossed)
   EXPECT_TRUE(cut.Notes.empty());
   EXPECT_NEAR(LengthOf(cut), std::hypot(1.0, 0.23), 1e-3);
   EXPECT_LT(FarthestFromFeatures(Remeshed(soup, { line }, 200), line), 1e-2);
+}
+
+// They are at the same place as others, but there is nothing to split.
+TEST(Curves, TrianglesWithACornerTwiceAreNotCut)
+{
+  const Surface given = { { { 0.1, 0.2, 0.0 }, { 0.7, 0.5, 0.0 }, { 0.2, 0.9, 0.0 } },
+    { { 0, 0, 1 }, { 0, 1, 2 }, { 1, 0, 1 } } };
+  const Vector3 along = given.Points[1] - given.Points[0];
+  const Vector3 outward(along.y(), -along.x(), 0.0);
+  for (double part = 0.2; part < 0.8; part += 0.013)
+  {
+    const Vector3 start = given.Points[0] + part * along;
+    const Vector3 end(0.3, 0.55, 0.0);
+    const CurveCut cut = CutAlong(given, { { start + 0.005 * outward, end } });
+    EXPECT_TRUE(cut.Notes.empty());
+    EXPECT_NEAR(AreaOf(cut.Cut), AreaOf(given), 1e-15);
+    // But for an edge that the end may be taken to.
+    EXPECT_NEAR(LengthOf(cut), (end - start).norm(), 1e-3);
+    ASSERT_EQ(cut.Cut.Triangles.size(), 6U);
+    for (std::size_t t = 0; t < cut.Cut.Triangles.size(); ++t)
+    {
+      EXPECT_EQ(cut.Parents[t], t == 0 ? 0 : t == 2 ? 2 : 1) << t;
+    }
+    EXPECT_EQ(cut.Cut.Triangles[0], given.Triangles[0]);
+    EXPECT_EQ(cut.Cut.Triangles[2], given.Triangles[2]);
+  }
+}
+
+TEST(Curves, CoordinatesThatAreTooLargeAreRefused)
+{
+  const auto large = std::make_shared<Surface>(
+    Surface{ { { 0.0, 0.0, 0.0 }, { 1e308, 0.0, 0.0 }, { 0.0, 1e308, 0.0 } }, { { 0, 1, 2 } } });
+  const Curve line = { { 3e307, 3e307, 0.0 }, { 1e307, 1e307, 0.0 } };
+  EXPECT_THROW(Remesh(large, { line }), MeshError);
+  const auto square = std::make_shared<Surface>(Meshes::Square(4));
+  for (const double bad : { std::nan(""), HUGE_VAL })
+  {
+    try
+    {
+      Remesh(square, { { { 0.2, 0.2, 0.0 } }, { { 0.2, 0.2, 0.0 }, { 0.5, bad, 0.0 } } });
+      ADD_FAILURE();
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_EQ(std::string(error.what()),
+        "Point 1 of curve 1 has a coordinate that is NaN or infinite. Remove it.");
+    }
+  }
 }

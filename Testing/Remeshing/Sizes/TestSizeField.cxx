@@ -104,6 +104,36 @@ TEST(SizeField, GrowsOverPointsAtOnePlace)
   }
 }
 
+/// Points that no triangle has are no places, whatever their coordinates.
+TEST(SizeField, PointsWithoutTrianglesChangeNothing)
+{
+  constexpr std::size_t every = 3;
+  const Surface soup = Meshes::Soup(Meshes::Square(6));
+  const auto wanted = [](const Vector3& p) { return p.norm() < 1e-9 ? 0.1 : 1.0; };
+  Surface mixed;
+  for (const Vector3& point : soup.Points)
+  {
+    mixed.Points.push_back(point);
+    if (mixed.Points.size() % every == every - 1)
+    {
+      mixed.Points.emplace_back(std::nan(""), 0.0, 0.0);
+    }
+  }
+  const auto numberOf = [](Index p) { return p + p / 2; };
+  for (const Triangle& t : soup.Triangles)
+  {
+    mixed.Triangles.push_back({ numberOf(t[0]), numberOf(t[1]), numberOf(t[2]) });
+  }
+  std::vector<double> sizes = AtPoints(soup, wanted);
+  std::vector<double> among = AtPoints(mixed, wanted);
+  LimitGrowth(soup, 1.0, sizes);
+  LimitGrowth(mixed, 1.0, among);
+  for (std::size_t p = 0; p < soup.Points.size(); ++p)
+  {
+    EXPECT_EQ(among[numberOf(static_cast<Index>(p))], sizes[p]) << p;
+  }
+}
+
 /// The edge length times the size is the length in the user's unit, whatever that is.
 TEST(SizeField, HasTheLengthsThatAreGiven)
 {

@@ -65,6 +65,8 @@ struct InputDeck
   /// The six numbers of each, by name; of a distribution by its element.
   std::map<std::string, std::vector<double>> Orientations;
   std::map<int, std::vector<double>> Distribution;
+  /// The axis that axes of a material are turned around, and the angle.
+  std::map<std::string, std::vector<double>> Rotations;
   std::vector<std::string> Comments;
   std::size_t MostWords = 0;
   std::size_t LongestNumber = 0;
@@ -131,6 +133,10 @@ private:
     else if (keyword == "ORIENTATION" && words.size() == 6)
     {
       this->Orientations[given["NAME"]] = Doubles(words, 0);
+    }
+    else if (keyword == "ORIENTATION" && words.size() == 2)
+    {
+      this->Rotations[given["NAME"]] = Doubles(words, 0);
     }
     else if (keyword == "DISTRIBUTION" && !words[0].empty())
     {

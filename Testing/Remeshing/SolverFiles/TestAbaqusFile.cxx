@@ -125,6 +125,9 @@ TEST(AbaqusFile, NodesInTheMiddleOfEdgesAreSharedByFaces)
     }
   }
   EXPECT_EQ(deck.Nodes.size(), 8U + edges.size());
+  EXPECT_EQ(deck.Comments.back(), "** Abaqus: STRI65 in place of S6.");
+  options.SecondOrder = false;
+  EXPECT_EQ(InputDeck(AbaqusText(mesh, options)).Comments.size(), deck.Comments.size() - 1);
 }
 
 // A quarter of a pipe, wound in both ways.
@@ -312,6 +315,7 @@ TEST(AbaqusFile, AxesOfMaterialsAreInThePlanesOfFaces)
     const auto f = static_cast<std::size_t>(elements[0] - 1);
     EXPECT_EQ(section.Material, f < 2 ? "E_1" : "MATERIAL");
     const std::vector<double>& six = deck.Orientations.at(section.Orientation);
+    EXPECT_EQ(deck.Rotations.at(section.Orientation), (std::vector<double>{ 3.0, 0.0 }));
     EXPECT_EQ(six, distributed.Distribution.at(elements[0]));
     const Vector3 first(six[0], six[1], six[2]);
     const Vector3 second(six[3], six[4], six[5]);
@@ -342,6 +346,11 @@ TEST(AbaqusFile, ErrorsSayWhatIsWrong)
     errorWith(
       [](ShellMesh& m) {
         m.Faces[2] = { 0, 1, 0, 1 };
+      })));
+  EXPECT_TRUE(isIn("Face 0 has point 6 twice. Clean makes",
+    errorWith(
+      [](ShellMesh& m) {
+        m.Faces[0] = { 0, 1, 6, 6 };
       })));
   EXPECT_TRUE(isIn("point 3 are no finite",
     errorWith([](ShellMesh& m) { m.Points[3].y() = std::numeric_limits<double>::quiet_NaN(); })));

@@ -113,7 +113,15 @@ vtkDataArray* ConservedOf(vtkPolyData* input, const std::string& name)
 
 void CheckConserved(vtkPolyData* input, const CellDataRules& rules)
 {
-  if (ConservedOf(input, rules.ConservedArray) && rules.ConservedArray == rules.RegionArray)
+  vtkDataArray* const conserved = ConservedOf(input, rules.ConservedArray);
+  if (conserved &&
+    (conserved == input->GetCellData()->GetNormals() || IsLeftOutAtCells(rules.ConservedArray)))
+  {
+    throw std::invalid_argument("\"" + rules.ConservedArray +
+      "\" has normals, marks or directions of the input's own cells, which the mesh does not take "
+      "over. Choose another for Conserved Array.");
+  }
+  if (conserved && rules.ConservedArray == rules.RegionArray)
   {
     throw std::invalid_argument("\"" + rules.ConservedArray +
       "\" is the Region Array, whose values are not to be changed. Choose another for Conserved "

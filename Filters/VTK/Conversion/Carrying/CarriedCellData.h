@@ -28,7 +28,8 @@ struct CellDataRules
 };
 
 /// Throws std::invalid_argument, its text a sentence for the user, where an input has no array of
-/// numbers of that name, or it is that of the regions.
+/// numbers of that name, it is that of the regions, or
+/// one that the mesh does not take over.
 void CheckConserved(vtkPolyData* input, const CellDataRules& rules);
 
 /// Gives the faces of a mesh the data of the cells that they cover: of arrays of real numbers the

@@ -21,15 +21,19 @@ namespace DirectionFields
 {
 namespace
 {
+bool IsUnshared(const std::string& name)
+{
+  return ArrayNames::IsOfTheField(name.c_str(), 16) || name == ArrayNames::OriginalPointIds ||
+    name == vtkDataSetAttributes::GhostArrayName();
+}
+
 /// Removes arrays that another mesh of the same surface cannot take over.
 void RemoveUnsharedArrays(vtkDataSetAttributes* data)
 {
   for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
   {
     const char* name = data->GetArrayName(k);
-    if (name &&
-      (ArrayNames::IsOfTheField(name, 16) || name == std::string(ArrayNames::OriginalPointIds) ||
-        name == std::string(vtkDataSetAttributes::GhostArrayName())))
+    if (name && IsUnshared(name))
     {
       data->RemoveArray(k);
     }
@@ -114,5 +118,10 @@ void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface,
   {
     output->CopyData(data, surface.Cell(triangles[f]), static_cast<vtkIdType>(f));
   }
+}
+
+bool IsLeftOutAtCells(const std::string& name)
+{
+  return IsUnshared(name) || name == ArrayNames::SingularityIndex;
 }
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,9 @@ void InterpolatePointData(vtkPolyData* input, std::size_t count,
 /// @param triangles the triangle of the surface that each cell lies in
 void CopyCellData(vtkPolyData* input, const TriangulatedPolyData& surface,
   const std::vector<Index>& triangles, vtkCellData* output);
+
+/// Whether an array of cells of this name is one of those exceptions.
+bool IsLeftOutAtCells(const std::string& name);
 }
 
 #endif

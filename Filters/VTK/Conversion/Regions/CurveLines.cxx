@@ -15,6 +15,8 @@
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace DirectionFields
@@ -33,6 +35,13 @@ void AddLines(vtkPolyData* polyData, Curves& curves)
     for (std::size_t k = 0; k < curve.size(); ++k)
     {
       polyData->GetPoints()->GetPoint(ids->GetId(static_cast<vtkIdType>(k)), curve[k].data());
+      if (!curve[k].allFinite())
+      {
+        throw std::invalid_argument("Point " +
+          std::to_string(ids->GetId(static_cast<vtkIdType>(k))) +
+          " of the second input, the curves, has a coordinate that is NaN or infinite. Remove it "
+          "with its line.");
+      }
     }
     curves.push_back(std::move(curve));
   }

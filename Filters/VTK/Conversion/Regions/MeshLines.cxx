@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace DirectionFields
@@ -51,7 +53,7 @@ std::vector<std::string> NamesOf(const std::vector<MeshChain>& chains)
 }
 
 /// The regions' values, if they are all integers.
-bool AreIntegers(const std::vector<std::string>& names, std::vector<int>& values)
+bool AreIntegers(const std::vector<std::string>& names, std::vector<long long>& values)
 {
   return std::all_of(names.begin(), names.end(),
     [&values](const std::string& name)
@@ -66,15 +68,24 @@ bool AreIntegers(const std::vector<std::string>& names, std::vector<int>& values
 void AddRegionsBeside(const char* name, std::size_t side, const std::vector<MeshChain>& chains,
   const std::vector<std::string>& names, vtkCellData* data)
 {
-  std::vector<int> values;
+  std::vector<long long> values;
   if (AreIntegers(names, values))
   {
-    data->AddArray(MakeValues<vtkIntArray>(name, chains.size(),
-      [&](std::size_t i)
-      {
-        const Index region = chains[i].Regions[side];
-        return region == None ? -1 : values[static_cast<std::size_t>(region)];
-      }));
+    const auto regionOf = [&](std::size_t i)
+    {
+      const Index region = chains[i].Regions[side];
+      return region == None ? -1 : values[static_cast<std::size_t>(region)];
+    };
+    using Ints = std::numeric_limits<int>;
+    if (std::all_of(values.begin(), values.end(),
+          [](long long value) { return value >= Ints::min() && value <= Ints::max(); }))
+    {
+      data->AddArray(MakeValues<vtkIntArray>(name, chains.size(), regionOf));
+    }
+    else
+    {
+      data->AddArray(MakeValues<vtkLongLongArray>(name, chains.size(), regionOf));
+    }
     return;
   }
   std::vector<std::string> texts;
