@@ -10,6 +10,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqSaveDataReaction.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
 #include <QAction>
@@ -19,13 +20,17 @@
 
 namespace
 {
+/// The value of Element for quads.
+constexpr int QUADS = 0;
+
 /// The selected mesh of quads, if it is on show and no change of it waits for Apply.
 pqPipelineSource* ShownQuads()
 {
   auto& active = pqActiveObjects::instance();
   pqPipelineSource* const source = active.activeSource();
   if (!source || strcmp(source->getProxy()->GetXMLName(), "FieldAlignedRemesh") != 0 ||
-    source->modifiedState() != pqProxy::UNMODIFIED)
+    source->modifiedState() != pqProxy::UNMODIFIED ||
+    vtkSMPropertyHelper(source->getProxy(), "Element").GetAsInt() != QUADS)
   {
     return nullptr;
   }

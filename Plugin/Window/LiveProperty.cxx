@@ -7,6 +7,7 @@
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
+#include "pqView.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMTrace.h"
 
@@ -82,7 +83,12 @@ void LiveProperty::apply()
   timer.start();
   vtkSMPropertyHelper(this->Property).Set(this->Value);
   this->Proxy->UpdateVTKObjects();
-  pqApplicationCore::instance()->render();
+  // At once, since a render that only waits for its turn would not count as time.
+  auto* const model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqView* const view : model->findItems<pqView*>())
+  {
+    view->forceRender();
+  }
   this->IsSlow = timer.elapsed() > SLOW;
 }
 

@@ -106,6 +106,8 @@ void StrokeTool::follow()
   {
     this->View->renderWidget()->installEventFilter(this);
     this->View->setCursor(Qt::CrossCursor);
+    // Keys go to the widget with the focus: Delete elsewhere would delete a filter.
+    this->View->renderWidget()->setFocus();
   }
 }
 
@@ -126,7 +128,11 @@ bool StrokeTool::eventFilter(QObject* object, QEvent* event)
 {
   switch (event->type())
   {
+    case QEvent::Enter:
+      this->View->renderWidget()->setFocus();
+      return false;
     case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
       return this->mouse(static_cast<QMouseEvent*>(event));
@@ -141,9 +147,12 @@ bool StrokeTool::eventFilter(QObject* object, QEvent* event)
 //------------------------------------------------------------------------------
 bool StrokeTool::mouse(QMouseEvent* event)
 {
-  if (event->type() == QEvent::MouseButtonPress && event->button() == Qt::LeftButton &&
-    event->modifiers() == Qt::NoModifier)
+  // Pressed soon after the last time, a button tells of a double click instead.
+  const bool isPress =
+    event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+  if (isPress && event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
   {
+    delete this->Line;
     this->IsDrawing = true;
     this->Path = QPolygonF({ event->localPos() });
     this->Line = new StrokeLine(this->View, this->Path);

@@ -36,8 +36,9 @@ def apply_preset(name):
 
     name  "Scan", "CAD part", "Sheet" or "Fibres", the keys of presets.PRESETS
 
-    What would change nothing, as the boundary of a closed surface, is left off. Strokes and other
-    guidance stay; a mesh without a field gets one. Returns the Direction Field, or None where there
+    What would change nothing, as the boundary of a closed surface, is left off. Constraints
+    along strokes stay, but an alignment to vectors or tensors does not, and Energy Bias is 0; a mesh
+    without a field gets one. Returns the Direction Field, or None where there
     is none; then one sentence in ParaView's messages says why, and everything is as it was."""
     try:
         if name not in PRESETS:
@@ -85,10 +86,16 @@ def choose(field, name):
 
 def warnings_of(field):
     data = servermanager.Fetch(field)
-    blocks = [data] if not data.IsA("vtkCompositeDataSet") else [
-        data.GetBlock(k) for k in range(data.GetNumberOfBlocks())]
+    blocks = [data]
+    if data.IsA("vtkCompositeDataSet"):
+        # Groups may be within groups.
+        blocks, leaves = [], data.NewIterator()
+        leaves.InitTraversal()
+        while not leaves.IsDoneWithTraversal():
+            blocks.append(leaves.GetCurrentDataObject())
+            leaves.GoToNextItem()
     texts = []
     for block in blocks:
-        array = block.GetFieldData().GetAbstractArray("Warnings") if block else None
+        array = block.GetFieldData().GetAbstractArray("Warnings")
         texts += [array.GetValue(k) for k in range(array.GetNumberOfValues())] if array else []
     return texts

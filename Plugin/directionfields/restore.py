@@ -57,6 +57,31 @@ class Pipeline:
         simple.SetActiveSource(source)
 
 
+class Properties:
+    """Properties of some proxies as they are now, given as {proxy: names}. Used in a `with`, they are
+    so again after an exception, which goes on."""
+
+    def __init__(self, names):
+        self.names = names
+
+    def __enter__(self):
+        self.before = []
+        for proxy, names in self.names.items():
+            for name in names:
+                property = proxy.SMProxy.GetProperty(name)
+                copy = property.NewInstance()
+                copy.Copy(property)
+                self.before.append((proxy.SMProxy, property, copy))
+        return self
+
+    def __exit__(self, kind, problem, trace):
+        if kind is not None:
+            for proxy, property, copy in self.before:
+                property.Copy(copy)
+                proxy.UpdateVTKObjects()
+        return False
+
+
 def displays_of(view):
     return list(view.Representations) if view.GetProperty("Representations") else []
 

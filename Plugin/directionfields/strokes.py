@@ -14,7 +14,7 @@ from directionfields.compute import (check_properties, computed, connect, regist
 from directionfields.picture import complain, draw, view_of_button
 from directionfields.pipeline import (fields_before, fields_of, input_of, is_field, mesh_of,
                                       name_of, proxy_of, sources, upstream, REMESHERS)
-from directionfields.restore import Messages, Pipeline
+from directionfields.restore import Messages, Pipeline, Properties
 
 # A stroke has a point every so many pixels of its way over the view.
 STEP = 6.0
@@ -24,6 +24,8 @@ STEEPEST = 8.0
 LIFT = 0.002
 # How far from a stroke it can be pointed at, in pixels.
 REACH = 15.0
+# Surfaces are at the same place where they differ by less than this part of the depth of the view.
+SAME = 1e-6
 
 
 def draw_stroke(path):
@@ -32,9 +34,9 @@ def draw_stroke(path):
 
     path  the pixels of the way, as (x, y) from the lower left corner of the view
 
-    The surface is the nearest one under the way that belongs to the selected source, or else to
-    anything that the view shows. Where the way leaves the surface, or goes on behind it, the stroke
-    ends and another one begins. The strokes are a source, Surface Strokes; Guidance From Curves and
+    The surface is that of what the view shows which is the nearest one where the way begins. Where
+    the way leaves the surface, or goes on behind it or behind another one, the stroke ends and
+    another one begins. The field is the selected one, if it is on that surface, or else the newest. The strokes are a source, Surface Strokes; Guidance From Curves and
     Direction Field, which then constrains its directions to them, are made if they are not there. A
     Direction Field that is there keeps its other properties.
 
@@ -50,8 +52,9 @@ def draw_stroke(path):
 
 
 def remove_stroke(pixel):
-    """Takes the stroke away that is near a pixel of the active view, or else the last one; with the
-    last one, what draw_stroke() has put between the mesh and its field. Returns whether there was
+    """Takes the stroke away that is near a pixel of the active view, or else the last one that was
+    drawn and that the view shows; with the last one of a surface, what draw_stroke() has put
+    between the mesh and its field, unless other filters have that as an input, too. Returns whether there was
     one, and says so in a sentence if not."""
     try:
         view = view_of_button()
@@ -112,7 +115,9 @@ class Surface:
         if not self.data.GetNumberOfCells():
             return None
         t, part, point, coordinates = mutable(0.0), mutable(0), [0.0] * 3, [0.0] * 3
-        found = self.locator.IntersectWithLine(ray[0], ray[1], 0.0, t, point, coordinates, part)
+        # Else rays might pass through edges.
+        close = 1e-6 * self.data.GetLength()
+        found = self.locator.IntersectWithLine(ray[0], ray[1], close, t, point, coordinates, part)
         return np.array(point) if found else None
 
     def over(self, point, eye):
@@ -126,20 +131,25 @@ class Surface:
         return np.array(found) + LIFT * self.data.GetLength() * side * np.array(normal)
 
 
-# The last surface that was drawn on, and what it was made of.
+# The surfaces under the last stroke, by what they were made of.
 _last = {}
 
 
-def surface_under(source):
-    """The polygons of a source; those of the last time where its data are the same."""
-    source.UpdatePipeline()
-    filter = source.GetClientSideObject()
-    data = filter.GetOutputDataObject(source.Port) if filter else None
-    key = (source.SMProxy.GetGlobalID(), source.Port, data.GetMTime()) if data else None
-    if key is None or key not in _last:
-        _last.clear()
-        _last[key] = Surface(source)
-    return _last[key]
+def surfaces_under(found):
+    """The polygons of some sources; those of the last time where their data are the same."""
+    known = dict(_last)
+    _last.clear()
+    surfaces = []
+    for source in found:
+        source.UpdatePipeline()
+        filter = source.GetClientSideObject()
+        data = filter.GetOutputDataObject(source.Port) if filter else None
+        key = (source.SMProxy.GetGlobalID(), source.Port, data.GetMTime()) if data else None
+        surface = known.get(key) if data else None
+        surfaces.append(surface or Surface(source))
+        if data:
+            _last[key] = surfaces[-1]
+    return surfaces
 
 
 def evenly(path):
@@ -150,16 +160,34 @@ def evenly(path):
     return np.c_[np.interp(places, lengths, path[:, 0]), np.interp(places, lengths, path[:, 1])]
 
 
-def laid(path, surface, screen):
-    """The parts of a way that lie on a surface, as lists of points."""
-    parts, last = [[]], None
+def depth(point, ray):
+    """How far a point is on the way from the start of a ray to its end."""
+    return np.linalg.norm(point - ray[0]) / np.linalg.norm(ray[1] - ray[0])
+
+
+def nearest(surfaces, ray):
+    """The surface that a ray meets first, the first one of those at the same place, and where; or
+    Nones."""
+    hits = [(surface, surface.hit(ray)) for surface in surfaces]
+    hits = [(surface, point) for surface, point in hits if point is not None]
+    first = min((depth(point, ray) for _, point in hits), default=0.0)
+    return next(((surface, point) for surface, point in hits
+                 if depth(point, ray) <= first + SAME), (None, None))
+
+
+def laid(path, surfaces, screen):
+    """The first of surfaces that a way meets, and its parts there, as lists of points; or None."""
+    parts, last, surface = [[]], None, None
     for pixel in evenly(path):
         ray = screen.ray(pixel)
-        point = surface.hit(ray)
+        met, point = nearest(surfaces, ray)
+        surface = surface or met
+        if met is not surface:
+            point = None
         if point is not None and last is not None:
             # How long a step is that the eye sees straight from the front.
             beside = screen.ray(pixel + [STEP, 0.0])
-            part = np.linalg.norm(point - ray[0]) / np.linalg.norm(ray[1] - ray[0])
+            part = depth(point, ray)
             flat = np.linalg.norm((1.0 - part) * (beside[0] - ray[0]) + part * (beside[1] - ray[1]))
             if np.linalg.norm(point - last) > STEEPEST * flat:
                 last = None
@@ -168,7 +196,7 @@ def laid(path, surface, screen):
         if point is not None:
             parts[-1].append((point, ray[0]))
         last = point
-    return [smooth(*np.swapaxes(part, 0, 1), surface) for part in parts if len(part) > 1]
+    return surface, [smooth(*np.swapaxes(part, 0, 1), surface) for part in parts if len(part) > 1]
 
 
 def smooth(points, eyes, surface):
@@ -194,27 +222,40 @@ def stroke_under(path, view):
     shown = [display.Input for display in view.Representations
              if display.Visibility and display.GetProperty("Input") is not None]
     active = simple.GetActiveSource()
-    screen, tried = Screen(view), []
-    for source in ([active] if active else []) + shown:
-        mesh = base_of(source)
+    selected = [base_of(active)] if active else []
+    # What is selected comes first, where two are at the same place.
+    meshes = sorted(map(base_of, shown),
+                    key=lambda mesh: proxy_of(mesh) not in map(proxy_of, selected))
+    found, tried = [], []
+    for mesh in meshes:
         if mesh.GetXMLName() == "SurfaceStrokes" or proxy_of(mesh) in tried:
             continue
         tried.append(proxy_of(mesh))
         try:
-            surface, is_new = surface_of(mesh)
+            found.append((mesh, *surface_of(mesh)))
         except ValueError:  # An annotation, say, has no surface.
             continue
-        parts = laid(path, surface_under(surface), screen)
-        if parts:
-            if is_new:
-                register(surface, f"Surface of {name_of(mesh)}")
-            return mesh, simple.OutputPort(surface, surface.Port), parts
-    raise ValueError("There is no surface under the stroke: show a mesh, and draw on it.")
+    surfaces = surfaces_under([surface for _, surface, _ in found])
+    met, parts = laid(path, surfaces, Screen(view))
+    if not parts:
+        raise ValueError("There is no surface under the stroke: show a mesh, and draw on it.")
+    mesh, surface, is_new = found[surfaces.index(met)]
+    if is_new:
+        register(surface, f"Surface of {name_of(mesh)}")
+    return mesh, simple.OutputPort(surface, surface.Port), parts
 
 
-def guided_of(mesh):
-    """The Direction Field of a mesh that follows strokes, its guidance, and these; or Nones."""
-    for field in reversed(fields_of(mesh)):
+def fields_to_guide(mesh):
+    """The Direction Fields of a mesh that may follow a stroke, the newest last: those that are
+    selected, or else all."""
+    fields = [field for field in fields_of(mesh) if field.GetXMLName() == "DirectionField"]
+    chain = list(map(proxy_of, upstream(simple.GetActiveSource())))
+    return [field for field in fields if proxy_of(field) in chain] or fields
+
+
+def guided_of(fields):
+    """The one of fields that follows strokes, its guidance, and these; or Nones."""
+    for field in reversed(fields):
         guidance = input_of(field)
         if guidance is not None and guidance.GetXMLName() == "GuidanceFromCurves":
             curves = guidance.Curves
@@ -223,35 +264,56 @@ def guided_of(mesh):
     return None, None, None
 
 
+# What makes a field follow its guidance.
+GUIDED = {"GuidanceVectors": "GuidanceVectors", "GuidanceWeights": "GuidanceWeights",
+          "ConstrainGuidance": 1}
+# The identifier of the Surface Strokes that were drawn last.
+_drawn = None
+
+
 def add(mesh, surface, parts, view):
-    field, guidance, strokes = guided_of(mesh)
+    global _drawn
+    fields = fields_to_guide(mesh)
+    field, _, strokes = guided_of(fields)
+    empty = emptied(mesh) if strokes is None else None
     rows = list(strokes.Points) if strokes else []
     first = int(max(rows[0::4], default=-1.0)) + 1
     for k, part in enumerate(parts):
         for point in part:
             rows += [float(first + k)] + [float(x) for x in point]
-    if strokes is None:
-        strokes = connected(rows, mesh)
-        field, guidance = guided(mesh, surface, strokes)
-    else:
-        strokes.Points = rows
-    show(field, strokes, view)
+    changed = {one: ["Points"] for one in (strokes, empty) if one}
+    changed.update({one: ["Input", *GUIDED] for one in fields[-1:]})
+    with Properties(changed):
+        if strokes is None:
+            strokes = empty or connected(mesh)
+            strokes.Points = rows
+            field = guided(mesh, surface, strokes, fields)
+        else:
+            strokes.Points = rows
+        show(field, strokes, view)
+    _drawn = strokes.SMProxy.GetGlobalID()
     return strokes
 
 
-def connected(rows, mesh):
+def emptied(mesh):
+    """The strokes of a mesh that have been taken away, and that other filters still have as an
+    input; or None."""
+    known = simple.FindSource(f"Strokes on {name_of(mesh)}")
+    is_empty = known and known.GetXMLName() == "SurfaceStrokes" and not len(known.Points)
+    return known if is_empty else None
+
+
+def connected(mesh):
     strokes = servermanager.sources.SurfaceStrokes()
     controller = servermanager.ParaViewPipelineController()
     controller.PreInitializeProxy(strokes)
-    strokes.Points = rows
     controller.PostInitializeProxy(strokes)
     return register(strokes, f"Strokes on {name_of(mesh)}")
 
 
-def guided(mesh, surface, strokes):
-    """The field of a mesh, now along strokes, and its guidance."""
+def guided(mesh, surface, strokes, known):
+    """The last field known, or else a new one of a mesh, now along strokes."""
     name = name_of(mesh)
-    known = [field for field in fields_of(mesh) if field.GetXMLName() == "DirectionField"]
     if known and (known[-1].ConstrainGuidance or known[-1].Alignment == "Point Vectors"):
         raise ValueError(f"{name_of(known[-1])} follows other vectors already: turn Constrain "
                          "Guidance and Point Vectors off in its Properties, press Apply, and draw again.")
@@ -260,21 +322,19 @@ def guided(mesh, surface, strokes):
                        {"Curves": strokes, "Degree": known[-1].Degree if known else 4})
     register(guidance, f"Guidance of {name}")
     guidance.UpdatePipeline()
-    along = {"GuidanceVectors": "GuidanceVectors", "GuidanceWeights": "GuidanceWeights",
-             "ConstrainGuidance": 1}
     if not known:
-        field = computed(guidance, 4, {"UnitLength": 1, **along})
+        field = computed(guidance, 4, {"UnitLength": 1, **GUIDED})
         simple.RenameSource(f"Field of {name}", field)
-        return field, guidance
+        return field
     field = known[-1]
     with Messages() as messages:
         field.Input = simple.OutputPort(guidance, 0)
-        for key, value in along.items():
+        for key, value in GUIDED.items():
             setattr(field, key, value)
         field.UpdatePipeline()
     if not is_field(field):
         raise ValueError(messages.errors[0] if messages.errors else f"{name} has no field.")
-    return field, guidance
+    return field
 
 
 def show(field, strokes, view):
@@ -295,19 +355,22 @@ def show(field, strokes, view):
 
 
 def remove(pixel, view):
+    shown = [proxy_of(display.Input) for display in view.Representations
+             if display.Visibility and display.GetProperty("Input") is not None]
     known = [source for source in sources() if source.GetXMLName() == "SurfaceStrokes" and
-             len(source.Points)]
+             proxy_of(source) in shown and len(source.Points)]
     if not known:
-        raise ValueError("There are no strokes.")
-    screen, nearest = Screen(view), (REACH, None, None)
+        raise ValueError("There are no strokes in this view.")
+    screen, closest = Screen(view), (REACH, None, None)
     for strokes in known:
         rows = np.array(list(strokes.Points)).reshape(-1, 4)
         distances = np.linalg.norm(screen.pixels(rows[:, 1:]) - np.array(pixel, float), axis=1)
         k = int(np.argmin(distances))
-        if distances[k] < nearest[0]:
-            nearest = distances[k], strokes, rows[k, 0]
-    _, strokes, number = nearest
-    strokes = strokes or known[-1]
+        if distances[k] < closest[0]:
+            closest = distances[k], strokes, rows[k, 0]
+    _, strokes, number = closest
+    strokes = strokes or next((one for one in known if one.SMProxy.GetGlobalID() == _drawn),
+                              known[-1])
     rows = np.array(list(strokes.Points)).reshape(-1, 4)
     rows = rows[rows[:, 0] != (rows[-1, 0] if number is None else number)]
     if len(rows):
@@ -318,7 +381,8 @@ def remove(pixel, view):
 
 
 def take_out(strokes):
-    """Takes strokes and their guidance out of the pipeline; fields are free again."""
+    """Takes strokes and their guidance out of the pipeline, or only the points where other filters
+    have these as an input; fields are free again."""
     for guidance in [source for source in sources()
                      if source.GetXMLName() == "GuidanceFromCurves" and
                      proxy_of(source.Curves) == proxy_of(strokes)]:
@@ -327,5 +391,16 @@ def take_out(strokes):
                 if user.GetProperty("ConstrainGuidance"):
                     user.ConstrainGuidance = 0
                 user.Input = guidance.Input
-        simple.Delete(guidance)
-    simple.Delete(strokes)
+        if not is_used(guidance):
+            simple.Delete(guidance)
+    if is_used(strokes):
+        strokes.Points = []
+    else:
+        simple.Delete(strokes)
+
+
+def is_used(source):
+    """Whether a filter has a source as an input, of any kind."""
+    consumers = [source.SMProxy.GetConsumerProxy(k)
+                 for k in range(source.SMProxy.GetNumberOfConsumers())]
+    return any(proxy_of(user) in consumers for user in sources())

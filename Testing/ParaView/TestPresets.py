@@ -49,6 +49,19 @@ def test_kinds():
             simple.Delete(source)
 
 
+def test_groups():
+    """What changes nothing on the blocks of a group within a group is left off, too."""
+    simple.CreateView("RenderView").ViewSize = [200, 150]
+    balls = [simple.Sphere(), simple.Sphere(Center=[2.0, 0.0, 0.0])]
+    group = simple.GroupDatasets(Input=[simple.GroupDatasets(Input=balls), simple.Sphere()])
+    simple.SetActiveSource(group)
+    field = directionfields.apply_preset("Sheet")
+    assert field is not None and not messages, messages
+    assert not field.ConstrainBoundary
+    for source in reversed(directionfields.pipeline.sources()):
+        simple.Delete(source)
+
+
 def test_refused():
     """A wrong name, no mesh, and a mesh that has no field leave everything as it was."""
     simple.SetActiveSource(None)
@@ -65,6 +78,7 @@ def test_refused():
 window = Messages.collect(messages)
 try:
     test_kinds()
+    test_groups()
     test_refused()
 finally:
     vtkOutputWindow.SetInstance(window)

@@ -39,7 +39,10 @@ def middle(view, source):
 
 
 def names():
-    return sorted(source.GetXMLName() for source in simple.GetSources().values())
+    """The kinds of sources; that of normals has had three names."""
+    normals = ("PPolyDataNormals", "SurfaceNormals")
+    kinds = [source.GetXMLName() for source in simple.GetSources().values()]
+    return sorted("PolyDataNormals" if kind in normals else kind for kind in kinds)
 
 
 def points_of(strokes):
@@ -88,8 +91,7 @@ def test_first():
     assert not messages, messages
     made = names()
     assert made == sorted(["PLYReader", "SurfaceStrokes", "GuidanceFromCurves", "DirectionField",
-                           "DirectionFieldGlyphs", "PolyDataNormals", "PythonAnnotation"]) or \
-        "PPolyDataNormals" in made or "SurfaceNormals" in made, made
+                           "DirectionFieldGlyphs", "PolyDataNormals", "PythonAnnotation"]), made
     field = simple.GetActiveSource()
     assert field.GetXMLName() == "DirectionField" and field.UnitLength
     assert simple.FindSource("Field of bunny").SMProxy == field.SMProxy, list(simple.GetSources())
@@ -192,6 +194,145 @@ def test_given():
     simple.ResetSession()
 
 
+def sphere(view, **properties):
+    source = simple.Sphere(ThetaResolution=24, PhiResolution=16, **properties)
+    simple.Show(source, view)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    return source
+
+
+def new_view():
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    return view
+
+
+def test_nearest():
+    """The nearest mesh is drawn on, whatever is selected, and never a hidden one. Strokes end where
+    it hides another mesh."""
+    view = new_view()
+    back, front = sphere(view), sphere(view, Center=[0.3, 0.0, 2.0], Radius=0.2)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    simple.SetActiveSource(back)
+    x, y = middle(view, front)
+    strokes = directionfields.draw_stroke([(x - 20, y), (x + 20, y + 5)])
+    assert distances(points_of(strokes)[0], front).max() < 0.01
+    for shown in list(view.Representations):
+        shown.Visibility = 0
+    simple.Show(back, view)
+    simple.Render(view)
+    simple.SetActiveSource(front)
+    strokes = directionfields.draw_stroke([(x - 20, y), (x + 20, y + 5)])
+    assert distances(points_of(strokes)[0], back).max() < 0.01
+    # Only what is seen of the mesh behind.
+    simple.Show(front, view)
+    simple.Render(view)
+    xs, ys = middle(view, back)
+    again = directionfields.draw_stroke([(xs - 100, ys), (x + 300, ys)])
+    assert again.SMProxy == strokes.SMProxy and not messages, messages
+    screen = room.Screen(view)
+    for line in points_of(strokes)[1:]:
+        for pixel in screen.pixels(line):
+            inside = room.Surface(front).hit(screen.ray(pixel))
+            assert inside is None or np.hypot(*(pixel - [x, y])) > 20.0, (pixel, x, y)
+    simple.ResetSession()
+
+
+def test_views():
+    """What another view shows stays; where none is near, the stroke that was drawn last goes."""
+    lines = []
+    for _ in range(2):
+        view = new_view()
+        source = sphere(view)
+        simple.SetActiveSource(source)
+        x, y = middle(view, source)
+        lines.append(directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)]))
+    assert directionfields.remove_stroke((x, y + 2))
+    assert len(points_of(lines[0])) == 1 and "SurfaceStrokes" in names()
+    assert not directionfields.remove_stroke((x, y + 2)), names()
+    assert "no strokes in this view" in messages.pop() and not messages
+    simple.ResetSession()
+
+    view = new_view()
+    meshes = [sphere(view), sphere(view, Center=[1.5, 0.0, 0.0])]
+    simple.ResetCamera(view)
+    simple.Render(view)
+    made = []
+    for mesh in meshes + meshes[:1]:
+        x, y = middle(view, mesh)
+        made.append(directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)]))
+    assert made[0].SMProxy == made[2].SMProxy != made[1].SMProxy and not messages, messages
+    assert directionfields.remove_stroke((1, 1))
+    assert [len(points_of(one)) for one in made[:2]] == [1, 1]
+    simple.ResetSession()
+
+
+def test_used():
+    """Strokes that are an input of other filters are emptied, and then drawn on again."""
+    view = new_view()
+    source = sphere(view)
+    simple.SetActiveSource(source)
+    x, y = middle(view, source)
+    strokes = directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)])
+    field = simple.GetActiveSource()
+    quads = FieldAlignedRemesh(Input=field, NumberOfFaces=200, KeptCurves=strokes)
+    assert directionfields.remove_stroke((x, y + 2))
+    assert quads.KeptCurves.SMProxy == strokes.SMProxy and not len(strokes.Points)
+    assert "GuidanceFromCurves" not in names() and not field.ConstrainGuidance
+    simple.SetActiveSource(field)
+    again = directionfields.draw_stroke([(x - 50, y), (x + 50, y - 5)])
+    assert again.SMProxy == strokes.SMProxy and len(points_of(again)) == 1 and not messages, messages
+    check_follows(field)
+    simple.ResetSession()
+
+
+def test_selected():
+    """Of two fields of a mesh the selected one takes the stroke."""
+    view = new_view()
+    source = sphere(view)
+    fields = [directionfields.show(DirectionField(Input=source, Degree=degree), view=view).field
+              for degree in (4, 2)]
+    x, y = middle(view, source)
+    simple.SetActiveSource(fields[0])
+    assert directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)]) and not messages, messages
+    assert [field.ConstrainGuidance for field in fields] == [1, 0]
+    simple.SetActiveSource(fields[1])
+    assert directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)]) and not messages, messages
+    assert [len(points_of(field.Input.Curves)) for field in fields] == [1, 1]
+    simple.ResetSession()
+
+
+def test_late():
+    """A failure when all is drawn already leaves field and strokes as they were."""
+    view = new_view()
+    source = sphere(view)
+    field = directionfields.show(source, view=view).field
+    x, y = middle(view, source)
+    show = room.show
+
+    def fail(*_):
+        raise RuntimeError("no picture")
+    for count in (0, 1):
+        def state():
+            strokes = [one for one in simple.GetSources().values()
+                       if one.GetXMLName() == "SurfaceStrokes"]
+            return ([list(one.Points) for one in strokes], field.Input.GetXMLName(),
+                    list(field.GuidanceVectors), list(field.GuidanceWeights),
+                    field.ConstrainGuidance)
+        before = state()
+        room.show = fail
+        refuse("no picture", [(x - 50, y), (x + 50, y + 5)], view)
+        room.show = show
+        assert state() == before and len(before[0]) == count, (state(), before)
+        field.UpdatePipeline()
+        assert not messages, messages
+        if not count:
+            assert directionfields.draw_stroke([(x - 50, y), (x + 50, y + 5)])
+    simple.ResetSession()
+
+
 def caption(field):
     return servermanager.Fetch(field).GetFieldData().GetAbstractArray("Summary").GetValue(0)
 
@@ -251,11 +392,16 @@ def test_blocks():
 
 window = Messages.collect(messages)
 try:
-    test_first()
+    test_nearest()
     test_parts()
     test_moved()
     test_given()
     test_refused()
+    test_nearest()
+    test_views()
+    test_used()
+    test_selected()
+    test_late()
     test_blocks()
 finally:
     vtkOutputWindow.SetInstance(window)
