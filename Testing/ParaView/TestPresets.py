@@ -53,7 +53,7 @@ def test_groups():
     """What changes nothing on the blocks of a group within a group is left off, too."""
     simple.CreateView("RenderView").ViewSize = [200, 150]
     balls = [simple.Sphere(), simple.Sphere(Center=[2.0, 0.0, 0.0])]
-    group = simple.GroupDatasets(Input=[simple.GroupDatasets(Input=balls), simple.Sphere()])
+    group = simple.GroupDatasets(Input=[simple.GroupDatasets(Input=balls)])
     simple.SetActiveSource(group)
     field = directionfields.apply_preset("Sheet")
     assert field is not None and not messages, messages

@@ -392,7 +392,7 @@ def test_blocks():
 
 window = Messages.collect(messages)
 try:
-    test_nearest()
+    test_first()
     test_parts()
     test_moved()
     test_given()
