@@ -4,10 +4,13 @@
 starts a trace, then it ends and checks it."""
 import os
 import re
-import traceback
+import sys
 
 from paraview import smtrace
 from paraview.simple import *
+
+sys.path.insert(0, os.environ["HOME"])
+import Steps
 
 
 def filters():
@@ -61,15 +64,4 @@ def check_redo():
 
 name = os.environ["DIRECTIONFIELDS_TEST_NAME"]
 steps = {"History": (start, check_trace_and_replay), "Undo": (check_undo,), "Redo": (check_redo,)}[name]
-step = int(os.environ.get("DIRECTIONFIELDS_TEST_STEP", "0"))
-os.environ["DIRECTIONFIELDS_TEST_STEP"] = str(step + 1)
-verdict = "passed\n" if step + 1 == len(steps) else None
-try:
-    steps[step]()
-except BaseException:
-    verdict = traceback.format_exc()
-# The first failure is the one that counts.
-path = os.path.join(os.environ["DIRECTIONFIELDS_TEST_OUTPUT"], name + ".txt")
-if verdict and not os.path.exists(path):
-    with open(path, "w") as file:
-        file.write(verdict)
+Steps.take_next(steps)

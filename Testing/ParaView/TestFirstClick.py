@@ -398,12 +398,28 @@ def test_taken_back():
         clear()
 
 
+def test_quads_of_lines():
+    """Quads cannot follow a field of two directions: they are of its mesh, or of its other field."""
+    mesh = simple.Sphere(ThetaResolution=24, PhiResolution=16)
+    lines = DirectionField(Input=mesh, Degree=2)
+    simple.SetActiveSource(lines)
+    shown = directionfields.remesh_active()
+    quiet("a line field", "the button for quads")
+    assert shown.quads.Input.SMProxy == mesh.SMProxy, shown.quads.Input.GetXMLName()
+    crosses = DirectionField(Input=mesh, Degree=4)
+    crosses.UpdatePipeline()
+    simple.SetActiveSource(lines)
+    assert directionfields.remesh_active().quads.Input.SMProxy == crosses.SMProxy
+    clear()
+
+
 connect = quads.connect
 quads.connect = lambda proxy, source, _: connect(proxy, source, {"NumberOfFaces": 100})
 window = listen()
 try:
     test_kinds()
     test_taken_back()
+    test_quads_of_lines()
 finally:
     # Python's own words go through it.
     vtkOutputWindow.SetInstance(window)
