@@ -25,7 +25,7 @@ constexpr double NextOnFinest = 4.0;
 constexpr Index FewestRows = 60;
 constexpr double MostRows = 0.25;
 /// A time is over where a step changes the values by less than this in the mean square, or after
-/// this many steps, each of so many cycles.
+/// this many steps, of this many cycles each.
 constexpr double NoChange = 1e-5;
 constexpr int MostSteps = 12;
 constexpr int Cycles = 2;

@@ -111,7 +111,7 @@ private:
     this->IsUsed = std::move(isUsed);
   }
 
-  /// The faces of so many corners.
+  /// The faces of this number of corners.
   void AddElements(int corners)
   {
     const char* const type =
