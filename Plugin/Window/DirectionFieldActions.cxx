@@ -57,7 +57,8 @@ DirectionFieldActions::DirectionFieldActions(QObject* parent)
     &QAction::triggered, this, &DirectionFieldActions::remesh);
   QAction* const draw = this->newAction("DrawStrokes", tr("Draw strokes"),
     tr("While this is on, drag with the left button over a surface to draw strokes that its "
-       "direction field follows; Delete takes the stroke under the mouse away, or the last one"));
+       "direction field follows; a click selects a stroke; Delete takes away that one, or the one "
+       "under the mouse, or the last one"));
   draw->setCheckable(true);
   // The toolbar and the menu have an action each.
   this->connect(draw, &QAction::toggled, StrokeTool::instance(), &StrokeTool::setOn);

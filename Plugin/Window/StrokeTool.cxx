@@ -20,6 +20,9 @@
 
 namespace
 {
+/// A hand that clicks moves the mouse by up to so many pixels.
+constexpr double CLICK = 3.0;
+
 /// The way of the mouse, over the picture, until it is a stroke on the surface.
 class StrokeLine : public QWidget
 {
@@ -90,8 +93,9 @@ void StrokeTool::setOn(bool on)
   this->IsOn = on;
   this->follow();
   Say(on
-      ? tr("Drag over a surface to draw a stroke that its field follows; Delete takes the stroke "
-           "under the mouse away, Escape ends drawing")
+      ? tr(
+          "Drag over a surface to draw a stroke that its field follows; click on a stroke to select "
+          "it; Delete takes that or the one under the mouse away, Escape ends drawing")
       : QString());
   emit this->toggled(on);
 }
@@ -205,6 +209,13 @@ bool StrokeTool::key(QKeyEvent* event)
 //------------------------------------------------------------------------------
 void StrokeTool::draw()
 {
+  const QRectF box = this->Path.boundingRect();
+  if (box.width() <= CLICK && box.height() <= CLICK)
+  {
+    RunPythonAction(
+      tr("Select stroke"), QString("select_stroke(%1)").arg(Tuple(this->pixel(this->Path.last()))));
+    return;
+  }
   QStringList points;
   for (const QPointF& position : this->Path)
   {

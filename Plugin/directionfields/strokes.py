@@ -51,9 +51,20 @@ def draw_stroke(path):
         return None
 
 
+def select_stroke(pixel):
+    """Selects the stroke that is near a pixel of the active view, which ParaView highlights, for
+    remove_stroke(); near none, none is selected any more. Returns its Surface Strokes and its
+    number there, or None; the field is not computed again."""
+    try:
+        return select(pixel, view_of_button())
+    except Exception as problem:
+        complain("Draw strokes", problem)
+        return None
+
+
 def remove_stroke(pixel):
-    """Takes the stroke away that is near a pixel of the active view, or else the last one that was
-    drawn and that the view shows; with the last one of a surface, what draw_stroke() has put
+    """Takes the selected stroke away, or else the one that is near a pixel of the active view, or
+    else the last one that was drawn and that the view shows; with the last one of a surface, what draw_stroke() has put
     between the mesh and its field, unless other filters have that as an input, too. Returns whether there was
     one, and says so in a sentence if not."""
     try:
@@ -354,24 +365,83 @@ def show(field, strokes, view):
     simple.Render(view)
 
 
-def remove(pixel, view):
+def shown_in(view):
+    """The strokes that a view shows."""
     shown = [proxy_of(display.Input) for display in view.Representations
              if display.Visibility and display.GetProperty("Input") is not None]
-    known = [source for source in sources() if source.GetXMLName() == "SurfaceStrokes" and
-             proxy_of(source) in shown and len(source.Points)]
-    if not known:
-        raise ValueError("There are no strokes in this view.")
+    return [source for source in sources() if source.GetXMLName() == "SurfaceStrokes" and
+            proxy_of(source) in shown and len(source.Points)]
+
+
+def rows_of(strokes):
+    return np.array(list(strokes.Points)).reshape(-1, 4)
+
+
+def near(pixel, known, view):
+    """Which of some strokes runs the closest to a pixel, and the number there of the one that does;
+    Nones where none is within reach."""
     screen, closest = Screen(view), (REACH, None, None)
     for strokes in known:
-        rows = np.array(list(strokes.Points)).reshape(-1, 4)
-        distances = np.linalg.norm(screen.pixels(rows[:, 1:]) - np.array(pixel, float), axis=1)
-        k = int(np.argmin(distances))
-        if distances[k] < closest[0]:
-            closest = distances[k], strokes, rows[k, 0]
-    _, strokes, number = closest
+        rows = rows_of(strokes)
+        places = screen.pixels(rows[:, 1:])
+        for number in np.unique(rows[:, 0]):
+            distance = to_line(np.array(pixel, float), places[rows[:, 0] == number])
+            if distance < closest[0]:
+                closest = distance, strokes, number
+    return closest[1:]
+
+
+def to_line(place, line):
+    """The distance of a place from a poly line in the plane."""
+    starts, steps = line[:-1], np.diff(line, axis=0)
+    if not len(steps):
+        return np.linalg.norm(line[0] - place)
+    squares = np.maximum((steps ** 2).sum(axis=1), 1e-300)
+    parts = np.clip(((place - starts) * steps).sum(axis=1) / squares, 0.0, 1.0)
+    return np.linalg.norm(starts + parts[:, None] * steps - place, axis=1).min()
+
+
+# The identifier of the Surface Strokes with the selected stroke, and its number there; or None.
+_selected = None
+
+
+def select(pixel, view):
+    global _selected
+    strokes, number = near(pixel, shown_in(view), view)
+    for known in shown_in(view):
+        simple.ClearSelection(known)
+    _selected = None
+    if strokes is not None:
+        # As ParaView's own selections, so that the strokes stay the same data.
+        simple.SelectCells(f"Stroke == {int(number)}", strokes)
+        _selected = strokes.SMProxy.GetGlobalID(), number
+    simple.Render(view)
+    return None if strokes is None else (strokes, int(number))
+
+
+def selected_in(known):
+    """Which of some strokes has the selected one, and its number there, or Nones."""
+    for strokes in known:
+        if (_selected and strokes.SMProxy.GetGlobalID() == _selected[0] and
+                strokes.SMProxy.GetSelectionInput(0) and
+                _selected[1] in rows_of(strokes)[:, 0]):
+            return strokes, _selected[1]
+    return None, None
+
+
+def remove(pixel, view):
+    global _selected
+    known = shown_in(view)
+    if not known:
+        raise ValueError("There are no strokes in this view.")
+    strokes, number = selected_in(known)
+    if strokes is None:
+        strokes, number = near(pixel, known, view)
     strokes = strokes or next((one for one in known if one.SMProxy.GetGlobalID() == _drawn),
                               known[-1])
-    rows = np.array(list(strokes.Points)).reshape(-1, 4)
+    simple.ClearSelection(strokes)
+    _selected = None
+    rows = rows_of(strokes)
     rows = rows[rows[:, 0] != (rows[-1, 0] if number is None else number)]
     if len(rows):
         strokes.Points = [float(x) for x in rows.ravel()]

@@ -97,4 +97,5 @@ def main():
         sys.exit(f"A change takes {whole:.3f} s, not {options.most} s.")
 
 
-main()
+if __name__ == "__main__":
+    main()

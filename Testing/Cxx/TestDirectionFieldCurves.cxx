@@ -144,6 +144,46 @@ void TestInputs()
     CountGuided(vtkPolyData::SafeDownCast(output->GetBlock(0))) == CountGuided(both->GetOutput()));
 }
 
+/// What is kept of a surface does not show in the results, whatever changes.
+void TestKept()
+{
+  auto mesh = PolyMeshes::Pebble(3);
+  auto filter = Make(mesh, Circle(0.2));
+  const auto check = [&](vtkPolyData* curve, int degree)
+  {
+    filter->SetCurvesData(curve);
+    filter->SetDegree(degree);
+    filter->Update();
+    auto alone = Make(mesh, curve, degree);
+    alone->Update();
+    for (const char* name : { "GuidanceVectors", "GuidanceWeights" })
+    {
+      vtkDataArray* got = filter->GetOutput()->GetPointData()->GetArray(name);
+      vtkDataArray* expected = alone->GetOutput()->GetPointData()->GetArray(name);
+      REQUIRE(got && expected && got->GetNumberOfValues() == expected->GetNumberOfValues());
+      bool isSame = true;
+      for (vtkIdType i = 0; i < got->GetNumberOfValues(); ++i)
+      {
+        isSame = isSame && got->GetVariantValue(i) == expected->GetVariantValue(i);
+      }
+      CHECK(isSame);
+    }
+  };
+  check(Circle(0.2), 4);
+  check(Circle(-0.3), 4);
+  check(Circle(-0.3), 2);
+  // In place, which no modification time of an object of its own tells.
+  double place[3];
+  mesh->GetPoint(7, place);
+  mesh->GetPoints()->SetPoint(7, 1.1 * place[0], 1.1 * place[1], 1.1 * place[2]);
+  mesh->GetPoints()->Modified();
+  mesh->Modified();
+  check(Circle(-0.3), 2);
+  mesh = PolyMeshes::Icosphere(2);
+  filter->SetInputData(mesh);
+  check(Circle(0.2), 4);
+}
+
 void TestMessages()
 {
   auto mesh = PolyMeshes::Icosphere(2);
@@ -199,6 +239,7 @@ int TestDirectionFieldCurves(int, char*[])
   TestParameters();
   TestFieldFollows();
   TestInputs();
+  TestKept();
   TestMessages();
   TestPipeline();
   return Result();

@@ -41,6 +41,11 @@ def check_kept(view):
                    ImageResolution=[800, 600])
 
 
+def check_selected(view):
+    check_lines(view, 2)
+    assert FindSource("Strokes on bunny.ply").SMProxy.GetSelectionInput(0)
+
+
 def check_off(view):
     """With drawing switched off, the camera turns."""
     assert camera(view) != os.environ["DIRECTIONFIELDS_TEST_CAMERA"]
@@ -48,6 +53,6 @@ def check_off(view):
     check_lines(view, 2)
 
 
-steps = (start, functools.partial(check_lines, number=1), check_kept,
+steps = (start, functools.partial(check_lines, number=1), check_kept, check_selected,
          functools.partial(check_lines, number=2), check_off)
 Steps.take_next([functools.partial(check, GetActiveView()) for check in steps])

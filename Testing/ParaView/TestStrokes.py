@@ -9,10 +9,11 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable, vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 import Messages
 
-plugin, mesh, output = sys.argv[1:4]
+plugin, mesh, output_directory = sys.argv[1:4]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 import directionfields
 from directionfields import strokes as room
@@ -124,6 +125,42 @@ def test_first():
     simple.ResetSession()
 
 
+def test_select():
+    """A click selects a stroke without another computation, and the selected one is what goes."""
+    view = new_view()
+    source = sphere(view)
+    simple.SetActiveSource(source)
+    x, y = middle(view, source)
+    strokes = directionfields.draw_stroke([(x - 50, y), (x + 50, y)])
+    directionfields.draw_stroke([(x - 50, y + 40), (x + 50, y + 40)])
+    output = simple.GetActiveSource().GetClientSideObject().GetOutputDataObject(0)
+    before = output.GetMTime()
+    # Between two of its points.
+    assert directionfields.select_stroke((x + 3, y + 2)) == (strokes, 0)
+    assert strokes.SMProxy.GetSelectionInput(0) and output.GetMTime() == before
+    magenta = (1.0, 0.0, 1.0)
+    assert pixels_of(view, magenta) > 100
+    assert directionfields.select_stroke((1, 1)) is None and pixels_of(view, magenta) == 0
+    assert directionfields.select_stroke((x, y + 1)) == (strokes, 0)
+    # However near the mouse is to the other one.
+    assert directionfields.remove_stroke((x, y + 40))
+    assert set(list(strokes.Points)[0::4]) == {1.0} and pixels_of(view, magenta) == 0
+    assert directionfields.remove_stroke((x, y + 40)) and "SurfaceStrokes" not in names()
+    assert directionfields.select_stroke((x, y)) is None and not messages, messages
+    simple.ResetSession()
+
+
+def pixels_of(view, color):
+    """How many pixels of a view have a color."""
+    picture = os.path.join(output_directory, "TestStrokes.png")
+    simple.SaveScreenshot(picture, view, ImageResolution=SIZE)
+    reader = vtkPNGReader()
+    reader.SetFileName(picture)
+    reader.Update()
+    scalars = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3] / 255.0
+    return int((np.abs(scalars - color).max(axis=1) < 0.05).sum())
+
+
 def test_parts():
     """A stroke ends where it leaves the surface or what it is on hides what is behind; it is never
     behind the surface."""
@@ -180,7 +217,7 @@ def test_given():
     assert servermanager.Fetch(quads).GetPoint(7) != before
 
     # In a state, and there to go on with.
-    state = os.path.join(output, "TestStrokes.pvsm")
+    state = os.path.join(output_directory, "TestStrokes.pvsm")
     simple.SaveState(state)
     rows, summary = list(strokes.Points), caption(field)
     simple.ResetSession()
@@ -393,6 +430,7 @@ def test_blocks():
 window = Messages.collect(messages)
 try:
     test_first()
+    test_select()
     test_parts()
     test_moved()
     test_given()

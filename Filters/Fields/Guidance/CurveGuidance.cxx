@@ -264,9 +264,25 @@ void Check(const CurveGuidanceOptions& options)
 }
 }
 
-CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vector<Vector3>>& curves,
+struct SurfaceCurves::Kept
+{
+  /// Made for the last degree; it has no directions.
+  std::unique_ptr<GivenField> Given;
+  std::unique_ptr<ClosestPoints> Closest;
+};
+
+SurfaceCurves::SurfaceCurves(std::shared_ptr<const Surface> surface)
+  : Input(std::move(surface))
+  , Last(std::make_unique<Kept>())
+{
+}
+
+SurfaceCurves::~SurfaceCurves() = default;
+
+CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curves,
   const CurveGuidanceOptions& options, const Progress& progress)
 {
+  const Surface& surface = *this->Input;
   Check(options);
   CurveGuidance guidance;
   guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
@@ -275,14 +291,22 @@ CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vecto
   {
     return guidance;
   }
-  PointDirections none;
-  none.Degree = options.Degree;
-  none.Direction = [](Index, int) { return Vector3(Vector3::Zero()); };
-  none.Magnitude = [](Index) { return 0.0; };
-  const GivenField given(surface, none);
+  if (!this->Last->Given || this->Last->Given->GetDegree() != options.Degree)
+  {
+    PointDirections none;
+    none.Degree = options.Degree;
+    none.Direction = [](Index, int) { return Vector3(Vector3::Zero()); };
+    none.Magnitude = [](Index) { return 0.0; };
+    this->Last->Given = std::make_unique<GivenField>(surface, none);
+  }
+  const GivenField& given = *this->Last->Given;
   const SurfaceGeometry& geometry = given.GetGeometry();
   progress.Report(0.2);
-  const ClosestPoints closest(surface);
+  if (!this->Last->Closest)
+  {
+    this->Last->Closest = std::make_unique<ClosestPoints>(surface);
+  }
+  const ClosestPoints& closest = *this->Last->Closest;
   progress.Report(0.4);
   const double most = options.MaximumDistance > 0.0 ? options.MaximumDistance
                                                     : std::numeric_limits<double>::infinity();
@@ -321,5 +345,13 @@ CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vecto
   }
   progress.Report(1.0);
   return guidance;
+}
+
+CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vector<Vector3>>& curves,
+  const CurveGuidanceOptions& options, const Progress& progress)
+{
+  // The surface outlives the call.
+  const std::shared_ptr<const Surface> own(std::shared_ptr<const Surface>(), &surface);
+  return SurfaceCurves(own).Guide(curves, options, progress);
 }
 }

@@ -7,6 +7,7 @@
 #include "Progress.h"
 #include "Surface.h"
 
+#include <memory>
 #include <vector>
 
 namespace DirectionFields
@@ -52,6 +53,26 @@ struct CurveGuidance
 /// @param curves poly lines; places that are not finite break them
 CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vector<Vector3>>& curves,
   const CurveGuidanceOptions& options, const Progress& progress = {});
+
+/// GuideByCurves for one surface and curves that change, as when they are drawn: the mesh and the
+/// tree of the surface's triangles are made for the first ones, and kept. The same bytes.
+class SurfaceCurves
+{
+public:
+  explicit SurfaceCurves(std::shared_ptr<const Surface> surface);
+  ~SurfaceCurves();
+  SurfaceCurves(const SurfaceCurves&) = delete;
+  SurfaceCurves& operator=(const SurfaceCurves&) = delete;
+
+  /// Throws as GuideByCurves; then all that was kept stays.
+  CurveGuidance Guide(const std::vector<std::vector<Vector3>>& curves,
+    const CurveGuidanceOptions& options, const Progress& progress = {});
+
+private:
+  struct Kept;
+  std::shared_ptr<const Surface> Input;
+  std::unique_ptr<Kept> Last;
+};
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "Conversion/Input/PolyDataToSurface.h"
 #include "Conversion/Output/FieldToPolyData.h"
 #include "Conversion/Regions/CurveLines.h"
+#include "Support/SameSurface.h"
 
 #include <DirectionFields/Guidance/CurveGuidance.h>
 #include <DirectionFields/Reports/FieldSummary.h>
@@ -26,7 +27,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkGuidanceCurves);
@@ -98,6 +101,18 @@ void AddArrays(const DirectionFields::CurveGuidance& guidance, vtkPointData* dat
 }
 }
 
+/// The surface of the last input.
+struct vtkGuidanceCurves::Kept
+{
+  explicit Kept(DirectionFields::TriangulatedPolyData&& surface)
+    : Surface(std::make_shared<DirectionFields::TriangulatedPolyData>(std::move(surface)))
+    , Curves(std::shared_ptr<const DirectionFields::Surface>(this->Surface, &this->Surface->Mesh))
+  {
+  }
+  std::shared_ptr<DirectionFields::TriangulatedPolyData> Surface;
+  DirectionFields::SurfaceCurves Curves;
+};
+
 //------------------------------------------------------------------------------
 vtkGuidanceCurves::vtkGuidanceCurves()
 {
@@ -109,6 +124,9 @@ vtkGuidanceCurves::vtkGuidanceCurves()
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
+
+//------------------------------------------------------------------------------
+vtkGuidanceCurves::~vtkGuidanceCurves() = default;
 
 //------------------------------------------------------------------------------
 void vtkGuidanceCurves::PrintSelf(ostream& os, vtkIndent indent)
@@ -145,6 +163,24 @@ int vtkGuidanceCurves::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+vtkGuidanceCurves::Kept& vtkGuidanceCurves::Read(
+  vtkPolyData* input, const DirectionFields::Progress& progress)
+{
+  if (!this->Last || !DirectionFields::IsSurfaceOf(input, *this->Last->Surface))
+  {
+    DirectionFields::TriangulatedPolyData surface =
+      DirectionFields::PolyDataToSurface(input, progress);
+    if (!this->Last || !DirectionFields::IsSameSurface(surface.Mesh, this->Last->Surface->Mesh))
+    {
+      // The old one is released before the new one needs memory.
+      this->Last.reset();
+      this->Last = std::make_unique<Kept>(std::move(surface));
+    }
+  }
+  return *this->Last;
+}
+
+//------------------------------------------------------------------------------
 void vtkGuidanceCurves::Execute(
   const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
@@ -160,16 +196,16 @@ void vtkGuidanceCurves::Execute(
     return;
   }
   const Curves lines = DirectionFields::LinesOf(inputs[1]);
-  const DirectionFields::TriangulatedPolyData surface =
-    DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead));
+  Kept& kept = this->Read(input, progress.Part(0.0, ProgressRead));
+  const DirectionFields::Surface& surface = kept.Surface->Mesh;
   DirectionFields::CurveGuidanceOptions options;
   options.Degree = this->Degree;
   options.Radius = this->Radius;
   options.Falloff = this->Falloff;
   options.MaximumDistance = this->MaximumDistance;
   const DirectionFields::CurveGuidance guidance =
-    DirectionFields::GuideByCurves(surface.Mesh, lines, options, progress.Part(ProgressRead, 1.0));
-  if (!surface.Mesh.Triangles.empty() && guidance.Samples == guidance.FarSamples)
+    kept.Curves.Guide(lines, options, progress.Part(ProgressRead, 1.0));
+  if (!surface.Triangles.empty() && guidance.Samples == guidance.FarSamples)
   {
     vtkWarningMacro(
       << (guidance.Samples == 0
@@ -178,7 +214,7 @@ void vtkGuidanceCurves::Execute(
   }
   DirectionFields::CopyWithoutReports(input, output);
   const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
-  AddStrokes(surface.Mesh, lines, guidance, type, vtkPolyData::SafeDownCast(outputs[1]));
+  AddStrokes(surface, lines, guidance, type, vtkPolyData::SafeDownCast(outputs[1]));
   Summarize(DirectionFields::Summary(guidance, lines.size()), outputs);
   if (type == VTK_DOUBLE)
   {

@@ -35,6 +35,11 @@
  * mean edge long times the weight, with the cell data `Kind` (unsigned char): 0 for curves, 1 for
  * these lines.
  *
+ * @section Kept What is kept
+ * The surface and the tree in which the nearest triangles are found are kept for the next
+ * execution, which takes a fraction of the time if only the curves have changed, about 500 bytes a
+ * triangle. The results are the same to the byte.
+ *
  * @sa
  * vtkDirectionField
  */
@@ -44,6 +49,10 @@
 
 #include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class vtkPolyData;
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkGuidanceCurves : public vtkDirectionFieldAlgorithm
 {
@@ -97,7 +106,7 @@ public:
 
 protected:
   vtkGuidanceCurves();
-  ~vtkGuidanceCurves() override = default;
+  ~vtkGuidanceCurves() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Execute(
@@ -107,6 +116,11 @@ private:
   vtkGuidanceCurves(const vtkGuidanceCurves&) = delete;
   void operator=(const vtkGuidanceCurves&) = delete;
 
+  struct Kept;
+  /// Reads the surface of an input, unless it is that of the last one.
+  Kept& Read(vtkPolyData* input, const DirectionFields::Progress& progress);
+
+  std::unique_ptr<Kept> Last;
   int Degree;
   double Radius;
   double Falloff;

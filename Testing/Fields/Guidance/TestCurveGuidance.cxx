@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace DirectionFields;
@@ -254,6 +256,26 @@ TEST(CurveGuidance, WhatIsNoCurveGuidesNothing)
   EXPECT_THROW(GuideByCurves(surface, far, { 0 }), std::invalid_argument);
   EXPECT_THROW(GuideByCurves(surface, far, { 4, -1.0 }), std::invalid_argument);
   EXPECT_THROW(GuideByCurves(surface, far, { 4, 1.0, 0.0 }), std::invalid_argument);
+}
+
+TEST(CurveGuidance, OfCurvesThatChangeIsThatOfEachAlone)
+{
+  const auto surface = std::make_shared<const Surface>(Potato(3));
+  SurfaceCurves kept(surface);
+  const Curves one = { GreatCircle(Vector3::UnitX(), Vector3::UnitY(), 40) };
+  const Curves two = { one[0], GreatCircle(Vector3::UnitX(), Vector3::UnitZ(), 30) };
+  for (const auto& [curves, options] : std::vector<std::pair<Curves, CurveGuidanceOptions>>{
+         { one, { 4 } }, { two, { 4, 0.3 } }, { one, { 2, 0.3 } }, { {}, { 2 } }, { two, { 4 } } })
+  {
+    const CurveGuidance again = kept.Guide(curves, options);
+    const CurveGuidance alone = GuideByCurves(*surface, curves, options);
+    EXPECT_EQ(again.Vectors, alone.Vectors);
+    EXPECT_EQ(again.Weights, alone.Weights);
+    EXPECT_EQ(again.Samples, alone.Samples);
+    EXPECT_EQ(again.FarSamples, alone.FarSamples);
+  }
+  EXPECT_THROW(kept.Guide(one, { 0 }), std::invalid_argument);
+  EXPECT_EQ(kept.Guide(one, { 4 }).Weights, GuideByCurves(*surface, one, { 4 }).Weights);
 }
 
 TEST(CurveGuidance, BothSidesOfAStripAgree)
