@@ -7,6 +7,7 @@
 #include "Computation/Guide.h"
 #include "Computation/Stages.h"
 #include "Mesh/CommonWinding.h"
+#include "Mesh/CoveredPiece.h"
 #include "Mesh/DistributedMesh.h"
 #include "Mesh/Messages.h"
 #include "Mesh/OutputPoints.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -77,7 +79,8 @@ PointExchange ExchangeOf(
 void KeepInput(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
   std::size_t inputTriangles, Result& result)
 {
-  const auto points = static_cast<std::size_t>(piece.InputPoints);
+  const auto points =
+    static_cast<std::size_t>(piece.FrontPoints > 0 ? piece.FrontPoints : piece.InputPoints);
   for (std::size_t i = 0; i < points; ++i)
   {
     if (piece.Number[i] < 0)
@@ -99,7 +102,8 @@ void KeepInput(const DistributedMesh& mesh, const PieceWithSurroundings& piece,
   }
   std::vector<int> index(inputTriangles, 0);
   std::vector<Index> component(inputTriangles, None);
-  for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
+  const std::size_t own = piece.FrontPoints > 0 ? piece.FrontTriangles : piece.InputTriangle.size();
+  for (std::size_t t = 0; t < own; ++t)
   {
     index[piece.InputTriangle[t]] = result.SingularityIndex[t];
     component[piece.InputTriangle[t]] = result.Component[t] == None
@@ -138,7 +142,10 @@ void AddUpCounts(const Messages& messages, const DistributedMesh& mesh, Result& 
   messages.Sum(sums.data(), static_cast<int>(sums.size()));
   for (std::size_t c = 0; c < components; ++c)
   {
-    const double* const sum = sums.data() + 5 * c;
+    double* const sum = sums.data() + 5 * c;
+    // Both sides have the same.
+    std::for_each(sum, sum + 4,
+      [sides = mesh.IsCover(static_cast<int>(c)) ? 2.0 : 1.0](double& count) { count /= sides; });
     reports[c].EulerCharacteristic = static_cast<int>(sum[0]);
     reports[c].Vertices = static_cast<Index>(sum[1]);
     reports[c].Triangles = static_cast<Index>(sum[2]);
@@ -249,6 +256,70 @@ double FadedShare(
   return counts[0] / std::max(1.0, counts[1]);
 }
 
+/// The mesh of a piece, and how it has come about.
+struct Pieced
+{
+  std::string Reason;
+  PieceWithSurroundings Around;
+  std::unique_ptr<DistributedMesh> Mesh;
+  CommonWinding Winding;
+};
+
+/// Winds the pieces alike where that can be, and covers components that have only one side.
+Pieced MakeMesh(Processes& processes, const Messages& messages, const Surface& surface,
+  const SurfacePiece& piece, const SharedPoints& shared)
+{
+  Pieced made;
+  made.Around = AddSurroundings(processes, messages, surface, piece, shared);
+  made.Mesh = std::make_unique<DistributedMesh>(processes, messages, made.Around, shared);
+  if (made.Mesh->IsWoundOtherwise())
+  {
+    made.Winding = WindAlike(processes, messages, made.Mesh->GetMesh(), made.Around);
+    made.Mesh.reset();
+    if (made.Winding.OneSided > 0)
+    {
+      Covering covering =
+        CoverOneSided(processes, messages, piece, shared, made.Around, made.Winding.IsOneSided);
+      made.Reason = covering.Reason;
+      if (!made.Reason.empty())
+      {
+        return made;
+      }
+      made.Around = std::move(covering.Piece);
+      made.Mesh =
+        std::make_unique<DistributedMesh>(processes, messages, made.Around, covering.Shared);
+      const bool hasFlat = made.Mesh->GetGeometry().Lengths.DegenerateTriangles > 0;
+      made.Reason = messages.Any(hasFlat) ? "it has only one side, and triangles without area" : "";
+    }
+    else
+    {
+      made.Mesh = std::make_unique<DistributedMesh>(processes, messages, made.Around, shared);
+    }
+  }
+  made.Reason = made.Reason.empty() ? made.Mesh->GetReason() : made.Reason;
+  return made;
+}
+
+/// Values at the points of the input as values at both sides of them, where there is a cover.
+template <typename T>
+std::vector<T> OnBothSides(std::vector<T> values, const PieceWithSurroundings& piece)
+{
+  if (piece.FrontPoints > 0 && !values.empty())
+  {
+    values.resize(static_cast<std::size_t>(piece.FrontPoints));
+    values.reserve(2 * values.size());
+    std::copy_n(values.begin(), piece.FrontPoints, std::back_inserter(values));
+  }
+  return values;
+}
+
+Guidance OnBothSides(Guidance guidance, const PieceWithSurroundings& piece)
+{
+  guidance.Vectors = OnBothSides(std::move(guidance.Vectors), piece);
+  guidance.Weights = OnBothSides(std::move(guidance.Weights), piece);
+  return guidance;
+}
+
 void Compute(Processes& processes, const Messages& messages, const Surface& surface,
   const SurfacePiece& piece, const Options& options, const Guidance& guidance,
   const std::vector<Vector3>& previous, const std::function<bool(double)>& goOn,
@@ -261,21 +332,16 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   {
     return;
   }
-  PieceWithSurroundings around = AddSurroundings(processes, messages, surface, piece, shared);
-  auto made = std::make_unique<DistributedMesh>(processes, messages, around, shared);
-  Index reversed = 0;
-  if (made->IsWoundOtherwise() && WindAlike(processes, messages, made->GetMesh(), around, reversed))
-  {
-    made.reset();
-    made = std::make_unique<DistributedMesh>(processes, messages, around, shared);
-  }
-  const DistributedMesh& mesh = *made;
-  field.Reason = mesh.GetReason();
+  Pieced pieced = MakeMesh(processes, messages, surface, piece, shared);
+  const DistributedMesh& mesh = *pieced.Mesh;
+  PieceWithSurroundings& around = pieced.Around;
+  field.Reason = pieced.Reason;
   if (!field.Reason.empty())
   {
     return;
   }
-  const DistributedGuide guide = MakeGuide(processes, messages, mesh, around, options, guidance);
+  const DistributedGuide guide =
+    MakeGuide(processes, messages, mesh, around, options, OnBothSides(guidance, around));
   field.Reason = guide.Reason;
   if (!field.Reason.empty())
   {
@@ -284,7 +350,8 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   DistributedSolution solution =
     SolveDistributed(processes, messages, mesh, around, guide, options, goOn);
   std::vector<Complex>& section = solution.Section;
-  FollowPrevious(messages, mesh, around, guide, previous, options.Degree, section);
+  FollowPrevious(
+    messages, mesh, around, guide, OnBothSides(previous, around), options.Degree, section);
   const double faded = FadedShare(messages, mesh, section);
   processes.Together(
     [&]
@@ -311,11 +378,18 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
     });
   AddUpCounts(messages, mesh, field.Field, solution.Reports);
   AddUpRepairs(messages, around, mesh, field.Field.Repaired);
-  field.Field.Repaired.ReversedTriangles = reversed;
+  field.Field.Repaired.ReversedTriangles = pieced.Winding.Reversed;
+  field.Field.Repaired.NonOrientableComponents = pieced.Winding.OneSided;
   SurfaceFigures own;
   processes.Together(
     [&]
     {
+      // The other sides are no more surface.
+      if (around.FrontPoints > 0)
+      {
+        std::fill(around.Surface.Ghost.begin() + around.FrontTriangles,
+          around.Surface.Ghost.begin() + static_cast<Index>(around.InputTriangle.size()), 1);
+      }
       own = FiguresOf(around.Surface, field.Field.SingularityIndex);
       KeepInput(mesh, around, surface.Triangles.size(), field.Field);
       field.Exchange = ExchangeOf(shared, piece, messages);

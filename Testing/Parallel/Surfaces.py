@@ -95,6 +95,31 @@ def moebius(columns=60, rows=9):
     return points[:last], number[triangles]
 
 
+def klein(columns=48, rows=24):
+    """A closed surface with one side, whose tube is an eight that makes half a turn on its way around."""
+    u, v = np.meshgrid(np.arange(columns) * 2.0 * np.pi / columns, (np.arange(rows) + 0.5) * 2.0 * np.pi / rows,
+                       indexing="ij")
+    across, along = np.sin(v) * (1.0 + 0.1 * np.cos(u)), np.sin(2.0 * v) * 0.9
+    radius = 2.5 + np.cos(u / 2.0) * across - np.sin(u / 2.0) * along
+    height = np.sin(u / 2.0) * across + np.cos(u / 2.0) * along
+    points = np.stack([radius * np.cos(u), 1.2 * radius * np.sin(u), height], axis=2).reshape(-1, 3)
+    number = np.arange(columns * rows).reshape(columns, rows)
+    # After half a turn v is where -v was.
+    number = np.concatenate([number, number[:1, ::-1]])
+    number = np.concatenate([number, number[:, :1]], axis=1)
+    corners = number.reshape(-1)
+    return points, corners[grid_triangles(columns + 1, rows + 1)]
+
+
+def mixed():
+    """A component with one side between two with two sides, some of whose triangles are inside out."""
+    points, triangles = turned(9)
+    strip, more = moebius(40, 7)
+    ball, last = potato(8, shift=7.0)
+    return (np.concatenate([points, strip + (3.5, 0.0, 0.0), ball]),
+            np.concatenate([triangles, more + len(points), last + len(points) + len(strip)]))
+
+
 def sheets(size=14):
     """Three sheets that meet in an edge."""
     s, t = np.meshgrid(np.linspace(0.0, 1.0, size), np.linspace(0.0, 1.3, size), indexing="ij")

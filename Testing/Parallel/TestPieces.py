@@ -22,9 +22,9 @@ def inside_out():
 
 
 SURFACES = {"closed": Surfaces.potato(15), "bounded": Surfaces.half(15), "pair": Surfaces.pair(11),
-            "strip": Surfaces.moebius(),
+            "strip": Surfaces.moebius(), "klein": Surfaces.klein(), "mixed": Surfaces.mixed(),
             "turned": Surfaces.turned(11), "sheets": Surfaces.sheets(), "inside out": inside_out()}
-ORDINARY = [name for name in SURFACES if name != "inside out"]
+ORDINARY = [name for name in SURFACES if name not in ("inside out", "klein", "mixed")]
 WAYS = {"slabs": {}, "random": {}, "ids": {}, "one": {}, "empty": {},
         "slabs with ghosts": {"ghosts": True}, "random with ghosts": {"ghosts": True, "noise": 3e-8},
         "slabs with ids": {"ids": True, "noise": 3e-8}, "ids with ghosts": {"ghosts": True, "ids": True},
@@ -47,6 +47,9 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
 DISTRIBUTED_SURFACES = ("closed", "bounded", "pair", "turned", "inside out")
 DISTRIBUTED_FIELDS = ("smoothest", "aligned", "aligned lines", "guided", "given", "unmerged", "multigrid")
 DISTRIBUTED_WITH_BOUNDARY = ("boundary", "bounded by")
+# Curvatures of what has only one side need the whole.
+ONE_SIDED = ("strip", "klein", "mixed")
+DISTRIBUTED_ONE_SIDED = [field for field in DISTRIBUTED_FIELDS if not field.startswith("aligned")]
 
 
 def warnings_of(field):
@@ -85,7 +88,8 @@ def run(surface, way, field, distribute):
     for process in range(count):
         shared[process, triangles[owner == process].reshape(-1)] = True
     is_possible = (surface in DISTRIBUTED_SURFACES and field in DISTRIBUTED_FIELDS or
-                   surface == "bounded" and field in DISTRIBUTED_WITH_BOUNDARY)
+                   surface in ONE_SIDED and field in DISTRIBUTED_ONE_SIDED or
+                   surface in ("bounded", "strip", "mixed") and field in DISTRIBUTED_WITH_BOUNDARY)
     used = 2 if distribute and is_possible else 1
     texts = warnings_of(part)
     if surface == "inside out":

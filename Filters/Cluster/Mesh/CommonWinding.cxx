@@ -32,6 +32,8 @@ struct PartWinding
   /// The first of them, and whether it was turned.
   vtkIdType First = -1;
   vtkIdType IsFirstTurned = 0;
+  /// Whether it cannot be wound alike by itself.
+  vtkIdType IsOneSided = 0;
 };
 
 /// Two parts with a triangle in common, and whether one has turned it and the other one has not.
@@ -160,10 +162,14 @@ private:
   std::vector<int> IsOpposite;
 };
 
-std::vector<PartWinding> OwnParts(const std::vector<Winding>& windings,
-  const PieceWithSurroundings& piece, int firstPart, std::size_t parts)
+std::vector<PartWinding> OwnParts(const TriangleMesh& mesh, const std::vector<Winding>& windings,
+  const PieceWithSurroundings& piece, int firstPart)
 {
-  std::vector<PartWinding> own(parts);
+  std::vector<PartWinding> own(mesh.GetComponents().size());
+  for (std::size_t c = 0; c < own.size(); ++c)
+  {
+    own[c].IsOneSided = mesh.GetComponents()[c].IsCover;
+  }
   for (std::size_t t = 0; t < piece.InputTriangle.size(); ++t)
   {
     if (windings[t].Part != None)
@@ -181,9 +187,11 @@ std::vector<PartWinding> OwnParts(const std::vector<Winding>& windings,
   return own;
 }
 
-/// For each part whether its triangles have to be reversed once more.
-std::vector<char> Decide(
-  const JoinedParts& joined, const std::vector<PartWinding>& parts, Index& reversed)
+/// For each part whether its triangles have to be reversed once more: those of components with two
+/// sides.
+/// @param isOneSided of each joined part, by its first part
+std::vector<char> Decide(const JoinedParts& joined, const std::vector<PartWinding>& parts,
+  const std::vector<char>& isOneSided, CommonWinding& found)
 {
   std::vector<PartWinding> whole(parts.size());
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -198,14 +206,18 @@ std::vector<char> Decide(
       all.IsFirstTurned = parts[k].IsFirstTurned ^ opposite;
     }
   }
-  reversed = 0;
   std::vector<char> turnWhole(parts.size(), 0);
   for (std::size_t k = 0; k < parts.size(); ++k)
   {
+    if (isOneSided[k])
+    {
+      found.OneSided += whole[k].Triangles > 0 ? 1 : 0;
+      continue;
+    }
     const vtkIdType twice = 2 * whole[k].Turned;
     turnWhole[k] =
       twice > whole[k].Triangles || (twice == whole[k].Triangles && whole[k].IsFirstTurned != 0);
-    reversed +=
+    found.Reversed +=
       static_cast<Index>(turnWhole[k] ? whole[k].Triangles - whole[k].Turned : whole[k].Turned);
   }
   std::vector<char> turn(parts.size());
@@ -218,12 +230,11 @@ std::vector<char> Decide(
 }
 }
 
-bool WindAlike(Processes& processes, const Messages& messages, const TriangleMesh& mesh,
-  PieceWithSurroundings& piece, Index& reversed)
+CommonWinding WindAlike(Processes& processes, const Messages& messages, const TriangleMesh& mesh,
+  PieceWithSurroundings& piece)
 {
-  const std::size_t parts = mesh.GetComponents().size();
-  const std::vector<vtkIdType> first =
-    Processes::FirstOf(processes.AllGather({ static_cast<vtkIdType>(parts) }));
+  const std::vector<vtkIdType> first = Processes::FirstOf(
+    processes.AllGather({ static_cast<vtkIdType>(mesh.GetComponents().size()) }));
   const auto firstPart = static_cast<int>(first[messages.Own()]);
   std::vector<Winding> windings;
   std::vector<PartWinding> own;
@@ -231,27 +242,50 @@ bool WindAlike(Processes& processes, const Messages& messages, const TriangleMes
     [&]
     {
       windings = ReadWindings(mesh, piece, firstPart);
-      own = OwnParts(windings, piece, firstPart, parts);
+      own = OwnParts(mesh, windings, piece, firstPart);
     });
   const std::vector<Meeting> meetings =
     messages.AllGather(FindMeetings(processes, messages, piece, windings)).Values;
   const std::vector<PartWinding> all = messages.AllGather(own).Values;
   JoinedParts joined(all.size());
+  std::vector<int> contradictory;
   for (const Meeting& meeting : meetings)
   {
     if (!joined.Join(meeting))
     {
-      return false;
+      contradictory.push_back(meeting.First);
     }
   }
-  const std::vector<char> turn = Decide(joined, all, reversed);
+  std::vector<char> isOneSided(all.size(), 0);
+  for (const int part : contradictory)
+  {
+    isOneSided[joined.Find(part).first] = 1;
+  }
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    isOneSided[joined.Find(static_cast<int>(k)).first] |= all[k].IsOneSided != 0 ? 1 : 0;
+  }
+  CommonWinding found;
+  const std::vector<char> turn = Decide(joined, all, isOneSided, found);
+  found.IsOneSided.assign(piece.InputTriangle.size(), 0);
   for (std::size_t t = 0; t < windings.size(); ++t)
   {
-    if (windings[t].Part != None && (windings[t].IsTurned ^ turn[windings[t].Part]))
+    if (windings[t].Part == None)
+    {
+      continue;
+    }
+    if (isOneSided[joined.Find(windings[t].Part).first])
+    {
+      if (t < found.IsOneSided.size())
+      {
+        found.IsOneSided[t] = 1;
+      }
+    }
+    else if (windings[t].IsTurned ^ turn[windings[t].Part])
     {
       std::swap(piece.Surface.Triangles[t][1], piece.Surface.Triangles[t][2]);
     }
   }
-  return true;
+  return found;
 }
 }

@@ -9,17 +9,28 @@
 #include "Mesh/TriangleMesh.h"
 #include "Processes.h"
 
+#include <vector>
+
 namespace DirectionFields::Parallel
 {
-/// Turns triangles so that each component of the whole surface is wound like the majority of its
-/// triangles; without a majority like the first of them, as on one process. All processes call it;
-/// throws ProcessesError.
+/// What WindAlike has found out of the whole surface; the same on all processes but for IsOneSided.
+struct CommonWinding
+{
+  /// How many triangles are turned.
+  Index Reversed = 0;
+  /// How many components have only one side, as a Moebius strip has.
+  Index OneSided = 0;
+  /// Whether each of the piece's own triangles belongs to one of these.
+  std::vector<char> IsOneSided;
+};
+
+/// Turns triangles so that each component of the whole surface that has two sides is wound like the
+/// majority of its triangles; without a majority like the first of them, as on one process. All
+/// processes call it; throws ProcessesError.
 /// @param mesh     of the piece with its surroundings, whose parts are wound alike each for itself
 /// @param piece    whose triangles are turned
-/// @param reversed becomes how many of the whole surface are
-/// @return false where the pieces cannot be wound alike, which changes nothing
-bool WindAlike(Processes& processes, const Messages& messages, const TriangleMesh& mesh,
-  PieceWithSurroundings& piece, Index& reversed);
+CommonWinding WindAlike(Processes& processes, const Messages& messages, const TriangleMesh& mesh,
+  PieceWithSurroundings& piece);
 }
 
 #endif

@@ -22,24 +22,6 @@ bool IsInPiece(const PieceWithSurroundings& piece, Index point)
 {
   return point < piece.InputPoints && piece.Number[point] >= 0;
 }
-
-/// The first own triangle of each part of a process's mesh, counted over all processes; -1 for
-/// parts of other pieces' triangles only.
-std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithSurroundings& piece)
-{
-  const auto ownTriangles = static_cast<Index>(piece.InputTriangle.size());
-  std::vector<vtkIdType> first;
-  for (const TriangleMesh::Component& part : mesh.GetComponents())
-  {
-    Index least = ownTriangles;
-    for (Index t = part.FirstTriangle; t < part.EndTriangle; ++t)
-    {
-      least = std::min(least, mesh.InputTriangle(t));
-    }
-    first.push_back(least < ownTriangles ? piece.FirstTriangle + least : -1);
-  }
-  return first;
-}
 }
 
 DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
@@ -55,7 +37,9 @@ DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
     });
   if (!messages.Any(!fault.empty()))
   {
-    this->WoundOtherwise = messages.Any(this->GetMesh().GetRepairs().ReversedTriangles > 0);
+    const Repairs& repairs = this->GetMesh().GetRepairs();
+    this->WoundOtherwise =
+      messages.Any(repairs.ReversedTriangles > 0 || repairs.NonOrientableComponents > 0);
     fault = this->WoundOtherwise ? CannotBeOriented : "";
   }
   // The first process with a fault speaks.
@@ -73,6 +57,7 @@ DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
   processes.Together([&] { this->FindOwned(piece, shared); });
   this->FindExchange(processes, piece, shared);
   this->JoinComponents(processes, piece, shared);
+  this->FindCovers(piece);
   if (messages.Any(this->Disagrees(piece)))
   {
     this->Reason = "its pieces do not agree on what is around the points that they share";
@@ -100,10 +85,6 @@ std::string DistributedMesh::FindFaults(const PieceWithSurroundings& piece) cons
 {
   const TriangleMesh& mesh = this->GetMesh();
   const Repairs& repairs = mesh.GetRepairs();
-  if (repairs.NonOrientableComponents > 0)
-  {
-    return CannotBeOriented;
-  }
   if (repairs.NonManifoldEdges > 0 || repairs.DuplicateTriangles > 0)
   {
     return "some of its edges have more than two triangles";
@@ -112,6 +93,10 @@ std::string DistributedMesh::FindFaults(const PieceWithSurroundings& piece) cons
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     const Index point = mesh.Point(v);
+    if (!mesh.IsFrontVertex(v))
+    {
+      continue;
+    }
     if (isUsed[point] && IsInPiece(piece, point))
     {
       return "several sheets of it meet in a point";
@@ -373,6 +358,45 @@ void DistributedMesh::FindTravellersOfComponents(const std::vector<int>& partOf)
   };
   share(this->AllTravellers.Sent, &Travellers::Sent);
   share(this->AllTravellers.Received, &Travellers::Received);
+}
+
+void DistributedMesh::FindCovers(const PieceWithSurroundings& piece)
+{
+  const TriangleMesh& mesh = this->GetMesh();
+  this->FrontPoints = piece.FrontPoints;
+  std::vector<double> covers(static_cast<std::size_t>(this->Components), 0.0);
+  if (piece.FrontPoints > 0)
+  {
+    std::unordered_map<vtkIdType, Index> vertexOf;
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      vertexOf.emplace(piece.Number[mesh.Point(v)], v);
+    }
+    this->VertexBehind.assign(this->Owned.size(), None);
+    for (std::size_t c = 0; c < this->ComponentOfPart.size(); ++c)
+    {
+      const TriangleMesh::Component& part = mesh.GetComponents()[c];
+      for (Index v = part.FirstVertex; v < part.EndVertex && this->ComponentOfPart[c] >= 0; ++v)
+      {
+        // The numbers of front and back differ in their last bit.
+        const auto behind = vertexOf.find(piece.Number[mesh.Point(v)] ^ 1);
+        if (behind != vertexOf.end())
+        {
+          this->VertexBehind[v] = behind->second;
+          covers[this->ComponentOfPart[c]] = 1.0;
+        }
+      }
+    }
+  }
+  this->Exchange.Largest(covers.data(), this->Components);
+  this->Covers.assign(covers.begin(), covers.end());
+  for (int component = 0; component < this->Components; ++component)
+  {
+    if (this->IsCover(component))
+    {
+      this->ProcessOfComponent[component] = -1;
+    }
+  }
 }
 
 double DistributedMesh::LengthOf(Index edge) const

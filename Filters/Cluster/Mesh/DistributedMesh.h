@@ -10,6 +10,7 @@
 #include "Mesh/SharedPoints.h"
 #include "Processes.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ public:
   /// sentence. The same on all processes.
   const std::string& GetReason() const { return this->Reason; }
 
-  /// Whether that is because triangles are wound against each other, which WindAlike may mend.
+  /// Whether that is because triangles are wound against each other or cannot be wound alike:
+  /// WindAlike mends the former, CoverOneSided the latter.
   bool IsWoundOtherwise() const { return this->WoundOtherwise; }
 
   /// In the unit of the whole component, and with right normals at all vertices.
@@ -48,6 +50,16 @@ public:
   /// The process on which a component of the whole surface is wholly, as one component of the mesh
   /// there; -1 where it lies across processes. The same on all of them.
   int ProcessOf(int component) const { return this->ProcessOfComponent[component]; }
+  /// Whether a component of the whole surface is the cover of one that has only one side; it counts
+  /// as one across processes wherever it is. The same on all processes.
+  bool IsCover(int component) const { return this->Covers[component] != 0; }
+  bool HasCovers() const
+  {
+    return std::find(this->Covers.begin(), this->Covers.end(), 1) != this->Covers.end();
+  }
+  /// Of covers: whether a vertex of the piece is on the front, and the vertex behind it.
+  bool IsFront(Index vertex) const { return this->GetMesh().Point(vertex) < this->FrontPoints; }
+  Index Behind(Index vertex) const { return this->VertexBehind[vertex]; }
 
   /// Fills in the values of the vertices that others own and that belong to the piece or are next
   /// to it.
@@ -110,6 +122,8 @@ private:
   /// Assigns the exchanged vertices to the components of the whole surface.
   /// @param partOf the component of the mesh of each vertex
   void FindTravellersOfComponents(const std::vector<int>& partOf);
+  /// Finds the covers, and what is behind their vertices.
+  void FindCovers(const PieceWithSurroundings& piece);
   bool Disagrees(const PieceWithSurroundings& piece) const;
   /// The length of the mean edge of each component of the whole surface. All processes call it.
   std::vector<double> MeanEdges(Processes& processes, const PieceWithSurroundings& piece) const;
@@ -130,6 +144,10 @@ private:
   /// For each component of the whole surface; nothing is exchanged for a component on one process.
   std::vector<std::vector<std::size_t>> Parts;
   std::vector<int> ProcessOfComponent;
+  std::vector<char> Covers;
+  Index FrontPoints = 0;
+  /// For each vertex of a cover; empty where there are no covers.
+  std::vector<Index> VertexBehind;
   Travellers AllTravellers;
   std::vector<Travellers> TravellersOf;
 };

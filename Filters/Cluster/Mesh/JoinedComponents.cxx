@@ -88,6 +88,22 @@ std::vector<int> NumberComponents(
 }
 }
 
+std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithSurroundings& piece)
+{
+  const auto ownTriangles = static_cast<Index>(piece.InputTriangle.size());
+  std::vector<vtkIdType> first;
+  for (const TriangleMesh::Component& part : mesh.GetComponents())
+  {
+    Index least = ownTriangles;
+    for (Index t = part.FirstTriangle; t < part.EndTriangle; ++t)
+    {
+      least = std::min(least, mesh.InputTriangle(t));
+    }
+    first.push_back(least < ownTriangles ? piece.FirstTriangle + least : -1);
+  }
+  return first;
+}
+
 std::vector<int> JoinedComponents(const std::vector<vtkIdType>& first,
   const std::vector<int>& border, const std::vector<vtkIdType>& numbers)
 {

@@ -4,12 +4,19 @@
 #ifndef JoinedComponents_h
 #define JoinedComponents_h
 
+#include "Mesh/PieceWithSurroundings.h"
+#include "Mesh/TriangleMesh.h"
+
 #include "vtkType.h"
 
 #include <vector>
 
 namespace DirectionFields::Parallel
 {
+/// The first own triangle of each part of a process's mesh, counted over all processes; -1 for
+/// parts of other pieces' triangles only.
+std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithSurroundings& piece);
+
 /// Joins parts of several processes that share a point, and numbers the components by their first
 /// triangles.
 /// @param first   the first triangle of each part, counted over all processes; -1 for none

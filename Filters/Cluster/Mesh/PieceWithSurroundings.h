@@ -34,6 +34,11 @@ struct PieceWithSurroundings
   vtkIdType FirstTriangle = 0;
   /// That of each process, and the number of all.
   std::vector<vtkIdType> FirstTriangles;
+  /// Where components with only one side are covered (CoveredPiece): the input's points are the
+  /// front ones and then as many back ones, its triangles the front ones and then those behind
+  /// triangles of such components. Both are 0 elsewhere.
+  Index FrontPoints = 0;
+  Index FrontTriangles = 0;
   /// The number of each of the others' triangles.
   std::vector<vtkIdType> OthersTriangles;
 };

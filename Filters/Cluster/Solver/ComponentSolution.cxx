@@ -6,6 +6,7 @@
 #include "Computation/ComponentSetup.h"
 #include "Computation/Guide.h"
 #include "Computation/SystemFactors.h"
+#include "Mesh/CoverSymmetry.h"
 #include "Mesh/StopSignal.h"
 #include "Progress.h"
 #include "Sections/ReferenceSection.h"
@@ -41,6 +42,18 @@ void TakeRows(const DistributedMatrices& matrices, Vec rows, std::vector<Complex
     section[matrices.Vertices[k]] = values[k];
   }
   Require(VecRestoreArrayRead(rows, &values));
+}
+
+/// Copies own rows from their vertices.
+void GiveRows(const DistributedMatrices& matrices, const std::vector<Complex>& section, Vec rows)
+{
+  PetscScalar* values = nullptr;
+  Require(VecGetArray(rows, &values));
+  for (std::size_t k = 0; k < matrices.Vertices.size(); ++k)
+  {
+    values[k] = section[matrices.Vertices[k]];
+  }
+  Require(VecRestoreArray(rows, &values));
 }
 
 /// The phase rule of ReferenceSection for a component in pieces.
@@ -225,6 +238,12 @@ void FixPhase(const Messages& messages, const DistributedMesh& mesh, int compone
   TakeRows(matrices, vector, section);
   const GlobalPhase phase(messages, mesh, component, degree);
   Require(VecScale(vector, phase.Of(section)));
+  if (mesh.IsCover(component))
+  {
+    TakeRows(matrices, vector, section);
+    CoverSymmetry(mesh, component, degree).MakeSymmetric(messages, section);
+    GiveRows(matrices, section, vector);
+  }
 }
 
 /// Solves for a component that lies across processes.
@@ -240,7 +259,9 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
   DistributedSettings settings;
   settings.Tolerance = options.Tolerance;
   settings.MaximumIterations = options.MaximumIterations;
-  settings.Scale = 2.0 * Pi * options.Degree / matrices.Area;
+  // The area of a surface is that of one of its sides.
+  const double sides = mesh.IsCover(component) ? 2.0 : 1.0;
+  settings.Scale = 2.0 * Pi * options.Degree * sides / matrices.Area;
   settings.GoOn = goOn;
   DistributedHierarchy hierarchy(matrices.Energy, matrices.Mass, settings.Scale);
   const DistributedEigenpair pair = FindSmallestPair(matrices, hierarchy, settings);
@@ -251,6 +272,10 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
     SolveProblem({ matrices, system, hierarchy, pair, options, ShareOf(guide, component), goOn },
       report, isSmoothest);
   TakeRows(matrices, field, section);
+  if (mesh.IsCover(component))
+  {
+    CoverSymmetry(mesh, component, options.Degree).Symmetrize(section);
+  }
   report.Eigenvalue = PerSquare(pair.Value, matrices.Unit);
   report.Residual = pair.Residual;
   report.RequiredResidual = pair.RequiredResidual;

@@ -67,6 +67,17 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
 {
   DistributedGuide guide;
   std::vector<Complex> given;
+  if (mesh.HasCovers() && options.Alignment == Alignment::PrincipalCurvature)
+  {
+    guide.Reason = "it has only one side, where curvatures need the whole surface";
+    return guide;
+  }
+  if (mesh.HasCovers() && options.ConstrainBoundary && options.Degree % 2 != 0)
+  {
+    // The two sides of a boundary have opposite directions: a whole loop of it decides which.
+    guide.Reason = "it has only one side, whose boundary has no direction of its own";
+    return guide;
+  }
   if (options.Alignment == Alignment::PointVectors || options.ConstrainGuidance)
   {
     given = GivenSection(messages, mesh, piece, options, guidance);

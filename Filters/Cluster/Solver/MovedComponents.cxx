@@ -142,7 +142,8 @@ void MovedComponents::ChooseHomes(
   std::vector<int> moved;
   for (std::size_t component = 0; component < components; ++component)
   {
-    if (mesh.ProcessOf(static_cast<int>(component)) < 0 && sizes[component] <= most)
+    const auto c = static_cast<int>(component);
+    if (mesh.ProcessOf(c) < 0 && !mesh.IsCover(c) && sizes[component] <= most)
     {
       moved.push_back(static_cast<int>(component));
     }

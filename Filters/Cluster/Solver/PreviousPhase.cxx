@@ -90,11 +90,15 @@ void FollowPrevious(const Messages& messages, const DistributedMesh& mesh,
   for (int c = 0; c < mesh.CountComponents(); ++c)
   {
     const Overlap& overlap = overlaps[c];
-    const Complex sum(overlap.Real, overlap.Imaginary);
+    Complex sum(overlap.Real, overlap.Imaginary);
     // As for one process: nothing is done where the two have nothing in common.
     if (overlap.Guided > 0.0 || std::abs(sum) <= 1e-3 * overlap.Size)
     {
       continue;
+    }
+    if (mesh.IsCover(c))
+    {
+      sum = sum.real() < 0.0 ? -1.0 : 1.0;
     }
     for (const std::size_t part : mesh.PartsOf(c))
     {
