@@ -57,6 +57,7 @@ ChosenMesh ReadRemeshOptions(Keywords& keywords)
   options.EdgeLength = options.UseEdgeLength ? options.EdgeLength : 1.0;
   keywords("sizing_is_length", options.SizingIsLength);
   keywords("gradation", options.Gradation, 0.0);
+  keywords("add_irregular_pairs", options.AddIrregularPairs);
   keywords("pure_quads", options.PureQuads);
   keywords("keep_thin_parts", options.KeepThinParts);
   keywords("keep_features", options.KeepFeatures);

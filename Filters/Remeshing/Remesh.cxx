@@ -438,7 +438,8 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
     *this->Input, kept.Features, degree, area / (sizes.MapLength * sizes.MapLength));
   kept.Features = affordable.Settings;
   this->AboutFeatures = affordable.Sentences();
-  const ShapeAlignment alignment = AlignmentOf(options);
+  const bool isOfSizes = options.AddIrregularPairs && !options.Sizing.empty();
+  const OwnShape own(AlignmentOf(options), isOfSizes ? sizes.AtPoints : std::vector<double>());
   // Smaller faces at thin parts have the working surface of the others, which is not made anew.
   WorkingLengths lengths = LengthsFor(
     sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input), LargestValence(*this->Input));
@@ -449,11 +450,11 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
     lengths.Split.clear();
     lengths.MostNeedless = None;
   }
-  if (!this->Cache || !this->Cache->IsFor(degree, kept, lengths, directions, alignment))
+  if (!this->Cache || !this->Cache->IsFor(degree, kept, lengths, directions, own))
   {
     this->Cache.reset();
     this->Cache = std::make_unique<PreparedField>(
-      *this->Input, degree, kept, lengths, directions, alignment, progress);
+      *this->Input, degree, kept, lengths, directions, own, progress);
   }
   if (!options.UseEdgeLength)
   {

@@ -65,6 +65,10 @@ struct RemeshOptions
   /// The factor by which lengths of edges beside each other may differ: sizes that grow faster are
   /// made smaller, around the smallest ones. Above 1; 0 for any. No effect without Sizing.
   double Gradation = 0.0;
+  /// Irregular vertices are added in pairs where sizes that vary need them: the field, if none is
+  /// given, is the smoothest one where lengths count in units of the size. Without them edges get
+  /// only those lengths that the field of even sizes allows. No effect without Sizing.
+  bool AddIrregularPairs = true;
   /// Only quads: triangles are joined in pairs with the quads between them, also without smoothing;
   /// vertices of other faces stay on the grid then. Notes say where triangles are left.
   bool PureQuads = false;

@@ -5,6 +5,7 @@
 
 #include "Preparation/WantedSizes.h"
 #include "Sizes/SizeField.h"
+#include "Support/Sentences.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,11 +61,12 @@ bool AreSame(const RemeshOptions& a, const RemeshOptions& b)
   const auto all = [](const RemeshOptions& options)
   {
     // This does not compile where an option is not among them.
-    const auto& [element, faces, usesLength, length, sizing, areLengths, gradation, pure, thin,
-      features, angle, shortest, regions, names, alignment, strength, cost, smoothing, threads] =
-      options;
-    return std::tie(element, faces, usesLength, length, sizing, areLengths, gradation, pure, thin,
-      features, angle, shortest, regions, names, alignment, strength, cost, smoothing, threads);
+    const auto& [element, faces, usesLength, length, sizing, areLengths, gradation, pairs, pure,
+      thin, features, angle, shortest, regions, names, alignment, strength, cost, smoothing,
+      threads] = options;
+    return std::tie(element, faces, usesLength, length, sizing, areLengths, gradation, pairs, pure,
+      thin, features, angle, shortest, regions, names, alignment, strength, cost, smoothing,
+      threads);
   };
   return all(a) == all(b);
 }
@@ -91,7 +93,16 @@ RemeshOptions Remesh::InUnitOfInput(
     options.Sizing = std::move(sizes.Sizes);
     notes.insert(notes.end(), sizes.Notes.begin(), sizes.Notes.end());
   }
-  else if (given.UseEdgeLength)
+  else if (const auto outside =
+             static_cast<std::size_t>(std::count_if(given.Sizing.begin(), given.Sizing.end(),
+               [](double size)
+               { return size > LargestSize || (size > 0.0 && size < 1.0 / LargestSize); }));
+           outside > 0)
+  {
+    notes.push_back("Sizes are taken from 1/8 to 8 only: at " + Count(outside, "point") +
+      " that of the Sizing Array is out of this range, and the nearest one is taken.");
+  }
+  if (!given.SizingIsLength && given.UseEdgeLength)
   {
     options.EdgeLength = std::clamp(given.EdgeLength / this->Unit,
       std::numeric_limits<double>::min(), std::numeric_limits<double>::max());

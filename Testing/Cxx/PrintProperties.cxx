@@ -146,6 +146,7 @@ void PrintRemesh()
   RANGE(SizeMode);
   RANGE(NumberOfFaces);
   RANGE(EdgeLength);
+  VALUE(AddIrregularPairs);
   VALUE(KeepThinParts);
   VALUE(KeepFeatures);
   RANGE(FeatureAngle);

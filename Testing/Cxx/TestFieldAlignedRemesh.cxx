@@ -52,6 +52,7 @@ void TestParameters()
   filter->SetRegionArray("Material");
   filter->SetConservedArray("Load");
   filter->SetGradation(1.25);
+  filter->AddIrregularPairsOff();
   filter->PureQuadsOn();
   filter->KeepThinPartsOff();
   filter->KeepFeaturesOff();
@@ -65,12 +66,12 @@ void TestParameters()
   filter->SetNumberOfThreads(2);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line :
-    { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n", "EdgeLength: 0.25\n",
-      "SizingArray: Size\n", "RegionArray: Material\n", "ConservedArray: Load\n",
-      "Gradation: 1.25\n", "PureQuads: 1\n", "KeepThinParts: 0\n", "KeepFeatures: 0\n",
-      "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
-      "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
+  for (const char* line : { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n",
+         "EdgeLength: 0.25\n", "SizingArray: Size\n", "RegionArray: Material\n",
+         "ConservedArray: Load\n", "Gradation: 1.25\n", "AddIrregularPairs: 0\n", "PureQuads: 1\n",
+         "KeepThinParts: 0\n", "KeepFeatures: 0\n", "FeatureAngle: 180\n", "Alignment: 1\n",
+         "AlignmentStrength: 1\n", "SingularityCost: 4\n", "SmoothingIterations: 3\n",
+         "KeepStages: 0\n", "NumberOfThreads: 2\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

@@ -19,7 +19,7 @@ ENUMERATIONS = {
     "SizeMode": ["Number Of Faces", "Edge Length", "Lengths At Points"],
     "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("GatherLimit", "Gradation", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
+ADVANCED = ("GatherLimit", "Gradation", "AddIrregularPairs", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
             "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "ConservedArray", "KeepStages", "NumberOfThreads")
 
 

@@ -31,16 +31,18 @@ MergedMesh MeshOf(const Surface& surface, MergePoints which)
 }
 }
 
-Stages::Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints)
-  : Stages(surface, mergePoints, MeshOf(*surface, mergePoints))
+Stages::Stages(
+  std::shared_ptr<const Surface> surface, MergePoints mergePoints, const std::vector<double>& sizes)
+  : Stages(surface, mergePoints, MeshOf(*surface, mergePoints), sizes)
 {
 }
 
-Stages::Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh)
+Stages::Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh,
+  const std::vector<double>& sizes)
   : Input(std::move(surface))
   , Merges(mergePoints)
   , FirstPoint(std::move(mesh.FirstPoint))
-  , Geometry(std::move(mesh.Mesh), *this->Input)
+  , Geometry(std::move(mesh.Mesh), *this->Input, sizes)
 {
 }
 

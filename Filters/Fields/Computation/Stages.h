@@ -41,8 +41,10 @@ class Stages
 public:
   /// Throws MeshError.
   /// @param mergePoints as Options::MergePoints
-  explicit Stages(
-    std::shared_ptr<const Surface> surface, MergePoints mergePoints = MergePoints::Off);
+  /// @param sizes       at each point, above 0: everything is computed in the metric where lengths
+  ///                    count in units of the size, as Metric says; empty for the surface's own
+  explicit Stages(std::shared_ptr<const Surface> surface,
+    MergePoints mergePoints = MergePoints::Off, const std::vector<double>& sizes = {});
   explicit Stages(const Surface& surface);
 
   /// The surface as it came in.
@@ -74,7 +76,8 @@ public:
   const std::shared_ptr<const CurvatureReport>& GetCurvatureReport(double scale = 0.0);
 
 private:
-  Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh);
+  Stages(std::shared_ptr<const Surface> surface, MergePoints mergePoints, MergedMesh&& mesh,
+    const std::vector<double>& sizes);
 
   std::shared_ptr<const Surface> Input;
   MergePoints Merges;

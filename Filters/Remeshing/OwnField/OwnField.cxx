@@ -8,6 +8,7 @@
 #include "Computation/Stages.h"
 #include "Features/KeptFeatures.h"
 #include "Guidance/Guidance.h"
+#include "OwnField/SizeMetric.h"
 
 #include <string>
 
@@ -15,6 +16,10 @@ namespace DirectionFields::Internal
 {
 namespace
 {
+/// The part of the cost of a singularity that is left where sizes vary: pairs that the sizes need
+/// would not pay the rest.
+constexpr double CostForSizes = 0.125;
+
 /// Vectors along the features, at the points of the surface.
 Guidance AlongFeatures(
   const Surface& surface, const SurfaceGeometry& geometry, const std::vector<char>& isFeature)
@@ -38,6 +43,7 @@ std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   const OwnFieldSettings& settings, const Progress& progress)
 {
   progress.Report(0.0);
+  const std::vector<double> sizes = SizesOfMetric(geometry, settings.Sizes);
   Options options;
   options.Degree = settings.Degree;
   options.ConstrainBoundary = true;
@@ -48,15 +54,22 @@ std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   {
     options.Alignment = Alignment::PrincipalCurvature;
     options.AlignmentStrength = settings.Alignment.Strength;
-    options.SingularityCost = settings.Alignment.SingularityCost;
+    options.SingularityCost =
+      (sizes.empty() ? 1.0 : CostForSizes) * settings.Alignment.SingularityCost;
   }
   std::vector<std::string> notes;
   const Guidance guidance = AlongFeatures(*surface, geometry, isFeature);
-  Stages stages(surface);
+  Stages stages(surface, MergePoints::Off, sizes);
   const Guide guide(stages, options, guidance, notes);
   constexpr double afterEnergy = 0.55;
   EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, afterEnergy));
-  return SolveComponents(stages, energy, guide, {}, options, false, progress.Part(afterEnergy, 1.0))
-    .Section;
+  std::vector<Complex> section =
+    SolveComponents(stages, energy, guide, {}, options, false, progress.Part(afterEnergy, 1.0))
+      .Section;
+  if (!sizes.empty())
+  {
+    TurnToFrames(stages.GetGeometry(), geometry, settings.Degree, section);
+  }
+  return section;
 }
 }

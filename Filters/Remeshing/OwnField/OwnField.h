@@ -13,7 +13,6 @@
 
 namespace DirectionFields::Internal
 {
-/// How the mesher makes a field of its own.
 /// How the shape of a surface draws a field of degree 4.
 struct ShapeAlignment
 {
@@ -30,6 +29,7 @@ struct ShapeAlignment
   }
 };
 
+/// How the mesher makes a field of its own.
 struct OwnFieldSettings
 {
   /// 4 or 6
@@ -37,6 +37,10 @@ struct OwnFieldSettings
   /// Whether the field runs along the features.
   bool FollowsFeatures = true;
   ShapeAlignment Alignment;
+  /// The wanted size at each point of the surface, above 0; empty for the same everywhere. The
+  /// field is the smoothest one in the metric where lengths count in units of the size, and has the
+  /// singularities that the sizes need.
+  std::vector<double> Sizes;
 };
 
 /// Computes a section of unit length over the vertices of a surface, kept along its boundary and

@@ -12,13 +12,12 @@
 namespace DirectionFields::Internal
 {
 PreparedField::PreparedField(const Surface& input, int degree, KeptEdges kept,
-  WorkingLengths lengths, const std::vector<Vector3>& given, const ShapeAlignment& alignment,
-  const Progress& progress)
+  WorkingLengths lengths, const std::vector<Vector3>& given, OwnShape own, const Progress& progress)
   : Degree(degree)
   , Kept(std::move(kept))
   , Lengths(std::move(lengths))
   , Given(given)
-  , Alignment(alignment)
+  , Own(std::move(own))
   , Prepared(input, degree, this->Kept, this->Lengths, progress.Part(0.0, PreparingShare))
   , InputTriangles(this->Prepared.GetTriangles())
   , IsFeature(this->Prepared.FindFeatures(this->Kept.Features))
@@ -88,7 +87,9 @@ std::vector<Complex> PreparedField::ComputeField(const Progress& progress) const
 {
   const bool followsFeatures = this->Kept.Features.AreKept || this->Kept.HasHard();
   return OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
-    { this->Degree, followsFeatures, this->Alignment }, progress);
+    { this->Degree, followsFeatures, this->Own.Alignment,
+      this->Own.Sizes.empty() ? this->Own.Sizes : this->Prepared.Continued(this->Own.Sizes) },
+    progress);
 }
 
 void PreparedField::SmoothForField(const Progress& progress)
@@ -115,11 +116,11 @@ void PreparedField::SmoothForField(const Progress& progress)
 }
 
 bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
-  const std::vector<Vector3>& given, const ShapeAlignment& alignment) const
+  const std::vector<Vector3>& given, const OwnShape& own) const
 {
   return this->Degree == degree && this->Kept.Regions == kept.Regions &&
     this->Kept.Curves == kept.Curves && this->Given == given && this->Lengths == lengths &&
-    (!given.empty() || this->Alignment == alignment) &&
+    (!given.empty() || this->Own == own) &&
     this->IsFeature == this->Prepared.FindFeatures(kept.Features);
 }
 

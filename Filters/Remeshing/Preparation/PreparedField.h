@@ -13,12 +13,32 @@
 #include "Preparation/Seams.h"
 #include "Progress.h"
 
+#include <utility>
 #include <vector>
 
 namespace DirectionFields::Internal
 {
+/// What a field of the mesher's own is drawn to.
+struct OwnShape
+{
+  // NOLINTNEXTLINE(google-explicit-constructor): an alignment alone is enough.
+  OwnShape(const ShapeAlignment& alignment, std::vector<double> sizes = {})
+    : Alignment(alignment)
+    , Sizes(std::move(sizes))
+  {
+  }
+  ShapeAlignment Alignment;
+  /// The wanted size at each point of the input, as OwnFieldSettings::Sizes.
+  std::vector<double> Sizes;
+
+  bool operator==(const OwnShape& other) const
+  {
+    return this->Alignment == other.Alignment && this->Sizes == other.Sizes;
+  }
+};
+
 /// A prepared surface with a field on it: everything about a mesh that does not depend on the
-/// wanted length of its edges.
+/// wanted length of its edges, but of how lengths at one place are to those at another one.
 class PreparedField
 {
 public:
@@ -29,13 +49,13 @@ public:
   /// @param degree    4 or 6
   /// @param given     any of the directions of a field at each point of the input; empty for an
   ///                  OwnField
-  /// @param alignment of that
+  /// @param own       how that is made
   PreparedField(const Surface& input, int degree, KeptEdges kept, WorkingLengths lengths,
-    const std::vector<Vector3>& given, const ShapeAlignment& alignment, const Progress& progress);
+    const std::vector<Vector3>& given, OwnShape own, const Progress& progress);
 
   /// Whether the same field would be prepared from these.
   bool IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
-    const std::vector<Vector3>& given, const ShapeAlignment& alignment) const;
+    const std::vector<Vector3>& given, const OwnShape& own) const;
 
   const PreparedSurface& GetSurface() const { return this->Prepared; }
   const SurfaceGeometry& GetGeometry() const { return this->Prepared.GetGeometry(); }
@@ -68,7 +88,7 @@ private:
   KeptEdges Kept;
   WorkingLengths Lengths;
   std::vector<Vector3> Given;
-  ShapeAlignment Alignment;
+  OwnShape Own;
   PreparedSurface Prepared;
   ClosestPoints InputTriangles;
   std::vector<char> IsFeature;

@@ -22,9 +22,11 @@ struct IntrinsicGeometry
 
 protected:
   /// @param positions of the vertices, which the lengths are taken from
-  IntrinsicGeometry(TriangleMesh&& mesh, const std::vector<Vector3>& positions)
+  /// @param sizes     as those of Metric
+  IntrinsicGeometry(TriangleMesh&& mesh, const std::vector<Vector3>& positions,
+    const std::vector<double>& sizes = {})
     : Mesh(std::move(mesh))
-    , Lengths(this->Mesh, positions)
+    , Lengths(this->Mesh, positions, sizes)
     , Transport(this->Mesh, this->Lengths, positions)
   {
   }

@@ -232,26 +232,30 @@ std::array<double, 3> TriangleAngles(const std::array<double, 3>& length, double
   return angles;
 }
 
-Metric::Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
+Metric::Metric(
+  const TriangleMesh& mesh, const std::vector<Vector3>& positions, const std::vector<double>& sizes)
   : SquaredLength(mesh.GetNumberOfEdges())
   , Area(mesh.GetNumberOfTriangles())
   , Unit(mesh.GetComponents().size())
   , ComponentArea(mesh.GetComponents().size())
 {
   std::vector<Index> degenerate(mesh.GetComponents().size());
-  mesh.ForEachComponent([&](Index c) { degenerate[c] = this->Measure(mesh, positions, c); });
+  mesh.ForEachComponent([&](Index c) { degenerate[c] = this->Measure(mesh, positions, sizes, c); });
   this->DegenerateTriangles = std::accumulate(degenerate.begin(), degenerate.end(), Index(0));
 }
 
 /// Returns the number of degenerate triangles.
-Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions, Index c)
+Index Metric::Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions,
+  const std::vector<double>& sizes, Index c)
 {
   const TriangleMesh::Component& component = mesh.GetComponents()[c];
   LargeArray<double>& length = this->SquaredLength;
   const auto edgeVector = [&](Index e) -> Vector3
   {
     const Index h = mesh.HalfEdge(e);
-    return positions[mesh.Head(h)] - positions[mesh.Tail(h)];
+    const Vector3 edge = positions[mesh.Head(h)] - positions[mesh.Tail(h)];
+    const double square = sizes.empty() ? 1.0 : sizes[mesh.Head(h)] * sizes[mesh.Tail(h)];
+    return square == 1.0 ? edge : Vector3(edge / std::sqrt(square));
   };
   auto sums = SumOver<EdgeSums>(component.FirstEdge, component.EndEdge,
     [&](Index e, EdgeSums& sum)

@@ -27,7 +27,11 @@ struct Metric
 {
   /// Throws MeshError where coordinates are so large that their differences overflow.
   /// @param positions of the vertices
-  Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions);
+  /// @param sizes     at each vertex, above 0: lengths count in units of the size there, those of
+  ///                  edges in units of the geometric mean at their ends, which makes a metric
+  ///                  conformal to the surface's own; empty for the same unit everywhere
+  Metric(const TriangleMesh& mesh, const std::vector<Vector3>& positions,
+    const std::vector<double>& sizes = {});
 
   /// Squared length of each edge.
   LargeArray<double> SquaredLength;
@@ -52,7 +56,8 @@ struct Metric
   }
 
 private:
-  Index Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions, Index c);
+  Index Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions,
+    const std::vector<double>& sizes, Index c);
 };
 }
 

@@ -7,18 +7,33 @@
 
 namespace DirectionFields
 {
+namespace
+{
+std::vector<double> AtVertices(const TriangleMesh& mesh, const std::vector<double>& sizes)
+{
+  std::vector<double> atVertices;
+  for (Index v = 0; !sizes.empty() && v < mesh.GetNumberOfVertices(); ++v)
+  {
+    atVertices.push_back(sizes[mesh.Point(v)]);
+  }
+  return atVertices;
+}
+}
+
 SurfaceGeometry::SurfaceGeometry(const Surface& surface)
   : SurfaceGeometry(TriangleMesh(surface), surface)
 {
 }
 
-SurfaceGeometry::SurfaceGeometry(TriangleMesh&& mesh, const Surface& surface)
-  : SurfaceGeometry(std::move(mesh), mesh.Positions(surface.Points))
+SurfaceGeometry::SurfaceGeometry(
+  TriangleMesh&& mesh, const Surface& surface, const std::vector<double>& sizes)
+  : SurfaceGeometry(std::move(mesh), mesh.Positions(surface.Points), AtVertices(mesh, sizes))
 {
 }
 
-SurfaceGeometry::SurfaceGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions)
-  : IntrinsicGeometry(std::move(mesh), positions)
+SurfaceGeometry::SurfaceGeometry(
+  TriangleMesh&& mesh, std::vector<Vector3>&& positions, const std::vector<double>& sizesAtVertices)
+  : IntrinsicGeometry(std::move(mesh), positions, sizesAtVertices)
   , Positions(std::move(positions))
   , Frames(this->Mesh, this->Transport, this->Positions)
 {

@@ -20,15 +20,19 @@ struct SurfaceGeometry : IntrinsicGeometry
   explicit SurfaceGeometry(const Surface& surface);
   /// @param mesh    of the surface, or of the surface with points merged
   /// @param surface whose points the mesh has
-  SurfaceGeometry(TriangleMesh&& mesh, const Surface& surface);
+  /// @param sizes   at each point, above 0, in the metric of which all of it is but for the
+  ///                Positions, as Metric says; empty for the surface's own metric
+  SurfaceGeometry(
+    TriangleMesh&& mesh, const Surface& surface, const std::vector<double>& sizes = {});
 
   /// The position of each vertex, in the surface's own unit.
   std::vector<Vector3> Positions;
   TangentFrames Frames;
 
 private:
-  /// The positions are found before the mesh is moved away.
-  SurfaceGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions);
+  /// Positions and sizes are found before the mesh is moved away.
+  SurfaceGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions,
+    const std::vector<double>& sizesAtVertices);
 };
 }
 

@@ -98,6 +98,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->EdgeLength = defaults.EdgeLength;
   this->SizingArray = nullptr;
   this->Gradation = defaults.Gradation;
+  this->AddIrregularPairs = defaults.AddIrregularPairs;
   this->RegionArray = nullptr;
   this->ConservedArray = nullptr;
   this->PureQuads = defaults.PureQuads;
@@ -160,6 +161,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
   os << indent << "Gradation: " << this->Gradation << "\n";
+  os << indent << "AddIrregularPairs: " << this->AddIrregularPairs << "\n";
   os << indent << "RegionArray: " << (this->RegionArray ? this->RegionArray : "(none)") << "\n";
   os << indent << "ConservedArray: " << (this->ConservedArray ? this->ConservedArray : "(none)")
      << "\n";
@@ -190,6 +192,7 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
   options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
   options.SizingIsLength = this->SizeMode == LENGTHS_AT_POINTS;
   options.Gradation = this->Gradation;
+  options.AddIrregularPairs = this->AddIrregularPairs;
   DirectionFields::CellRegions regions = DirectionFields::FindRegions(input,
     { surface.Mesh.Triangles.size(), [&](std::size_t t) { return surface.Cell(t); } },
     this->RegionArray);

@@ -193,6 +193,17 @@ public:
 
   ///@{
   /**
+   * Whether irregular vertices are added in pairs where sizes of the SizingArray need them, as
+   * RemeshOptions::AddIrregularPairs. Default on. No effect without a SizingArray, and along a
+   * field that the input has.
+   */
+  vtkSetMacro(AddIrregularPairs, bool);
+  vtkGetMacro(AddIrregularPairs, bool);
+  vtkBooleanMacro(AddIrregularPairs, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of a cell array of 1 component that divides the surface into regions: integers, strings,
    * or numbers that are whole. Edges between cells of different values become edges of the mesh,
    * whatever KeepFeatures is, places where three regions meet become vertices, and each face has
@@ -362,6 +373,7 @@ private:
   double EdgeLength;
   char* SizingArray;
   double Gradation;
+  bool AddIrregularPairs;
   char* RegionArray;
   char* ConservedArray;
   bool PureQuads;

@@ -144,15 +144,16 @@ TEST(PreparedSurface, PathsAlongFeaturesAreThoseOfTheInput)
 TEST(PreparedField, IsOnlyForTheInputItWasPreparedFor)
 {
   const Surface cube = Meshes::FlatlySubdivided(Meshes::Cube(), 2);
-  const PreparedField field(cube, 4, Sharp, {}, {}, { 0.25, 1.5 }, Progress());
-  EXPECT_TRUE(field.IsFor(4, Sharp, {}, {}, { 0.25, 1.5 }));
-  EXPECT_FALSE(field.IsFor(6, Sharp, {}, {}, { 0.25, 1.5 }));
-  EXPECT_FALSE(field.IsFor(4, FeatureSettings{ true, 100.0, 0.5, 0.0 }, {}, {}, { 0.25, 1.5 }));
+  const PreparedField field(cube, 4, Sharp, {}, {}, ShapeAlignment{ 0.25, 1.5 }, Progress());
+  EXPECT_TRUE(field.IsFor(4, Sharp, {}, {}, ShapeAlignment{ 0.25, 1.5 }));
+  EXPECT_FALSE(field.IsFor(6, Sharp, {}, {}, ShapeAlignment{ 0.25, 1.5 }));
   EXPECT_FALSE(
-    field.IsFor(4, Sharp, { std::vector<double>(cube.Points.size(), 1.0), {} }, {}, { 0.25, 1.5 }));
-  EXPECT_FALSE(field.IsFor(4, Sharp, {}, cube.Points, { 0.25, 1.5 }));
-  EXPECT_FALSE(field.IsFor(4, Sharp, {}, {}, { 0.5, 1.5 }));
-  EXPECT_FALSE(field.IsFor(4, Sharp, {}, {}, { 0.25, 1.0 }));
+    field.IsFor(4, FeatureSettings{ true, 100.0, 0.5, 0.0 }, {}, {}, ShapeAlignment{ 0.25, 1.5 }));
+  EXPECT_FALSE(field.IsFor(4, Sharp, { std::vector<double>(cube.Points.size(), 1.0), {} }, {},
+    ShapeAlignment{ 0.25, 1.5 }));
+  EXPECT_FALSE(field.IsFor(4, Sharp, {}, cube.Points, ShapeAlignment{ 0.25, 1.5 }));
+  EXPECT_FALSE(field.IsFor(4, Sharp, {}, {}, ShapeAlignment{ 0.5, 1.5 }));
+  EXPECT_FALSE(field.IsFor(4, Sharp, {}, {}, ShapeAlignment{ 0.25, 1.0 }));
   // The field follows the features: one of its directions is along each of their edges, up to the
   // vertices' tangent planes.
   const SurfaceGeometry& geometry = field.GetGeometry();

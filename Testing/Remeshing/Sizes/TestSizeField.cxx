@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 using namespace DirectionFields;
 
@@ -186,16 +187,50 @@ TEST(SizeField, LengthsAreMet)
   }
 }
 
-/// A jump of sizes is missed on both sides of it; one that is limited is met better.
-TEST(SizeField, GradationHelpsToMeetThem)
+/// Without irregular vertices for it a jump of sizes is missed on both sides of it, and one that is
+/// limited is met better. With them it is met as it is.
+TEST(SizeField, GradationOrPairsHelpToMeetThem)
 {
   const Surface square = Meshes::Square(60);
-  const RemeshResult jump = Remeshed(square, WithLengths(AtPoints(square, Jump)));
-  const RemeshResult graded = Remeshed(square, WithLengths(AtPoints(square, Jump), 1.15));
+  const auto remeshed = [&](double gradation, bool addsPairs)
+  {
+    RemeshOptions options = WithLengths(AtPoints(square, Jump), gradation);
+    options.AddIrregularPairs = addsPairs;
+    return Remeshed(square, options);
+  };
+  const RemeshResult jump = remeshed(0.0, false);
+  const RemeshResult graded = remeshed(1.15, false);
+  const RemeshResult paired = remeshed(0.0, true);
+  const RemeshResult both = remeshed(1.3, true);
   RecordProperty("Jump", std::to_string(jump.EdgesAsWanted));
   RecordProperty("Graded", std::to_string(graded.EdgesAsWanted));
+  RecordProperty("Paired", std::to_string(paired.EdgesAsWanted));
+  RecordProperty("Both", std::to_string(both.EdgesAsWanted));
   EXPECT_LT(jump.EdgesAsWanted, graded.EdgesAsWanted);
   EXPECT_LT(jump.Faces.size(), graded.Faces.size());
+  EXPECT_GT(paired.EdgesAsWanted, 0.9);
+  EXPECT_GT(paired.IrregularVertices, 0);
+  EXPECT_EQ(jump.IrregularVertices, 0);
+}
+
+/// Relative sizes out of range are said, and only these.
+TEST(SizeField, SizesOutOfRangeAreSaid)
+{
+  const Surface square = Meshes::Square(12);
+  RemeshOptions options;
+  options.NumberOfFaces = 100;
+  options.Sizing.assign(square.Points.size(), 1.0);
+  const auto saysSo = [&]
+  {
+    const RemeshResult mesh = Remeshed(square, options);
+    return std::any_of(mesh.Notes.begin(), mesh.Notes.end(),
+      [](const std::string& note)
+      { return note.find("at 1 point that of the Sizing Array") != std::string::npos; });
+  };
+  options.Sizing[5] = 8.0;
+  EXPECT_FALSE(saysSo());
+  options.Sizing[5] = 8.5;
+  EXPECT_TRUE(saysSo());
 }
 
 /// Five edges of length 1, two of length 2.
