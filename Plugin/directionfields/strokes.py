@@ -5,8 +5,9 @@
 import numpy as np
 from paraview import servermanager
 from paraview import simple
+from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 from vtkmodules.vtkCommonCore import mutable
-from vtkmodules.vtkCommonDataModel import vtkPolygon, vtkStaticCellLocator
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolygon, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from directionfields.camera import camera_of, put_camera
@@ -412,8 +413,14 @@ def select(pixel, view):
         simple.ClearSelection(known)
     _selected = None
     if strokes is not None:
-        # As ParaView's own selections, so that the strokes stay the same data.
-        simple.SelectCells(f"Stroke == {int(number)}", strokes)
+        # As ParaView's own selections, so that the strokes stay the same data. Its window expects
+        # a sum of selections, which simple.SelectCells() does not make.
+        query = servermanager.sources.SelectionQuerySource()
+        query.ElementType = vtkDataObject.CELL
+        query.QueryString = f"Stroke == {int(number)}"
+        combined = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(query.SMProxy)
+        strokes.SMProxy.SetSelectionInput(0, combined, 0)
+        combined.UnRegister(None)
         _selected = strokes.SMProxy.GetGlobalID(), number
     simple.Render(view)
     return None if strokes is None else (strokes, int(number))

@@ -137,7 +137,9 @@ def test_select():
     before = output.GetMTime()
     # Between two of its points.
     assert directionfields.select_stroke((x + 3, y + 2)) == (strokes, 0)
-    assert strokes.SMProxy.GetSelectionInput(0) and output.GetMTime() == before
+    # What ParaView's window expects.
+    assert strokes.SMProxy.GetSelectionInput(0).GetXMLName() == "AppendSelections"
+    assert output.GetMTime() == before
     magenta = (1.0, 0.0, 1.0)
     assert pixels_of(view, magenta) > 100
     assert directionfields.select_stroke((1, 1)) is None and pixels_of(view, magenta) == 0
