@@ -59,6 +59,7 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         edge_length: Wanted length of the edges, which then counts in place of faces; 0 for faces.
         sizing_is_length: Sizing has the lengths themselves, in place of faces and edge_length.
         gradation: The factor by which lengths beside each other may differ, 1.3 say; 0 for any.
+        add_irregular_pairs: Irregular vertices are added in pairs where sizes that vary need them.
         pure_quads: No triangles between the quads.
         keep_thin_parts: Faces are smaller where limbs and tips would be lost.
         keep_features: Sharp edges become edges of the mesh; the boundary always does.
