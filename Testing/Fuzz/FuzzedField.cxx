@@ -4,6 +4,7 @@
 #include "FuzzedField.h"
 
 #include "Bytes.h"
+#include "Coordinates.h"
 #include "FuzzedSurface.h"
 #include "Interpolation/GivenField.h"
 #include "Meshes/Soundness.h"
@@ -11,7 +12,7 @@
 #include "Streamlines.h"
 
 #include <cmath>
-#include <limits>
+#include <set>
 #include <stdexcept>
 
 using namespace DirectionFields;
@@ -75,37 +76,36 @@ Guidance ReadGuidance(Bytes& bytes, const Surface& surface, unsigned kind)
 struct Expected
 {
   bool InvalidId = false;
+  /// Of those that are NaN or infinite, where there are any; else of those that are too large.
   Index FirstNonFinite = None;
-  /// Edges may be longer than numbers reach, which is refused, too.
-  bool MayOverflow = false;
 };
 
 Expected ExpectedError(const Surface& surface)
 {
   Expected expected;
+  std::set<Index> used;
   for (const Triangle& t : surface.Triangles)
   {
-    for (const Index point : t)
-    {
-      expected.InvalidId = expected.InvalidId || !Exists(point, surface);
-    }
     const bool collapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     for (const Index point : t)
     {
-      if (collapsed || !Exists(point, surface))
+      expected.InvalidId = expected.InvalidId || !Exists(point, surface);
+      if (!collapsed && Exists(point, surface))
       {
-        continue;
-      }
-      const Vector3& place = surface.Points[point];
-      expected.MayOverflow = expected.MayOverflow ||
-        !(place.lpNorm<Eigen::Infinity>() < std::numeric_limits<double>::max() / 4.0);
-      if (!place.allFinite() &&
-        (expected.FirstNonFinite == None || point < expected.FirstNonFinite))
-      {
-        expected.FirstNonFinite = point;
+        used.insert(point);
       }
     }
   }
+  CoordinateCheck check(false);
+  for (const Index point : used)
+  {
+    const double* const place = surface.Points[point].data();
+    if (!check.MayBe(place))
+    {
+      check.Refuse(static_cast<std::size_t>(point), place);
+    }
+  }
+  expected.FirstNonFinite = check.GetError().empty() ? None : static_cast<Index>(check.GetFirst());
   return expected;
 }
 
@@ -113,10 +113,6 @@ std::string ErrorFlaw(const Expected& expected, const MeshError& error, bool mer
 {
   const bool invalid = error.GetKind() == MeshError::Kind::InvalidPointId;
   const bool nonFinite = error.GetKind() == MeshError::Kind::NonFinitePoint;
-  if (nonFinite && expected.FirstNonFinite == None && expected.MayOverflow)
-  {
-    return {};
-  }
   // Merging makes triangles collapse, whose points are not used any more.
   const bool rightPoint = mergePoints || error.GetId() == expected.FirstNonFinite;
   if (invalid != expected.InvalidId ||

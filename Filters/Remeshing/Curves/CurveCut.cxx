@@ -263,7 +263,6 @@ private:
 CurveCut CutAlong(const Surface& surface, const std::vector<std::vector<Vector3>>& curves)
 {
   const MergedMesh merged = MergedMesh::AcrossSeams(surface);
-  RequireRange(merged.Mesh, surface.Points);
   const std::vector<Index>& first = merged.FirstPoint;
   Cutter cutter(first.empty() ? surface : Merged(surface, first));
   CurveCut result;

@@ -71,7 +71,6 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
 {
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
-  RequireRange(merged.Mesh, input.Points);
   this->Repaired = merged.Mesh.GetRepairs();
   for (std::size_t p = 0; p < merged.FirstPoint.size(); ++p)
   {

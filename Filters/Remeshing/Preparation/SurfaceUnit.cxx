@@ -3,14 +3,11 @@
 
 #include "Preparation/SurfaceUnit.h"
 
-#include "MeshError.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace DirectionFields::Internal
 {
@@ -117,21 +114,6 @@ std::vector<std::vector<Vector3>> InUnit(
     }
   }
   return curves;
-}
-
-void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points)
-{
-  constexpr double most = 1e300;
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    const Index point = mesh.Point(v);
-    if (!(points[point].lpNorm<Eigen::Infinity>() < most))
-    {
-      throw MeshError(MeshError::Kind::NonFinitePoint, point,
-        "Point " + std::to_string(point) +
-          " has a coordinate of 1e300 or more, too large to be computed with. Scale the surface down.");
-    }
-  }
 }
 
 double Extent(const Surface& surface)

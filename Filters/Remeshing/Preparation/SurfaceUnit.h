@@ -4,7 +4,6 @@
 #ifndef DirectionFields_SurfaceUnit_h
 #define DirectionFields_SurfaceUnit_h
 
-#include "Mesh/TriangleMesh.h"
 #include "Surface.h"
 
 #include <memory>
@@ -28,10 +27,6 @@ std::shared_ptr<const Surface> InUnit(
 /// Curves on the surface likewise.
 std::vector<std::vector<Vector3>> InUnit(
   std::vector<std::vector<Vector3>> curves, const Vector3& origin, double unit);
-
-/// Throws MeshError for a point of a mesh with a coordinate of 1e300 or more: sums of a few
-/// coordinates, as middles of faces take, must not overflow.
-void RequireRange(const TriangleMesh& mesh, const std::vector<Vector3>& points);
 
 /// The diagonal of the box around a surface.
 double Extent(const Surface& surface);

@@ -3,6 +3,7 @@
 
 #include "Soup/SortedTriangles.h"
 
+#include "Coordinates.h"
 #include "MeshError.h"
 #include "Soup/DuplicateTriangles.h"
 #include "Support/MortonCurve.h"
@@ -94,30 +95,29 @@ std::vector<std::atomic<char>> UsedPoints(const Surface& surface)
   return used;
 }
 
-/// The ids of the points that are used. Throws MeshError for non-finite coordinates.
+/// The ids of the points that are used. Throws MeshError for coordinates that are not finite or too
+/// large.
 LargeArray<Index> FinitePoints(const Surface& surface, const std::vector<std::atomic<char>>& used)
 {
   LargeArray<Index> members;
   members.reserve(used.size());
-  Found nonFinite;
+  CoordinateCheck check(false);
   for (Index point = 0; point < static_cast<Index>(used.size()); ++point)
   {
     if (used[point].load(std::memory_order_relaxed))
     {
       members.push_back(point);
-      if (!surface.Points[point].allFinite())
+      const double* const place = surface.Points[point].data();
+      if (!check.MayBe(place))
       {
-        nonFinite.Add(point);
+        check.Refuse(static_cast<std::size_t>(point), place);
       }
     }
   }
-  if (nonFinite.Count > 0)
+  const std::string error = check.GetError();
+  if (!error.empty())
   {
-    throw MeshError(MeshError::Kind::NonFinitePoint, nonFinite.First,
-      Id(nonFinite.Count) +
-        (nonFinite.Count == 1 ? " point of the surface has" : " points of the surface have") +
-        " NaN or infinite coordinates, the first is point " + Id(nonFinite.First) +
-        ". Remove the cells at these points or correct their coordinates.");
+    throw MeshError(MeshError::Kind::NonFinitePoint, static_cast<Index>(check.GetFirst()), error);
   }
   return members;
 }

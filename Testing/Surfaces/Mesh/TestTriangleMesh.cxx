@@ -174,6 +174,38 @@ TEST(TriangleMesh, RefusesInvalidPointIds)
   EXPECT_EQ(ErrorOf(s), std::pair(MeshError::Kind::InvalidPointId, Index(-1)));
 }
 
+TEST(TriangleMesh, RefusesCoordinatesTooLargeToComputeWithAndSaysWhatHelps)
+{
+  // Every library takes surfaces as meshes: what is refused here is refused by all of them.
+  for (const double bad : { 1.1e300, -1e305, std::numeric_limits<double>::max() })
+  {
+    Surface s = Icosahedron();
+    s.Points[5].y() = bad;
+    s.Points[9].x() = bad;
+    EXPECT_EQ(ErrorOf(s), std::pair(MeshError::Kind::NonFinitePoint, Index(5)));
+    try
+    {
+      const TriangleMesh mesh(s);
+      ADD_FAILURE() << bad;
+    }
+    catch (const MeshError& error)
+    {
+      EXPECT_EQ(std::string(error.what()),
+        "2 points of the surface have coordinates beyond 1e300, too large to compute with, the first "
+        "is point 5. Scale the surface down, or remove the cells at these points.");
+    }
+    // The first point that is nowhere is told before others that are far.
+    s.Points[11].z() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ErrorOf(s), std::pair(MeshError::Kind::NonFinitePoint, Index(11)));
+    Surface unused = Icosahedron();
+    unused.Points.emplace_back(bad, bad, bad);
+    EXPECT_NO_THROW(TriangleMesh{ unused });
+  }
+  Surface largest = Icosahedron();
+  largest.Points[5].y() = 1e300;
+  EXPECT_NO_THROW(TriangleMesh{ largest });
+}
+
 TEST(TriangleMesh, RefusesNonFiniteCoordinatesOfUsedPointsOnly)
 {
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
