@@ -64,8 +64,8 @@ TriangleInSpace InSpace(const SurfaceGeometry& geometry, Index meshTriangle);
 /// left out.
 struct FieldSurface
 {
-  /// Takes linear time, on the threads of the scope. Throws MeshError where coordinates are so
-  /// large that their differences overflow.
+  /// Takes linear time, on the threads of the scope. Throws MeshError for coordinates
+  /// beyond 1e300, which are too large to compute with.
   /// @param joinsSeams false: points across seams stay apart
   explicit FieldSurface(const Surface& surface, bool joinsSeams = true);
 

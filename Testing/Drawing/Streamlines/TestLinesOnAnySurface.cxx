@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "DirectionField.h"
+#include "MeshError.h"
 #include "Meshes/Fields.h"
 #include "Meshes/Surfaces.h"
 #include "Streamlines.h"
@@ -260,6 +262,42 @@ TEST(LinesOnAnySurface, DoNotWindAroundSpikesOfAnyLength)
         high = high.cwiseMax(lines.Points[k]);
       }
       EXPECT_GT((high - low).stableNorm(), std::min(0.25 * lines.Length[i], 0.5 * lines.Spacing));
+    }
+  }
+}
+
+TEST(LinesOnAnySurface, AreFiniteOrRefusedWhereCoordinatesAreAtTheEndOfNumbers)
+{
+  // A point that is far, and a surface that is large as a whole.
+  for (const bool isWhole : { false, true })
+  {
+    for (const SeedType seeds : { SeedType::EvenlySpaced, SeedType::Singularities })
+    {
+      Surface surface = Meshes::Potato(3);
+      const Result result = Fields::Compute(surface, 4);
+      const PointDirections directions = Fields::Of(result);
+      const auto stretch = [&surface, isWhole](double factor)
+      {
+        for (std::size_t p = isWhole ? 0 : 100; p < (isWhole ? surface.Points.size() : 101); ++p)
+        {
+          surface.Points[p] *= factor;
+        }
+      };
+      stretch(1e299);
+      const GivenField field(surface, directions);
+      StreamlineOptions options = OnSurface(seeds);
+      options.MaximumNumber = 3;
+      const Streamlines lines = TraceStreamlines(field, directions, {}, options);
+      EXPECT_FALSE(lines.Length.empty());
+      for (std::size_t p = 0; p < lines.Points.size(); ++p)
+      {
+        ASSERT_TRUE(lines.Points[p].allFinite() && std::isfinite(lines.Arc[p]));
+        ASSERT_NEAR(lines.Directions[p].norm(), 1.0, 1e-9);
+      }
+      stretch(1e3);
+      EXPECT_THROW(GivenField(surface, directions), MeshError);
+      DirectionField anew(surface);
+      EXPECT_THROW(anew.Compute({}), MeshError);
     }
   }
 }
