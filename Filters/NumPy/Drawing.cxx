@@ -127,9 +127,11 @@ Chosen<TensorGuidanceOptions> ReadTensorOptions(Keywords& keywords)
 /// @param regions of each triangle, from 0 on, or None
 /// @param names   of the regions, by these numbers
 /// @param lines   that become edges of the mesh
+/// @param places  that become vertices of the mesh, or None
 py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
   const py::object& sizing, const py::object& regions, const std::vector<std::string>& names,
-  const std::vector<py::array>& lines, const py::object& progress, const py::dict& given)
+  const std::vector<py::array>& lines, const py::object& places, const py::object& progress,
+  const py::dict& given)
 {
   Keywords keywords("remesh", given);
   ChosenMesh chosen = ReadRemeshOptions(keywords);
@@ -141,16 +143,17 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
     options.RegionNames = names;
   }
   const std::vector<Vector3> field = VectorsOrNone(directions);
+  const std::vector<Vector3> vertices = VectorsOrNone(places);
   std::vector<std::vector<Vector3>> curves;
   std::transform(lines.begin(), lines.end(), std::back_inserter(curves), &Vectors);
   return Run(progress, options.NumberOfThreads,
     [=](const ProgressFunction& report)
     {
       auto mesh = std::make_shared<RemeshResult>(
-        Remesh(surface, curves).Compute(chosen.Options, field, report));
+        Remesh(surface, curves, vertices).Compute(chosen.Options, field, report));
       const auto quality = std::make_shared<FaceQuality>(QualityOf(mesh->Points, mesh->Faces));
       const auto judged = std::make_shared<QualityReport>(ReportQuality(*quality, chosen.Limits));
-      const std::vector<IrregularVertex> vertices =
+      const std::vector<IrregularVertex> others =
         IrregularVertices(*mesh, chosen.Options.Element == Element::Quads ? 4 : 6);
       const std::string summary = Summary(*mesh, *judged);
       mesh->Notes.insert(mesh->Notes.end(), judged->Sentences.begin(), judged->Sentences.end());
@@ -162,7 +165,7 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
       return [=]() -> py::object
       {
         std::vector<Index> irregular;
-        for (const IrregularVertex& vertex : vertices)
+        for (const IrregularVertex& vertex : others)
         {
           irregular.push_back(vertex.Point);
         }

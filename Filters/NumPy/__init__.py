@@ -263,7 +263,8 @@ def stripes(field, *, spacings=None, progress=None, **options):
 
 
 @_keyword_options("remesh")
-def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), progress=None, **options):
+def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), given_points=None, progress=None,
+           **options):
     """A mesh of quads or triangles that follows a field.
 
     Parameters
@@ -280,6 +281,10 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), prog
         Poly lines on the surface that become edges of the mesh; the first point again at the end of
         closed ones. They are projected; parts farther away than a hundredth of the diagonal are
         left out, with a warning.
+    given_points : (n, 3) array of numbers, optional
+        Points on the surface that become vertices of the mesh, at the closest places there: the
+        vertex of point 3 is `chains["Point 3"][0]`. Those farther away than a hundredth of the
+        diagonal, or closer than a tenth of an edge to others, are left out, with a warning.
     progress : callable, optional
     **options
 
@@ -303,7 +308,8 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), prog
         names = [_region_name(value) for value in values.tolist()]
     made = _call(
         _core.remesh, surface, directions, sizing, numbers, names,
-        [_numbers("curves", curve, None, 3) for curve in curves], _listener(progress), options)
+        [_numbers("curves", curve, None, 3) for curve in curves],
+        None if given_points is None else _numbers("given_points", given_points, None, 3), _listener(progress), options)
     if "regions" in made:
         made["regions"] = values[made["regions"]]
         made["regions_lost"] = values[made["regions_lost"]]

@@ -176,11 +176,12 @@ class Directions:
         """The surface cut into stripes and what is between, with the cell array Stripe."""
         return bands(df.stripes(self.given(), spacings=self._array(spacings), **options))
 
-    def remesh(self, *, sizing=None, regions=None, curves=(), **options):
+    def remesh(self, *, sizing=None, regions=None, curves=(), given_points=None, **options):
         """A mesh along the field, where there is one of the right degree, or along the shape.
 
         ``regions`` may be the name of a cell array, which the mesh has then, too; values that are
         given become the cell array Region. ``curves`` are arrays of points, or a ``PolyData`` of lines.
+        ``given_points`` are places, or a dataset of them.
         """
         degree = 6 if options.get("element") == "triangles" else 4
         arguments = self._mesh.points, self._mesh.faces
@@ -191,7 +192,8 @@ class Directions:
         if isinstance(curves, pyvista.PolyData):
             curves = [numpy.asarray(cell.points) for cell in curves.cell]
         made = df.remesh(
-            *arguments, sizing=self._array(sizing), regions=values, curves=curves, **options)
+            *arguments, sizing=self._array(sizing), regions=values, curves=curves,
+            given_points=getattr(given_points, "points", given_points), **options)
         mesh = polydata(made)
         if regions is not None:
             mesh.cell_data[regions if isinstance(regions, str) else "Region"] = made.regions

@@ -3,8 +3,8 @@
 
 #include "Remesh.h"
 
-#include "Chains/MeshChains.h"
 #include "Curves/CurveMapping.h"
+#include "Curves/LinesOnMesh.h"
 #include "Extraction/MeshExtraction.h"
 #include "FaceMesh/FaceCounts.h"
 #include "Finishing/CloserMesh.h"
@@ -52,11 +52,12 @@ int DegreeOf(Element element)
 /// Features that end freely, or are closed, are longer than this, in wanted lengths of edges.
 constexpr double ShortestFeature = 6.0;
 
-KeptEdges KeptOf(const RemeshOptions& options, const CurveCut* cut, double edgeLength)
+KeptEdges KeptOf(
+  const RemeshOptions& options, const CurveCut* cut, const ChosenPoints& points, double edgeLength)
 {
   return { { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength,
              ShortestFeature * edgeLength },
-    options.Regions, cut ? cut->Edges : std::vector<std::array<Index, 2>>() };
+    options.Regions, cut ? cut->Edges : std::vector<std::array<Index, 2>>(), points.OnSurface() };
 }
 
 /// How the mesh's own field is drawn to the principal curvatures. Their two lines are no part of a
@@ -98,7 +99,11 @@ struct Request
   const WantedSizes& Sizes;
   /// Of lengths, in that of the user's surface.
   double Unit;
-  bool HasCurves;
+  /// Null for none.
+  const CurveCut* Cut;
+  const ChosenPoints& Points;
+
+  bool HasCurves() const { return this->Cut && !this->Cut->Edges.empty(); }
 };
 
 /// Everything that the maps of the components are computed from.
@@ -111,6 +116,10 @@ ParametrizationInput InputFor(const Request& request)
     geometry, field.GetMatching(), field.GetFeatures(), field.GetFrameless(), window);
   features.IsEnd.assign(geometry.Mesh.GetNumberOfVertices(), 0);
   for (const Index v : field.GetSeams().GetEnds())
+  {
+    features.IsEnd[v] = 1;
+  }
+  for (const Index v : field.GetSurface().FindPointVertices())
   {
     features.IsEnd[v] = 1;
   }
@@ -152,6 +161,10 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
   field.GetSeams().Equalize(extracted);
   finished.Faces = JoinFaces(extracted, field.GetSeams(),
     FindTurns(field.GetGeometry(), features, sizes.HalfLengths()), finished.OpenSeams);
+  if (request.Cut)
+  {
+    request.Points.Place(field.GetSurface(), *request.Cut, finished.Faces);
+  }
   const std::vector<ClosestPoints> lines =
     field.GetSurface().LinesOf(field.GetGeometry(), features);
   const RemeshOptions& options = request.Options;
@@ -278,18 +291,18 @@ void Report(const Request& request, const FeatureLines& features,
   result.EulerCharacteristicAfter =
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
   result.Repaired = field.GetSurface().GetRepairs();
-  if (!request.Options.Regions.empty() || request.HasCurves)
+  if (!request.Options.Regions.empty() || request.HasCurves())
   {
     const RemeshOptions& options = request.Options;
     RegionReport report =
-      ReportRegions(request.Input, options.Regions, options.RegionNames, request.HasCurves,
+      ReportRegions(request.Input, options.Regions, options.RegionNames, request.HasCurves(),
         field.GetSurface(), features, finished.Faces, result.EdgeLength, result.FaceSource);
     result.Regions = std::move(report.OfFaces);
     result.RegionsShown = std::move(report.Shown);
     result.Notes.insert(result.Notes.end(), report.Sentences.begin(), report.Sentences.end());
   }
-  result.Chains = FindChains(finished.Faces, LinesOfBoundary(field.GetGeometry().Mesh, features),
-    result.Regions, request.Options.RegionNames);
+  result.Chains = LinesOn(finished.Faces, { field.GetSurface(), features, request.Cut },
+    request.Points, result.Regions, request.Options.RegionNames, result.Notes);
   ReportExtraction(request, extracted, finished, result);
   ReportQuality(request, finished.Faces, result);
 }
@@ -331,20 +344,21 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
   Check(given, this->Given->Points.size(), this->Given->Triangles.size());
   RemeshOptions options = given;
   std::vector<Vector3> directions = givenDirections;
-  if (this->Cut)
-  {
-    const CurveMapping mapping(*this->Given, *this->Cut);
-    options.Regions = mapping.RegionsOfParts(given.Regions);
-    mapping.ContinueSizes(options.Sizing);
-    mapping.ContinueDirections(directions);
-  }
-  std::vector<std::string> aboutSizes;
-  options = this->InUnitOfInput(options, aboutSizes);
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
   const Progress progress(progressFunction);
   try
   {
+    this->CutSurface(progress);
+    if (this->Cut)
+    {
+      const CurveMapping mapping(*this->Given, *this->Cut);
+      options.Regions = mapping.RegionsOfParts(given.Regions);
+      mapping.ContinueSizes(options.Sizing);
+      mapping.ContinueDirections(directions);
+    }
+    std::vector<std::string> aboutSizes;
+    options = this->InUnitOfInput(options, aboutSizes);
     RemeshResult result;
     this->Make(options, directions, progress, result);
     if (this->Cut)
@@ -407,8 +421,8 @@ void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& 
 {
   const WantedSizes sizes =
     this->Prepare(options, directions, thin, progress.Part(0.0, AfterField));
-  const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit,
-    this->Cut && !this->Cut->Edges.empty() };
+  const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit, this->Cut.get(),
+    *this->Points };
   ParametrizationInput input = InputFor(request);
   std::vector<ExtractedMesh> extracted;
   for (const TriangleMesh::Component& component : input.Geometry.Mesh.GetComponents())
@@ -433,7 +447,11 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
   sizes.MapLength = sizes.EdgeLength;
   const int degree = DegreeOf(options.Element);
-  KeptEdges kept = KeptOf(options, this->Cut.get(), sizes.MapLength);
+  if (this->Cut)
+  {
+    *this->Points = ChosenPoints(*this->Cut, sizes.AtPoints, sizes.MapLength);
+  }
+  KeptEdges kept = KeptOf(options, this->Cut.get(), *this->Points, sizes.MapLength);
   const AffordableFeatures affordable(
     *this->Input, kept.Features, degree, area / (sizes.MapLength * sizes.MapLength));
   kept.Features = affordable.Settings;

@@ -19,8 +19,10 @@ namespace DirectionFields
 {
 namespace Internal
 {
+class ChosenPoints;
 class PreparedField;
 struct CurveCut;
+struct GivenLines;
 class ThinParts;
 struct WantedSizes;
 }
@@ -149,7 +151,8 @@ struct RemeshResult
   /// The region of each face, which FaceSource is in, too; empty where no regions are given.
   std::vector<Index> Regions;
   RegionFigures RegionsShown;
-  /// Boundary, features and borders of regions, by kind, regions and place.
+  /// Boundary, features, borders of regions and curves, by kind, regions and place, and then the
+  /// given points that are vertices, in their order.
   std::vector<MeshChain> Chains;
 
   /// Interior vertices with another number of edges than 4, or 6 for triangles.
@@ -191,10 +194,12 @@ public:
   ///               first one again at the end of closed ones. They are projected to the surface;
   ///               parts that are farther from it than a hundredth of its diagonal are left out,
   ///               and a note says so.
-  /// Throws MeshError for a surface that cannot be processed, if there are curves, and
-  /// std::invalid_argument for curves with coordinates that are no finite numbers.
-  explicit Remesh(
-    std::shared_ptr<const Surface> surface, const std::vector<std::vector<Vector3>>& curves = {});
+  /// @param points that become vertices of the meshes, at the closest places of the surface. Those
+  ///               farther away than a hundredth of its diagonal are left out, and so are those
+  ///               closer than a tenth of an edge to one before them; notes say so.
+  /// Throws std::invalid_argument for coordinates that are no finite numbers.
+  explicit Remesh(std::shared_ptr<const Surface> surface,
+    const std::vector<std::vector<Vector3>>& curves = {}, const std::vector<Vector3>& points = {});
   ~Remesh();
   Remesh(Remesh&&) noexcept;
   Remesh& operator=(Remesh&&) noexcept;
@@ -213,6 +218,8 @@ private:
   /// Options for the surface that is computed on, with sizes that are relative and grow as they
   /// may.
   RemeshOptions InUnitOfInput(const RemeshOptions& given, std::vector<std::string>& notes) const;
+  /// Cuts the surface along the lines given, if that is not done yet. Throws MeshError and Stopped.
+  void CutSurface(const Progress& progress);
   /// Makes a mesh, and others where that one loses thin parts. Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
@@ -231,7 +238,9 @@ private:
   std::shared_ptr<const Surface> Given;
   /// Cut along the curves, if there are any.
   std::shared_ptr<const Surface> Input;
+  std::unique_ptr<Internal::GivenLines> Lines;
   std::unique_ptr<Internal::CurveCut> Cut;
+  std::unique_ptr<Internal::ChosenPoints> Points;
   std::unique_ptr<Internal::PreparedField> Cache;
   /// What the user is told about features that are left out; empty for none.
   std::vector<std::string> AboutFeatures;

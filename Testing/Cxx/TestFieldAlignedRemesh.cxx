@@ -368,7 +368,9 @@ void TestCurves()
     filter->Update();
     vtkPolyData* const found = filter->GetOutput(2);
     REQUIRE(found->GetNumberOfCells() == 5);
-    CHECK(found->GetCellData()->GetArray("ChainKind")->GetTuple1(4) == 1.0);
+    CHECK(found->GetCellData()->GetArray("ChainKind")->GetTuple1(4) == 3.0);
+    CHECK(found->GetCellData()->GetArray("CurveId")->GetTuple1(4) == 0.0);
+    CHECK(found->GetCellData()->GetArray("CurveId")->GetTuple1(0) == -1.0);
     vtkPoints* const on = found->GetCell(4)->GetPoints();
     CHECK(on->GetNumberOfPoints() > 12);
     for (vtkIdType i = 0; i < on->GetNumberOfPoints(); ++i)

@@ -16,6 +16,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -129,6 +130,8 @@ void TestPoints()
   CHECK(carried->GetRange()[0] == 1.0 && carried->GetRange()[1] == 9.0);
 }
 
+constexpr long long LargeId = 1LL << 53;
+
 vtkSmartPointer<vtkPolyData> BodyWithData()
 {
   auto body = Meshes::ToPolyData(Meshes::Potato(4));
@@ -153,6 +156,14 @@ vtkSmartPointer<vtkPolyData> BodyWithData()
     name->InsertNextValue(middle(f, 2) > 0.0 ? "top" : "bottom");
   }
   data->AddArray(name);
+  // Not both are doubles.
+  vtkNew<vtkLongLongArray> large;
+  large->SetName("Large");
+  for (vtkIdType f = 0; f < cells; ++f)
+  {
+    large->InsertNextValue(middle(f, 2) > 0.0 ? LargeId : LargeId + 1);
+  }
+  data->AddArray(large);
   return body;
 }
 
@@ -184,11 +195,13 @@ void TestCells()
   vtkDataArray* const one = mesh->GetCellData()->GetArray("One");
   vtkDataArray* const part = mesh->GetCellData()->GetArray("Part");
   auto* const name = vtkStringArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("Name"));
-  REQUIRE(one && part && name);
+  auto* const large = vtkLongLongArray::SafeDownCast(mesh->GetCellData()->GetArray("Large"));
+  REQUIRE(one && part && name && large);
   for (vtkIdType f = 0; f < mesh->GetNumberOfCells(); ++f)
   {
     CHECK(one->GetTuple1(f) == static_cast<double>(0.1f));
     CHECK(part->GetTuple1(f) == (name->GetValue(f) == "top" ? 1.0 : 100.0));
+    CHECK(large->GetValue(f) == (name->GetValue(f) == "top" ? LargeId : LargeId + 1));
   }
   CHECK(part->GetRange()[0] == 1.0 && part->GetRange()[1] == 100.0);
 }

@@ -175,8 +175,8 @@ class Meshes(unittest.TestCase):
         curve = np.stack([1.4 * np.cos(angle), 1.4 * np.sin(angle), 0.1 * np.sin(3 * angle)], -1)
         curve[-1] = curve[0]
         mesh = df.remesh(points, triangles, faces=900, curves=[curve])
-        self.assertEqual(list(mesh.chains), ["Feature 1"])
-        ids = mesh.chains["Feature 1"]
+        self.assertEqual(list(mesh.chains), ["Curve 0 1"])
+        ids = mesh.chains["Curve 0 1"]
         self.assertEqual(ids[0], ids[-1])
         far = np.linalg.norm(mesh.points[ids][:, None] - curve[None], axis=2).min(axis=1)
         self.assertLess(far.max(), 0.06)

@@ -128,6 +128,26 @@ def test_data():
     assert len(after) > 1 and after <= before, after - before
 
 
+def check_given_points(surface):
+    """Points become vertices, and lines have the cell arrays of what they come from."""
+    points = Calculator(Input=PointSource(Center=[0.21, 0.13, 0]), AttributeType="Cell Data", Function="7",
+                        ResultArrayName="Load")
+    remesh = FieldAlignedRemesh(Input=surface, KeptCurves=points, NumberOfFaces=400)
+    mesh, lines = servermanager.Fetch(remesh), servermanager.Fetch(remesh, idx=2)
+    given = mesh.GetPointData().GetArray("GivenPoint")
+    found = [p for p in range(mesh.GetNumberOfPoints()) if given.GetTuple1(p) == 0]
+    assert len(found) == 1, found
+    place = mesh.GetPoint(found[0])
+    assert max(abs(a - b) for a, b in zip(place, (0.21, 0.13, 0))) < 1e-7, place
+    cells = lines.GetCellData()
+    assert lines.GetNumberOfVerts() == 1 and cells.GetAbstractArray("ChainName").GetValue(0) == "Point 0"
+    assert cells.GetArray("ChainKind").GetTuple1(0) == 4 and cells.GetArray("Load").GetTuple1(0) == 7
+    assert cells.GetArray("CurveId").GetTuple1(0) == -1 and cells.GetArray("GivenPoint").GetTuple1(0) == 0
+    assert cells.GetArray("ChainId").GetTuple1(0) == lines.GetNumberOfLines()
+    names = mesh.GetFieldData().GetAbstractArray("ChainNames")
+    assert names.GetValue(names.GetNumberOfValues() - 1) == "Point 0"
+
+
 def test_regions():
     """Bands of a plane: their borders are edges, and faces have their numbers."""
     cells = PointDatatoCellData(Input=Calculator(
@@ -148,6 +168,7 @@ def test_regions():
     curve = PolyLineSource(Points=[-0.5, 0.3, 0, 0.5, -0.1, 0])
     lines = servermanager.Fetch(FieldAlignedRemesh(Input=bands, KeptCurves=curve, NumberOfFaces=400), idx=2)
     assert lines.GetNumberOfCells() == 7, lines.GetNumberOfCells()
+    check_given_points(bands)
     assert "2 regions with 100 % of their borders" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
 
 

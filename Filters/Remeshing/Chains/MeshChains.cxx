@@ -3,8 +3,6 @@
 
 #include "Chains/MeshChains.h"
 
-#include "FaceMesh/VertexStars.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -30,11 +28,15 @@ constexpr double StraightOn = 0.9397;
 struct Mark
 {
   ChainKind Kind;
+  Index Curve;
   std::array<Index, 2> Regions;
+  /// Whether the second region, or the face at the boundary, is left of the way from the higher
+  /// vertex to the lower one.
+  bool IsDown;
 
   friend bool operator==(const Mark& a, const Mark& b)
   {
-    return a.Kind == b.Kind && a.Regions == b.Regions;
+    return a.Kind == b.Kind && a.Curve == b.Curve && a.Regions == b.Regions;
   }
 };
 
@@ -45,46 +47,86 @@ Ends Sorted(Index a, Index b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// The faces at an edge, ascending.
-std::vector<Index> FacesAt(const VertexStars& stars, Index v, Index w)
+/// An edge of a face, which is left of the way to the higher vertex or to the lower one.
+struct FaceEdge
 {
-  std::vector<Index> faces;
-  for (const Index f : stars.At(v))
+  Ends Vertices;
+  Index Face;
+  bool IsDown;
+
+  friend bool operator<(const FaceEdge& a, const FaceEdge& b)
   {
-    const Faces::Face& face = stars.Face(f);
+    return std::tie(a.Vertices, a.Face) < std::tie(b.Vertices, b.Face);
+  }
+};
+
+/// The edges of all faces, those of the same vertices one after the other.
+std::vector<FaceEdge> EdgesOfFaces(const Faces& faces)
+{
+  std::vector<FaceEdge> edges;
+  for (std::size_t f = 0; f < faces.Corners.size(); ++f)
+  {
+    const Faces::Face& face = faces.Corners[f];
     const int size = Faces::Size(face);
     for (int c = 0; c < size; ++c)
     {
-      if (Sorted(face[c], face[(c + 1) % size]) == Sorted(v, w))
-      {
-        faces.push_back(f);
-        break;
-      }
+      const Index v = face[c];
+      const Index w = face[(c + 1) % size];
+      edges.push_back({ Sorted(v, w), static_cast<Index>(f), v > w });
     }
   }
-  return faces;
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
-std::optional<Mark> MarkOf(
-  const std::vector<Index>& faces, bool isLine, const std::vector<Index>& regions)
+/// The lines of a mesh that are no seams, and their curves.
+std::map<Ends, Index> LinesOf(
+  const FaceMesh& mesh, const std::vector<char>& isSeam, const std::vector<Index>& curves)
 {
-  std::set<Index> beside;
-  for (const Index f : faces)
+  std::map<Ends, Index> lines;
+  for (std::size_t k = 0; k < mesh.LineEdges.size(); ++k)
   {
-    beside.insert(regions.empty() ? None : regions[f]);
+    const FaceMesh::LineEdge& edge = mesh.LineEdges[k];
+    if (edge.Line > 0 && isSeam[edge.Line] == 0)
+    {
+      lines.emplace(Sorted(edge.Ends[0], edge.Ends[1]), curves.empty() ? None : curves[k]);
+    }
   }
-  const Index first = *beside.begin();
-  if (faces.size() == 1)
+  return lines;
+}
+
+/// The mark of an edge from the faces at it.
+std::optional<Mark> MarkOf(const FaceEdge* begin, const FaceEdge* end,
+  const std::map<Ends, Index>& lines, const std::vector<Index>& regions)
+{
+  const auto regionOf = [&](const FaceEdge& edge)
+  { return regions.empty() ? None : regions[edge.Face]; };
+  std::set<Index> beside;
+  for (const FaceEdge* edge = begin; edge != end; ++edge)
   {
-    return Mark{ ChainKind::Boundary, { None, first } };
+    beside.insert(regionOf(*edge));
+  }
+  const auto line = lines.find(begin->Vertices);
+  const Index curve = line == lines.end() ? None : line->second;
+  const Index first = *beside.begin();
+  if (end - begin == 1)
+  {
+    return Mark{ ChainKind::Boundary, curve, { None, first }, begin->IsDown };
   }
   if (beside.size() > 1)
   {
-    return Mark{ ChainKind::Border, { first, *std::next(beside.begin()) } };
+    const Index second = *std::next(beside.begin());
+    const FaceEdge* left =
+      std::find_if(begin, end, [&](const FaceEdge& edge) { return regionOf(edge) == second; });
+    return Mark{ ChainKind::Border, curve, { first, second }, left->IsDown };
   }
-  if (isLine || faces.size() > 2)
+  if (curve != None)
   {
-    return Mark{ ChainKind::Feature, { first, first } };
+    return Mark{ ChainKind::Curve, curve, { first, first }, false };
+  }
+  if (line != lines.end() || end - begin > 2)
+  {
+    return Mark{ ChainKind::Feature, curve, { first, first }, false };
   }
   return std::nullopt;
 }
@@ -96,25 +138,25 @@ struct MarkedEdges
   /// Where they lead to from each vertex, ascending.
   std::vector<std::vector<Index>> Next;
 
-  MarkedEdges(
-    const FaceMesh& mesh, const std::vector<char>& isSeam, const std::vector<Index>& regions)
+  MarkedEdges(const FaceMesh& mesh, const std::vector<char>& isSeam,
+    const std::vector<Index>& curves, const std::vector<Index>& regions)
     : Next(mesh.Points.size())
   {
-    std::vector<FaceMesh::LineEdge> lines;
-    std::copy_if(mesh.LineEdges.begin(), mesh.LineEdges.end(), std::back_inserter(lines),
-      [&](const FaceMesh::LineEdge& edge) { return edge.Line > 0 && isSeam[edge.Line] == 0; });
-    const VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), lines);
-    for (Index v = 0; v < stars.GetNumberOfVertices(); ++v)
+    const std::map<Ends, Index> lines = LinesOf(mesh, isSeam, curves);
+    const std::vector<FaceEdge> edges = EdgesOfFaces(mesh.Cells);
+    for (std::size_t i = 0, end = 0; i < edges.size(); i = end)
     {
-      for (const Index w : stars.Neighbours(v))
+      const Ends& ends = edges[i].Vertices;
+      while (end < edges.size() && edges[end].Vertices == ends)
       {
-        const std::optional<Mark> mark =
-          MarkOf(FacesAt(stars, v, w), stars.IsLineEdge(v, w), regions);
-        if (mark)
-        {
-          this->Next[v].push_back(w);
-          this->Marks.emplace(Sorted(v, w), *mark);
-        }
+        ++end;
+      }
+      const std::optional<Mark> mark = MarkOf(&edges[i], edges.data() + end, lines, regions);
+      if (mark)
+      {
+        this->Next[ends[0]].push_back(ends[1]);
+        this->Next[ends[1]].push_back(ends[0]);
+        this->Marks.emplace(ends, *mark);
       }
     }
   }
@@ -141,7 +183,8 @@ MeshChain Follow(
   const FaceMesh& mesh, const MarkedEdges& edges, Index from, Index to, std::set<Ends>& left)
 {
   const Mark& mark = edges.At(from, to);
-  MeshChain chain{ mark.Kind, { from, to }, mark.Regions, {} };
+  MeshChain chain{ mark.Kind, { from, to }, mark.Regions, {}, mark.Curve };
+  const bool isAgainst = mark.IsDown == (from < to);
   left.erase(Sorted(from, to));
   while (!edges.IsEnd(mesh, to) && to != chain.Points.front())
   {
@@ -150,6 +193,10 @@ MeshChain Follow(
     from = std::exchange(to, beyond);
     left.erase(Sorted(from, to));
     chain.Points.push_back(to);
+  }
+  if (isAgainst)
+  {
+    std::reverse(chain.Points.begin(), chain.Points.end());
   }
   return chain;
 }
@@ -180,12 +227,14 @@ void Sort(const FaceMesh& mesh, std::vector<MeshChain>& chains)
     most = most.cwiseMax(point);
   }
   const double step = std::max((most - least).norm() * PerStep, std::numeric_limits<double>::min());
-  using Key = std::tuple<ChainKind, std::array<Index, 2>, std::array<double, 3>, std::size_t>;
+  using Key =
+    std::tuple<ChainKind, Index, std::array<Index, 2>, std::array<double, 3>, std::size_t>;
   std::vector<Key> keys;
   for (const MeshChain& chain : chains)
   {
     const Vector3 middle = (MiddleOf(mesh, chain) - least) / step;
-    keys.emplace_back(chain.Kind, chain.Regions,
+    const bool isCurve = chain.Kind == ChainKind::Curve;
+    keys.emplace_back(chain.Kind, isCurve ? chain.Source : None, chain.Regions,
       std::array<double, 3>{
         std::round(middle.x()), std::round(middle.y()), std::round(middle.z()) },
       keys.size());
@@ -194,7 +243,7 @@ void Sort(const FaceMesh& mesh, std::vector<MeshChain>& chains)
   std::vector<MeshChain> sorted;
   for (const Key& key : keys)
   {
-    sorted.push_back(std::move(chains[std::get<3>(key)]));
+    sorted.push_back(std::move(chains[std::get<4>(key)]));
   }
   chains = std::move(sorted);
 }
@@ -213,6 +262,7 @@ void Name(const std::vector<std::string>& names, std::vector<MeshChain>& chains)
   {
     chain.Name = chain.Kind == ChainKind::Boundary ? "Boundary"
       : chain.Kind == ChainKind::Border            ? "Border"
+      : chain.Kind == ChainKind::Curve             ? "Curve " + std::to_string(chain.Source)
                                                    : "Feature";
     std::string between = " ";
     for (const Index region : std::set<Index>(chain.Regions.begin(), chain.Regions.end()))
@@ -238,9 +288,10 @@ std::vector<char> LinesOfBoundary(const TriangleMesh& mesh, const FeatureLines& 
 }
 
 std::vector<MeshChain> FindChains(const FaceMesh& mesh, const std::vector<char>& isSeam,
-  const std::vector<Index>& regions, const std::vector<std::string>& names)
+  const std::vector<Index>& curves, const std::vector<Index>& regions,
+  const std::vector<std::string>& names)
 {
-  const MarkedEdges edges(mesh, isSeam, regions);
+  const MarkedEdges edges(mesh, isSeam, curves, regions);
   std::set<Ends> left;
   for (const auto& edge : edges.Marks)
   {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <map>
 
 namespace DirectionFields::Internal
 {
@@ -20,6 +20,18 @@ namespace
 {
 /// A curve takes a point, or an edge, that is closer than this part of an edge there.
 constexpr double Close = 0.05;
+/// And closer than this part of the way to the curve's points before and after: lines through many
+/// points in one triangle would run in zigzags.
+constexpr double CloseOnWay = 0.25;
+/// Points of a curve that are closer, in parts of the surface's diagonal, are one.
+constexpr double SamePoint = 1e-5;
+/// A given point takes what is closer than this part of an edge: vertices of the mesh get their own
+/// places in the end.
+constexpr double CloseToPoint = 0.01;
+/// Of up to this number of parts of a triangle the closest one is found by looking at all.
+constexpr std::size_t FewParts = 16;
+/// How many steps are made before it is asked whether to go on.
+constexpr int StepsBetweenAsking = 256;
 /// Farther from the surface, in parts of its diagonal, curves do not belong to it.
 constexpr double MostDistance = 0.01;
 
@@ -63,53 +75,167 @@ Surface WithoutCollapsed(const Surface& surface)
   return result;
 }
 
+/// The points of a curve that are farther from each other than a distance, and its last one.
+std::vector<Vector3> Apart(const std::vector<Vector3>& curve, double distance)
+{
+  std::vector<Vector3> apart;
+  for (const Vector3& point : curve)
+  {
+    if (apart.empty() || !((point - apart.back()).norm() <= distance))
+    {
+      apart.push_back(point);
+    }
+  }
+  if (apart.size() > 1)
+  {
+    apart.back() = curve.back();
+  }
+  return apart;
+}
+
+/// How far a point of a curve is from those before and after it.
+double RoomAt(const std::vector<Vector3>& curve, std::size_t i)
+{
+  double room = std::numeric_limits<double>::infinity();
+  for (std::size_t k = i > 0 ? i : 1; k < std::min(i + 2, curve.size()); ++k)
+  {
+    room = std::min(room, (curve[k] - curve[k - 1]).norm());
+  }
+  return room;
+}
+
 class Cutter
 {
 public:
-  explicit Cutter(const Surface& surface)
+  Cutter(const Surface& surface, const Progress& progress)
     : Mesh(surface)
+    , Asked(progress)
     , Places(WithoutCollapsed(surface))
     , Limit(MostDistance * DiagonalOf(surface))
   {
   }
 
-  /// Returns whether all of the curve is on the surface.
-  bool Add(const std::vector<Vector3>& curve)
+  /// The point of the surface for a place, and its own place there; None where it is too far.
+  Index AddPoint(const Vector3& wanted, Vector3& place)
   {
+    return this->Insert(wanted, CloseToPoint, std::numeric_limits<double>::infinity(), &place);
+  }
+
+  /// Returns whether all of the curve is on the surface.
+  bool Add(Index number, const std::vector<Vector3>& given)
+  {
+    const double least = SamePoint / MostDistance * this->Limit;
+    const std::vector<Vector3> curve = Apart(given, least);
+    this->Curve = number;
     bool isWhole = true;
     Index last = None;
     for (std::size_t i = 0; i < curve.size(); ++i)
     {
-      const Index next = this->Insert(curve[i]);
+      const double room = std::max(CloseOnWay * RoomAt(curve, i), least);
+      const Index next = this->Insert(curve[i], Close, room);
       const bool isStart = i == 0;
-      if (!isStart)
-      {
-        isWhole = last != None && next != None && this->Join(last, next) && isWhole;
-      }
+      isWhole = next != None && (isStart || (last != None && this->Join(last, next))) && isWhole;
       last = next;
     }
     return isWhole;
   }
 
   SplittableMesh Mesh;
-  std::set<Ends> Hard;
+  /// The curve of each edge on curves.
+  std::map<Ends, Index> Hard;
 
 private:
+  void Ask()
+  {
+    if (++this->Steps % StepsBetweenAsking == 0)
+    {
+      this->Asked.RequireToGoOn();
+    }
+  }
+
   const Vector3& PlaceOf(Index p) const { return this->Mesh.GetPoints()[p]; }
 
   Index SplitEdge(Index p, Index q, const Vector3& place)
   {
     const Index middle = this->Mesh.SplitEdge(p, q, place);
-    if (this->Hard.erase(Sorted(p, q)) > 0)
+    const auto hard = this->Hard.find(Sorted(p, q));
+    if (hard != this->Hard.end())
     {
-      this->Hard.insert(Sorted(p, middle));
-      this->Hard.insert(Sorted(middle, q));
+      this->Hard.emplace(Sorted(p, middle), hard->second);
+      this->Hard.emplace(Sorted(middle, q), hard->second);
+      this->Hard.erase(Sorted(p, q));
     }
     return middle;
   }
 
+  /// The corner of a triangle across from which a place lies outside, the farthest if there are
+  /// several; 3 if it is inside, None for a triangle without area.
+  Index OutsideOf(Index t, const Vector3& place) const
+  {
+    constexpr double rounding = 1e-12;
+    const Triangle& c = this->Mesh.GetTriangles()[t];
+    const Vector3& a = this->PlaceOf(c[0]);
+    const Vector3 normal = (this->PlaceOf(c[1]) - a).cross(this->PlaceOf(c[2]) - a);
+    const double whole = normal.squaredNorm();
+    double least = -rounding * whole;
+    Index outside = whole > 0.0 ? 3 : None;
+    for (Index k = 0; k < 3 && outside != None; ++k)
+    {
+      const Vector3& from = this->PlaceOf(c[(k + 1) % 3]);
+      const Vector3 edge = this->PlaceOf(c[(k + 2) % 3]) - from;
+      const double part = normal.dot(edge.cross(place - from));
+      outside = part < least ? k : outside;
+      least = std::min(least, part);
+    }
+    return outside;
+  }
+
+  /// The part of a triangle that a place is in, by a walk from the part where the last one was;
+  /// None where it comes to no end.
+  Index WalkTo(Index parent, const Vector3& place)
+  {
+    Index t = this->LastPart.emplace(parent, parent).first->second;
+    for (std::size_t k = this->Mesh.Parts(parent).size(); k > 0; --k)
+    {
+      this->Ask();
+      const Index outside = this->OutsideOf(t, place);
+      if (outside == 3 || outside == None)
+      {
+        return outside == 3 ? t : None;
+      }
+      const Triangle& c = this->Mesh.GetTriangles()[t];
+      const std::vector<Index> there =
+        this->Mesh.Between(c[(outside + 1) % 3], c[(outside + 2) % 3]);
+      const auto next = std::find_if(there.begin(), there.end(),
+        [&](Index other) { return other != t && this->Mesh.Parent(other) == parent; });
+      if (next == there.end())
+      {
+        return None;
+      }
+      t = *next;
+    }
+    return None;
+  }
+
   /// The part of a triangle of the surface that a place is in; None where distances overflow.
-  Index PartAt(Index parent, const Vector3& place, std::array<double, 3>& weights) const
+  Index PartAt(Index parent, const Vector3& place)
+  {
+    Index part = None;
+    if (this->Mesh.Parts(parent).size() > FewParts)
+    {
+      part = this->WalkTo(parent, place);
+    }
+    if (part == None)
+    {
+      part = this->ClosestPart(parent, place);
+    }
+    if (part != None)
+    {
+      this->LastPart[parent] = part;
+    }
+    return part;
+  }
+  Index ClosestPart(Index parent, const Vector3& place) const
   {
     Index best = None;
     double least = std::numeric_limits<double>::infinity();
@@ -125,25 +251,31 @@ private:
       {
         least = distance;
         best = t;
-        weights = own;
       }
     }
     return best;
   }
 
   /// The point of the surface at a place of a curve; None where it is too far.
-  Index Insert(const Vector3& wanted)
+  /// @param close points and edges closer than this part of an edge are taken
+  /// @param room  and closer than this
+  /// @param place gets the place on the surface
+  Index Insert(const Vector3& wanted, double close, double room, Vector3* place = nullptr)
   {
+    this->Ask();
     const ClosestPoints::Answer answer = this->Places.Find(wanted, Vector3::Zero(), this->Limit);
     if (answer.Triangle == None)
     {
       return None;
     }
-    std::array<double, 3> weights{};
-    const Index t = this->PartAt(answer.Triangle, answer.Position, weights);
+    const Index t = this->PartAt(answer.Triangle, answer.Position);
     if (t == None)
     {
       return None;
+    }
+    if (place)
+    {
+      *place = answer.Position;
     }
     const Triangle corners = this->Mesh.GetTriangles()[t];
     double shortest = std::numeric_limits<double>::infinity();
@@ -152,9 +284,10 @@ private:
       shortest = std::min(
         shortest, (this->PlaceOf(corners[c]) - this->PlaceOf(corners[(c + 1) % 3])).norm());
     }
+    const double within = std::min(close * shortest, room);
     for (const Index p : corners)
     {
-      if ((this->PlaceOf(p) - answer.Position).norm() <= Close * shortest)
+      if ((this->PlaceOf(p) - answer.Position).norm() <= within)
       {
         return p;
       }
@@ -167,7 +300,7 @@ private:
       const double along =
         std::clamp(edge.dot(answer.Position - this->PlaceOf(p)) / edge.squaredNorm(), 0.0, 1.0);
       const Vector3 onEdge = this->PlaceOf(p) + along * edge;
-      if ((onEdge - answer.Position).norm() <= Close * shortest)
+      if ((onEdge - answer.Position).norm() <= within)
       {
         return this->SplitEdge(p, q, onEdge);
       }
@@ -216,6 +349,7 @@ private:
     const std::size_t most = 2 * this->Mesh.GetTriangles().size() + 16;
     for (std::size_t k = 0; k < most && from != to; ++k)
     {
+      this->Ask();
       Index next = to;
       if (!this->Mesh.AreJoined(from, to))
       {
@@ -225,7 +359,7 @@ private:
           return false;
         }
       }
-      this->Hard.insert(Sorted(from, next));
+      this->Hard.emplace(Sorted(from, next), this->Curve);
       from = next;
     }
     return from == to;
@@ -255,29 +389,63 @@ private:
     return this->SplitEdge(exit.Edge[0], exit.Edge[1], place);
   }
 
+  const Progress& Asked;
+  int Steps = 0;
+  Index Curve = None;
   ClosestPoints Places;
   double Limit;
+  /// Where the last place in each triangle was.
+  std::map<Index, Index> LastPart;
 };
+
+/// The first of those with these numbers, and how many more there are.
+std::string Listed(const std::vector<std::size_t>& numbers, const char* others)
+{
+  return std::to_string(numbers.front()) +
+    (numbers.size() > 1 ? others + std::to_string(numbers.size() - 1) + " more" : "");
 }
 
-CurveCut CutAlong(const Surface& surface, const std::vector<std::vector<Vector3>>& curves)
+void AddPoints(const std::vector<Vector3>& points, Cutter& cutter, CurveCut& result)
 {
-  const MergedMesh merged = MergedMesh::AcrossSeams(surface);
-  const std::vector<Index>& first = merged.FirstPoint;
-  Cutter cutter(first.empty() ? surface : Merged(surface, first));
-  CurveCut result;
   std::vector<std::size_t> left;
-  for (std::size_t k = 0; k < curves.size(); ++k)
+  for (std::size_t k = 0; k < points.size(); ++k)
   {
-    if (!cutter.Add(curves[k]))
+    Vector3 place = points[k];
+    result.Points.push_back(cutter.AddPoint(points[k], place));
+    result.Places.push_back(place);
+    if (result.Points.back() == None)
     {
       left.push_back(k);
     }
   }
   if (!left.empty())
   {
-    result.Notes.push_back("Parts of curve " + std::to_string(left.front()) +
-      (left.size() > 1 ? " and of " + std::to_string(left.size() - 1) + " more" : "") +
+    result.Notes.push_back((left.size() > 1 ? "Points " : "Point ") + Listed(left, " and ") +
+      (left.size() > 1 ? " are no vertices" : " is no vertex") +
+      " of the mesh: farther from the surface than a hundredth of its diagonal. Points have to lie "
+      "on it.");
+  }
+}
+}
+
+CurveCut CutAlong(const Surface& surface, const GivenLines& given, const Progress& progress)
+{
+  const MergedMesh merged = MergedMesh::AcrossSeams(surface);
+  const std::vector<Index>& first = merged.FirstPoint;
+  Cutter cutter(first.empty() ? surface : Merged(surface, first), progress);
+  CurveCut result;
+  AddPoints(given.Points, cutter, result);
+  std::vector<std::size_t> left;
+  for (std::size_t k = 0; k < given.Curves.size(); ++k)
+  {
+    if (!cutter.Add(static_cast<Index>(k), given.Curves[k]))
+    {
+      left.push_back(k);
+    }
+  }
+  if (!left.empty())
+  {
+    result.Notes.push_back("Parts of curve " + Listed(left, " and of ") +
       " are no lines of the mesh: they are farther from the surface than a hundredth of its "
       "diagonal, or the surface ends between two of their points. Curves have to lie on it.");
   }
@@ -291,7 +459,11 @@ CurveCut CutAlong(const Surface& surface, const std::vector<std::vector<Vector3>
       result.Cut.Ghost.push_back(surface.Ghost[result.Parents.back()]);
     }
   }
-  result.Edges.assign(cutter.Hard.begin(), cutter.Hard.end());
+  for (const auto& [ends, curve] : cutter.Hard)
+  {
+    result.Edges.push_back(ends);
+    result.CurveOf.push_back(curve);
+  }
   return result;
 }
 }

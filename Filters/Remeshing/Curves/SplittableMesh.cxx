@@ -12,7 +12,10 @@ SplittableMesh::SplittableMesh(const Surface& surface)
   : Points(surface.Points)
   , Triangles(surface.Triangles)
   , PartsOf(surface.Triangles.size())
-  , Stars(surface.Points.size())
+  , First(surface.Points.size(), None)
+  , Last(surface.Points.size(), None)
+  , Next(3 * surface.Triangles.size(), None)
+  , Previous(3 * surface.Triangles.size(), None)
 {
   const auto isThere = [&](Index p)
   { return p >= 0 && p < static_cast<Index>(this->Points.size()); };
@@ -24,32 +27,81 @@ SplittableMesh::SplittableMesh(const Surface& surface)
     if (std::all_of(corners.begin(), corners.end(), isThere) && corners[0] != corners[1] &&
       corners[1] != corners[2] && corners[2] != corners[0])
     {
-      for (const Index p : corners)
+      for (Index c = 0; c < 3; ++c)
       {
-        this->Stars[p].push_back(static_cast<Index>(t));
+        this->Append(static_cast<Index>(3 * t) + c);
       }
     }
   }
 }
 
+std::vector<Index> SplittableMesh::At(Index p) const
+{
+  std::vector<Index> triangles;
+  for (Index corner = this->First[p]; corner != None; corner = this->Next[corner])
+  {
+    triangles.push_back(corner / 3);
+  }
+  return triangles;
+}
+
+bool SplittableMesh::Has(Index t, Index p) const
+{
+  const Triangle& corners = this->Triangles[t];
+  return std::find(corners.begin(), corners.end(), p) != corners.end();
+}
+
 std::vector<Index> SplittableMesh::Between(Index p, Index q) const
 {
-  std::vector<Index> between;
-  for (const Index t : this->Stars[p])
+  Index a = this->First[p];
+  Index b = this->First[q];
+  while (a != None && b != None)
   {
-    const Triangle& corners = this->Triangles[t];
-    if (std::find(corners.begin(), corners.end(), q) != corners.end())
+    a = this->Next[a];
+    b = this->Next[b];
+  }
+  const bool isShorterAtFirst = a == None;
+  const Index other = isShorterAtFirst ? q : p;
+  std::vector<Index> between;
+  for (Index k = this->First[isShorterAtFirst ? p : q]; k != None; k = this->Next[k])
+  {
+    if (this->Has(k / 3, other))
     {
-      between.push_back(t);
+      between.push_back(k / 3);
     }
   }
   return between;
 }
 
+Index SplittableMesh::CornerAt(Index t, Index p) const
+{
+  const Triangle& corners = this->Triangles[t];
+  return 3 * t + static_cast<Index>(std::find(corners.begin(), corners.end(), p) - corners.begin());
+}
+
+void SplittableMesh::Append(Index corner)
+{
+  const Index p = this->Triangles[corner / 3][corner % 3];
+  this->Next[corner] = None;
+  this->Previous[corner] = this->Last[p];
+  (this->Last[p] == None ? this->First[p] : this->Next[this->Last[p]]) = corner;
+  this->Last[p] = corner;
+}
+
+void SplittableMesh::Remove(Index corner)
+{
+  const Index p = this->Triangles[corner / 3][corner % 3];
+  const Index before = this->Previous[corner];
+  const Index after = this->Next[corner];
+  (before == None ? this->First[p] : this->Next[before]) = after;
+  (after == None ? this->Last[p] : this->Previous[after]) = before;
+}
+
 Index SplittableMesh::AddPoint(const Vector3& place)
 {
   this->Points.push_back(place);
-  this->Stars.emplace_back();
+  this->First.push_back(None);
+  this->Last.push_back(None);
   return static_cast<Index>(this->Points.size()) - 1;
 }
 
@@ -59,9 +111,11 @@ void SplittableMesh::AddPart(Index of, const Triangle& corners)
   this->Triangles.push_back(corners);
   this->Parents.push_back(this->Parents[of]);
   this->PartsOf[this->Parents[of]].push_back(t);
-  for (const Index p : corners)
+  this->Next.resize(this->Next.size() + 3, None);
+  this->Previous.resize(this->Previous.size() + 3, None);
+  for (Index c = 0; c < 3; ++c)
   {
-    this->Stars[p].push_back(t);
+    this->Append(3 * t + c);
   }
 }
 
@@ -71,13 +125,13 @@ Index SplittableMesh::SplitEdge(Index p, Index q, const Vector3& place)
   const Index middle = this->AddPoint(place);
   for (const Index t : between)
   {
-    // What was at q is at the new point, and another triangle takes its place at q.
+    // The corner at q moves to the new point, and another triangle takes its place at q.
     Triangle other = this->Triangles[t];
     std::replace(other.begin(), other.end(), p, middle);
-    std::replace(this->Triangles[t].begin(), this->Triangles[t].end(), q, middle);
-    this->Stars[middle].push_back(t);
-    std::vector<Index>& star = this->Stars[q];
-    star.erase(std::find(star.begin(), star.end(), t));
+    const Index corner = this->CornerAt(t, q);
+    this->Remove(corner);
+    this->Triangles[t][corner % 3] = middle;
+    this->Append(corner);
     this->AddPart(t, other);
   }
   return middle;
@@ -87,10 +141,9 @@ Index SplittableMesh::SplitInside(Index t, const Vector3& place)
 {
   const Triangle corners = this->Triangles[t];
   const Index middle = this->AddPoint(place);
+  this->Remove(3 * t + 2);
   this->Triangles[t][2] = middle;
-  this->Stars[middle].push_back(t);
-  std::vector<Index>& star = this->Stars[corners[2]];
-  star.erase(std::find(star.begin(), star.end(), t));
+  this->Append(3 * t + 2);
   this->AddPart(t, { corners[1], corners[2], middle });
   this->AddPart(t, { corners[2], corners[0], middle });
   return middle;

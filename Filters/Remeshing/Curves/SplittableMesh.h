@@ -25,7 +25,11 @@ public:
   /// The parts of a triangle of the surface.
   const std::vector<Index>& Parts(Index parent) const { return this->PartsOf[parent]; }
   /// The triangles at a point.
-  const std::vector<Index>& At(Index p) const { return this->Stars[p]; }
+  std::vector<Index> At(Index p) const;
+  /// One of them; None for none.
+  Index FirstAt(Index p) const { return this->First[p] == None ? None : this->First[p] / 3; }
+  /// The triangles at an edge. Takes time by the fewer of those at its ends.
+  std::vector<Index> Between(Index p, Index q) const;
   bool AreJoined(Index p, Index q) const { return !this->Between(p, q).empty(); }
 
   /// Puts a point on an edge, and joins it with the corners across. Returns its number.
@@ -34,8 +38,11 @@ public:
   Index SplitInside(Index t, const Vector3& place);
 
 private:
-  /// The triangles at an edge.
-  std::vector<Index> Between(Index p, Index q) const;
+  bool Has(Index t, Index p) const;
+  /// Puts corners of triangles into the lists of their points, and takes them out.
+  void Append(Index corner);
+  void Remove(Index corner);
+  Index CornerAt(Index t, Index p) const;
   Index AddPoint(const Vector3& place);
   /// Adds a part of the triangle that another one is a part of.
   void AddPart(Index of, const Triangle& corners);
@@ -44,7 +51,12 @@ private:
   std::vector<Triangle> Triangles;
   std::vector<Index> Parents;
   std::vector<std::vector<Index>> PartsOf;
-  std::vector<std::vector<Index>> Stars;
+  /// The corners at each point are a list, 3 * t + c each: a corner of a large triangle may come to
+  /// have as many as there are points in it, and none of the steps here may take time by that.
+  std::vector<Index> First;
+  std::vector<Index> Last;
+  std::vector<Index> Next;
+  std::vector<Index> Previous;
 };
 }
 

@@ -24,6 +24,8 @@ struct FaceMesh
     bool IsCone = false;
     /// Of the field, in units of 1/n; 0 but at cones.
     int SingularityIndex = 0;
+    /// The vertex of the surface's mesh that it is, or None for new ones.
+    Index Origin = None;
   };
   /// An edge that is part of a feature, or of the boundary. Line 0: one of a component that could
   /// not be remeshed, all of whose edges stay.

@@ -31,8 +31,8 @@ FaceMesh JoinFaces(const std::vector<ExtractedMesh>& components, const Seams& se
       }
       number[own] = static_cast<Index>(mesh.Points.size());
       mesh.Points.push_back(vertex.Position);
-      mesh.Vertices.push_back(
-        { isCorner ? -1 : vertex.Line, vertex.IsBoundary, vertex.IsCone, vertex.SingularityIndex });
+      mesh.Vertices.push_back({ isCorner ? -1 : vertex.Line, vertex.IsBoundary, vertex.IsCone,
+        vertex.SingularityIndex, vertex.Origin });
     }
   }
   k = 0;

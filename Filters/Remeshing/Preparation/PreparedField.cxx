@@ -119,8 +119,8 @@ bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLength
   const std::vector<Vector3>& given, const OwnShape& own) const
 {
   return this->Degree == degree && this->Kept.Regions == kept.Regions &&
-    this->Kept.Curves == kept.Curves && this->Given == given && this->Lengths == lengths &&
-    (!given.empty() || this->Own == own) &&
+    this->Kept.Curves == kept.Curves && this->Kept.Points == kept.Points && this->Given == given &&
+    this->Lengths == lengths && (!given.empty() || this->Own == own) &&
     this->IsFeature == this->Prepared.FindFeatures(kept.Features);
 }
 

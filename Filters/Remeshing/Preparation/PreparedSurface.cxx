@@ -68,6 +68,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
   const WorkingLengths& lengths, const Progress& progress)
   : IsDecimated(!lengths.Decimated.empty())
   , HasHard(kept.HasHard())
+  , Points(kept.Points)
 {
   MergedMesh merged = MergedMesh::AcrossSeams(input);
   progress.Report(0.2);
@@ -149,8 +150,8 @@ void PreparedSurface::Refine(
     room -= static_cast<Index>(surface.Points.size()) - before;
     if (lengths.HasHub)
     {
-      surface.Triangles =
-        ThinInside(*this->Geometry, this->FindFeatures(settings), this->Continued(lengths.Split));
+      surface.Triangles = ThinInside(*this->Geometry, this->FindFeatures(settings),
+        this->Continued(lengths.Split), this->StayAt(this->Geometry->Mesh));
       this->Geometry = std::make_unique<const SurfaceGeometry>(surface);
     }
   }
@@ -242,7 +243,7 @@ std::vector<Triangle> PreparedSurface::Decimated(const SurfaceGeometry& geometry
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings, isHard);
   progress.Report(0.15);
-  const Decimation::Limits limits = DecimationLimits(geometry, edgeLength);
+  const Decimation::Limits limits = DecimationLimits(geometry, edgeLength, this->StayAt(mesh));
   Decimation decimation(mesh, geometry.Positions, isFeature, limits);
   decimation.Run(progress.Part(0.15, 1.0));
   this->Paths = FeaturePaths(mesh, isFeature, decimation, isHard);
@@ -272,6 +273,48 @@ std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings)
 std::vector<char> PreparedSurface::FindHard() const
 {
   return this->HasHard ? this->Paths.FindHard(this->Geometry->Mesh) : std::vector<char>();
+}
+
+std::vector<char> PreparedSurface::StayAt(const TriangleMesh& mesh) const
+{
+  std::vector<char> stays;
+  if (!this->Points.empty())
+  {
+    const std::vector<Index> original = this->GetOriginals();
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      stays.push_back(
+        std::binary_search(this->Points.begin(), this->Points.end(), original[mesh.Point(v)]) ? 1
+                                                                                              : 0);
+    }
+  }
+  return stays;
+}
+
+std::vector<Index> PreparedSurface::FindPointVertices() const
+{
+  const std::vector<char> stays = this->StayAt(this->Geometry->Mesh);
+  std::vector<Index> vertices;
+  for (std::size_t v = 0; v < stays.size(); ++v)
+  {
+    if (stays[v] != 0)
+    {
+      vertices.push_back(static_cast<Index>(v));
+    }
+  }
+  return vertices;
+}
+
+std::vector<Index> PreparedSurface::FindPoints() const
+{
+  const std::vector<char> stays = this->StayAt(this->Geometry->Mesh);
+  const std::vector<Index> original = stays.empty() ? std::vector<Index>() : this->GetOriginals();
+  std::vector<Index> points(stays.size(), None);
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    points[v] = stays[v] != 0 ? original[this->Geometry->Mesh.Point(static_cast<Index>(v))] : None;
+  }
+  return points;
 }
 
 std::vector<Index> PreparedSurface::GetOriginals() const

@@ -47,15 +47,17 @@ struct WorkingLengths
   }
 };
 
-/// What a mesh keeps of a surface: features by their shape, the borders of regions, and curves.
+/// What a mesh keeps of a surface: features by their shape, the borders of regions, curves, and
+/// points.
 struct KeptEdges
 {
   // NOLINTNEXTLINE(google-explicit-constructor): features alone are enough.
   KeptEdges(const FeatureSettings& features, std::vector<Index> regions = {},
-    std::vector<std::array<Index, 2>> curves = {})
+    std::vector<std::array<Index, 2>> curves = {}, std::vector<Index> points = {})
     : Features(features)
     , Regions(std::move(regions))
     , Curves(std::move(curves))
+    , Points(std::move(points))
   {
   }
   FeatureSettings Features;
@@ -65,6 +67,8 @@ struct KeptEdges
   /// Edges of the input that are hard, too: the points at their ends, the lower one first,
   /// ascending.
   std::vector<std::array<Index, 2>> Curves;
+  /// Points of the input that stay, ascending.
+  std::vector<Index> Points;
 
   bool HasHard() const { return !this->Regions.empty() || !this->Curves.empty(); }
 };
@@ -97,6 +101,11 @@ public:
   /// Not 0 for each edge of the prepared surface between two regions, or on a curve; empty where
   /// there is only one region and no curve.
   std::vector<char> FindHard() const;
+  /// The point of the input that each vertex of the prepared surface stands for, if it is one of
+  /// those that stay, else None; empty where there are none of these.
+  std::vector<Index> FindPoints() const;
+  /// The vertices that stand for one.
+  std::vector<Index> FindPointVertices() const;
   /// The part of the length of the borders of regions that runs in stairs, which are not kept.
   double GetStairs() const { return this->Stairs; }
   /// The points of the input along an edge of a feature or the boundary, from end to end.
@@ -167,6 +176,8 @@ private:
 
   /// The surface of consistently wound triangles, one-sided components cut open.
   Surface CutOpen(const Surface& input, const MergedMesh& merged);
+  /// Not 0 for the vertices of a mesh of this surface that stay; empty for none.
+  std::vector<char> StayAt(const TriangleMesh& mesh) const;
   /// Returns the triangles that remain.
   std::vector<Triangle> Decimated(const SurfaceGeometry& geometry, const FeatureSettings& settings,
     const std::vector<char>& isHard, const std::vector<double>& edgeLength,
@@ -182,6 +193,7 @@ private:
 
   bool IsDecimated = false;
   bool HasHard = false;
+  std::vector<Index> Points;
   double Stairs = 0.0;
   FeaturePaths Paths;
   std::vector<UsedTriangle> Used;

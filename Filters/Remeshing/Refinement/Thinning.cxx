@@ -6,6 +6,7 @@
 #include "Refinement/LongEdges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -69,9 +70,10 @@ std::vector<Triangle> TrianglesLeft(const TriangleMesh& mesh, const Decimation& 
 }
 
 Decimation::Limits DecimationLimits(
-  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength)
+  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength, std::vector<char> isKept)
 {
   Decimation::Limits limits;
+  limits.IsKept = std::move(isKept);
   limits.EdgeLength = AtVertices(geometry.Mesh, edgeLength, 1.0);
   if (HasHub(geometry.Mesh))
   {
@@ -81,9 +83,10 @@ Decimation::Limits DecimationLimits(
 }
 
 std::vector<Triangle> ThinInside(const SurfaceGeometry& geometry,
-  const std::vector<char>& isFeature, const std::vector<double>& longest)
+  const std::vector<char>& isFeature, const std::vector<double>& longest, std::vector<char> isKept)
 {
   Decimation::Limits limits;
+  limits.IsKept = std::move(isKept);
   limits.EdgeLength = AtVertices(geometry.Mesh, longest, ShortPart);
   limits.LongestEdge = LongestEdges(geometry, limits.EdgeLength);
   limits.KeepsLines = true;

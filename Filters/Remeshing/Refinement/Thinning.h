@@ -17,16 +17,18 @@ std::vector<Triangle> TrianglesLeft(const TriangleMesh& mesh, const Decimation& 
 /// What a decimation of a surface may do. Around a point of more than MostValence triangles edges
 /// may be as long as others are there, so that the slivers become fewer.
 /// @param edgeLength longest edge at each point of the surface
+/// @param isKept     not 0 for vertices that stay; empty for none
 Decimation::Limits DecimationLimits(
-  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength);
+  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength, std::vector<char> isKept);
 
 /// Collapses edges inside that are much shorter than others around them, as splitting leaves them
 /// around a point of hundreds of triangles. Features and the boundary stay. Returns the triangles
 /// that are left.
 /// @param isFeature not 0 for edges to be kept
 /// @param longest   longest edge at each point of the surface
+/// @param isKept    not 0 for vertices that stay; empty for none
 std::vector<Triangle> ThinInside(const SurfaceGeometry& geometry,
-  const std::vector<char>& isFeature, const std::vector<double>& longest);
+  const std::vector<char>& isFeature, const std::vector<double>& longest, std::vector<char> isKept);
 }
 
 #endif

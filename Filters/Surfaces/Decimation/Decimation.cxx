@@ -126,7 +126,8 @@ void Decimation::FindKinds(const TriangleMesh& mesh)
   for (Index v = 0; v < vertices; ++v)
   {
     this->Kinds[v] = count[v] == 0 ? Kind::Free : count[v] == 2 ? Kind::OnFeature : Kind::Fixed;
-    if (isShared[v] != 0 || (this->Limit.KeepsLines && count[v] != 0))
+    const bool isKept = !this->Limit.IsKept.empty() && this->Limit.IsKept[v] != 0;
+    if (isShared[v] != 0 || isKept || (this->Limit.KeepsLines && count[v] != 0))
     {
       this->Kinds[v] = Kind::Fixed;
     }

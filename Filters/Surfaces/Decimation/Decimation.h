@@ -31,6 +31,8 @@ public:
     double Deviation = 0.1;
     /// Whether all vertices of features and of the boundary stay.
     bool KeepsLines = false;
+    /// Not 0 for other vertices that stay; empty for none.
+    std::vector<char> IsKept = {};
   };
 
   /// @param positions of the vertices

@@ -45,14 +45,17 @@ std::string OrEmpty(const char* name)
 /// stages.
 struct vtkFieldAlignedRemesh::Stages
 {
-  Stages(DirectionFields::TriangulatedPolyData&& surface, DirectionFields::Curves&& curves)
+  Stages(DirectionFields::TriangulatedPolyData&& surface, const DirectionFields::KeptLines& kept)
     : Surface(std::move(surface))
-    , Lines(std::move(curves))
-    , Mesher(std::make_shared<DirectionFields::Surface>(this->Surface.Mesh), this->Lines)
+    , Curves(kept.Curves)
+    , Points(kept.Points)
+    , Mesher(
+        std::make_shared<DirectionFields::Surface>(this->Surface.Mesh), this->Curves, this->Points)
   {
   }
   DirectionFields::TriangulatedPolyData Surface;
-  DirectionFields::Curves Lines;
+  std::vector<std::vector<DirectionFields::Vector3>> Curves;
+  std::vector<DirectionFields::Vector3> Points;
   DirectionFields::Remesh Mesher;
 
   /// The mesh for these options, which is that of before where they are the same.
@@ -217,14 +220,13 @@ void vtkFieldAlignedRemesh::Execute(
   auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
   auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
   DirectionFields::CheckPolyData(input);
-  DirectionFields::Curves curves = DirectionFields::LinesOf(inputs[1]);
+  const DirectionFields::KeptLines kept = DirectionFields::LinesOf(inputs[1]);
   if (!this->Last || !DirectionFields::IsSurfaceOf(input, this->Last->Surface) ||
-    this->Last->Lines != curves)
+    this->Last->Curves != kept.Curves || this->Last->Points != kept.Points)
   {
     this->Last.reset();
     this->Last = std::make_unique<Stages>(
-      DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)),
-      std::move(curves));
+      DirectionFields::PolyDataToSurface(input, progress.Part(0.0, ProgressRead)), kept);
   }
   const DirectionFields::RemeshOptions options = this->MakeOptions(input, this->Last->Surface);
   const int pointType = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
@@ -276,8 +278,12 @@ void vtkFieldAlignedRemesh::Execute(
   DirectionFields::AddIrregularVertices(
     mesh, degree, pointType, vtkPolyData::SafeDownCast(outputs[1]));
   DirectionFields::KeepChains(mesh.Chains, output->GetFieldData());
-  DirectionFields::AddChains(
-    mesh.Chains, output->GetPoints(), options.RegionNames, vtkPolyData::SafeDownCast(outputs[2]));
+  if (!kept.Points.empty())
+  {
+    DirectionFields::AddGivenPoints(mesh.Chains, output);
+  }
+  DirectionFields::AddChains(mesh.Chains, output->GetPoints(), options.RegionNames, kept,
+    vtkPolyData::SafeDownCast(outputs[2]));
   const std::string summary = DirectionFields::Summary(mesh, judged);
   Summarize(summary, outputs);
 }

@@ -23,7 +23,7 @@
  * `Direction1`, ..., the mesh follows that, else a field of unit length along boundary and sharp
  * edges is computed, as Alignment says.
  *
- * Lines on the surface, the second input, become edges of the mesh.
+ * Lines on the surface, the second input, become edges of the mesh, and points vertices.
  *
  * @section Output Output
  * Port 0: polygons, wound as the input, with its data, except the arrays of the field. Point data
@@ -34,6 +34,7 @@
  * - point data `VertexKind`: signed char. 0 on the surface, 1 on the boundary, 2 on a sharp edge, 3
  *   corner, 4 singularity of the field.
  * - point data `FieldIndex`: int. The singularity's index in units of 1/n, 0 elsewhere.
+ * - with points in input port 1, point data `GivenPoint`: int. The number of the point, or -1.
  * - cell data `Regular`: signed char. 1 for cells of the map's grid.
  * - cell data `ScaledJacobian`, `AspectRatio` and `Warpage`: float, as Verdict defines them. The
  *   least sine of an angle of a face, relative to that of an even one: 1 for squares and even
@@ -66,16 +67,22 @@
  * the vertex, as fits the faces.
  *
  * Port 2: the lines of the mesh, a poly line for each part of its boundary, features and borders of
- * regions between the places where these end, meet or turn, with
+ * regions between the places where these end, meet or turn, and a vertex for each given point,
+ * with
  * - point data `MeshPoint`: int. The number of the point on the mesh.
- * - cell data `ChainId`: int. The number of the line, from 0 on.
- * - cell data `ChainKind`: signed char. 0 boundary, 1 feature or curve of input port 1, 2 border of
- *   regions.
+ * - cell data `ChainId`: int. The number of the line, from 0 on; vertices come after the lines.
+ * - cell data `ChainKind`: signed char. 0 boundary, 1 feature, 2 border of regions, 3 curve of
+ *   input port 1, 4 point of it.
  * - cell data `ChainName`: string. The kind, the regions beside it and a number, as in
  *   `Border steel/copper 1`: different for all lines, and the same in a finer or coarser mesh, but
  *   where lines are next to each other.
  * - cell data `FirstRegion` and `SecondRegion` with a RegionArray: int, long long where values
- *   are beyond int, -1 outside; strings, empty outside, if that is an array of strings.
+ *   are beyond int, -1 outside; strings, empty outside, if that is an array of strings. The
+ *   second one is on the left of the line, and so are the faces at the boundary.
+ * - with an input port 1, cell data `CurveId` and `GivenPoint`: int. The number of the curve that
+ *   the line is on, of whatever kind it is, and of the point, each from 0 on in the order of the
+ *   cells, else -1; and the cell arrays of input port 1: NaN, 0 or an empty text on lines that are
+ *   on none.
  * The mesh of port 0 has them in its field data, too, for files: `ChainNames`, string, a value for
  * each line; `ChainOffsets`, int, where each line begins in `ChainPoints`, and the end; and
  * `ChainPoints`, int, the numbers of the points.
@@ -116,7 +123,9 @@ public:
   /**
    * Curves, the optional input of port 1: polydata of lines, or a composite dataset of it, on the
    * surface. They become edges of the mesh whatever KeepFeatures is. Parts that are farther from
-   * the surface than a hundredth of its diagonal are left out, with a warning.
+   * the surface than a hundredth of its diagonal are left out, with a warning. Vertex cells, or all
+   * points of polydata without cells, become vertices of the mesh at the closest places of the
+   * surface; a warning says which are too far away, or closer than a tenth of an edge to others.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* output);
   void SetCurvesData(vtkDataObject* curves);

@@ -195,7 +195,7 @@ void vtkGuidanceCurves::Execute(
     Summarize("no curves yet", outputs);
     return;
   }
-  const Curves lines = DirectionFields::LinesOf(inputs[1]);
+  const Curves lines = DirectionFields::LinesOf(inputs[1], false).Curves;
   Kept& kept = this->Read(input, progress.Part(0.0, ProgressRead));
   const DirectionFields::Surface& surface = kept.Surface->Mesh;
   DirectionFields::CurveGuidanceOptions options;

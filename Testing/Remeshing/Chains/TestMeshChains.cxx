@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Chains/MeshChains.h"
 #include "Remesh.h"
 
 #include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <map>
 #include <set>
@@ -245,4 +249,82 @@ TEST(MeshChains, EdgesOfThreeFacesAreFeatures)
     features += chain.Kind == ChainKind::Feature ? 1 : 0;
   }
   EXPECT_EQ(features, 1U);
+}
+
+// The second region, or the faces at a boundary, are left of the way.
+TEST(MeshChains, RunWithTheSecondRegionOnTheLeft)
+{
+  for (const bool isSwapped : { false, true })
+  {
+    const RemeshResult mesh = Remeshed(Meshes::Square(16), 256,
+      [&](const Vector3& p) { return (p.x() > 0.5) != isSwapped ? 1 : 0; });
+    std::map<std::array<Index, 2>, Index> regionLeftOf;
+    for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+    {
+      const int size = mesh.Faces[f][3] == None ? 3 : 4;
+      for (int c = 0; c < size; ++c)
+      {
+        regionLeftOf[{ mesh.Faces[f][c], mesh.Faces[f][(c + 1) % size] }] = mesh.Regions[f];
+      }
+    }
+    std::size_t borders = 0;
+    for (const MeshChain& chain : mesh.Chains)
+    {
+      borders += chain.Kind == ChainKind::Border ? 1 : 0;
+      for (std::size_t i = 1; i < chain.Points.size(); ++i)
+      {
+        const auto left = regionLeftOf.find({ chain.Points[i - 1], chain.Points[i] });
+        ASSERT_TRUE(left != regionLeftOf.end()) << chain.Name;
+        EXPECT_EQ(left->second, chain.Regions[1]) << chain.Name;
+      }
+    }
+    EXPECT_EQ(borders, 1U);
+  }
+}
+
+namespace
+{
+/// Triangles around a point, every other one of another region.
+Internal::FaceMesh Hub(Index valence)
+{
+  Internal::FaceMesh mesh;
+  mesh.Points.push_back(Vector3::Zero());
+  for (Index k = 0; k < valence; ++k)
+  {
+    const double angle = 2.0 * Pi * k / valence;
+    mesh.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    mesh.Cells.Corners.push_back({ 0, 1 + k, 1 + (k + 1) % valence, None });
+  }
+  mesh.Vertices.resize(mesh.Points.size());
+  return mesh;
+}
+
+std::vector<MeshChain> ChainsOfHub(const Internal::FaceMesh& mesh)
+{
+  std::vector<Index> regions;
+  for (std::size_t f = 0; f < mesh.Cells.Corners.size(); ++f)
+  {
+    regions.push_back(static_cast<Index>(f % 2));
+  }
+  return Internal::FindChains(mesh, { 0 }, {}, regions, {});
+}
+}
+
+// By the square of the valence it would be 256 times.
+TEST(MeshChains, TimeAtAHubGrowsByItsValence)
+{
+  const std::array<Internal::FaceMesh, 2> hubs = { Hub(2000), Hub(32000) };
+  const std::vector<MeshChain> chains = ChainsOfHub(hubs[0]);
+  EXPECT_EQ(std::count_if(chains.begin(), chains.end(),
+              [](const MeshChain& chain) { return chain.Kind == ChainKind::Border; }),
+    2000);
+  EXPECT_EQ(chains.size(), 4000U);
+  std::array<double, 2> time = { HUGE_VAL, HUGE_VAL };
+  for (int k = 0; k < 6; ++k)
+  {
+    const std::clock_t begin = std::clock();
+    ChainsOfHub(hubs[k % 2]);
+    time[k % 2] = std::min(time[k % 2], static_cast<double>(std::clock() - begin));
+  }
+  EXPECT_LT(time[1], 80.0 * time[0]);
 }

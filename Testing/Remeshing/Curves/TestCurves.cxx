@@ -90,7 +90,7 @@ RemeshResult Remeshed(
 TEST(Curves, CutsKeepTheSurface)
 {
   const Surface square = Meshes::Jittered(Meshes::Square(10), 0.0, 1);
-  const CurveCut cut = CutAlong(square, { { { 0.0, 0.13, 0.0 }, { 1.0, 0.71, 0.0 } } });
+  const CurveCut cut = CutAlong(square, { { { { 0.0, 0.13, 0.0 }, { 1.0, 0.71, 0.0 } } }, {} });
   EXPECT_TRUE(cut.Notes.empty());
   EXPECT_NEAR(AreaOf(cut.Cut), 1.0, 1e-12);
   // A straight curve has no more length for its cuts, but for points that it takes.
@@ -135,7 +135,8 @@ TEST(Curves, CutsKeepTheSurface)
 TEST(Curves, CurvesThatCrossMeetInAPoint)
 {
   const CurveCut cut = CutAlong(Meshes::Square(9),
-    { { { 0.1, 0.17, 0.0 }, { 0.9, 0.83, 0.0 } }, { { 0.1, 0.83, 0.0 }, { 0.9, 0.17, 0.0 } } });
+    { { { { 0.1, 0.17, 0.0 }, { 0.9, 0.83, 0.0 } }, { { 0.1, 0.83, 0.0 }, { 0.9, 0.17, 0.0 } } },
+      {} });
   std::map<Index, int> valence;
   for (const std::array<Index, 2>& edge : cut.Edges)
   {
@@ -156,7 +157,7 @@ TEST(Curves, CurvesThatCrossMeetInAPoint)
 TEST(Curves, EdgesOfTheSurfaceAreTakenAsTheyAre)
 {
   const Surface square = Meshes::Square(8);
-  const CurveCut cut = CutAlong(square, { { { 0.5, 0.0, 0.0 }, { 0.5, 1.0, 0.0 } } });
+  const CurveCut cut = CutAlong(square, { { { { 0.5, 0.0, 0.0 }, { 0.5, 1.0, 0.0 } } }, {} });
   EXPECT_EQ(cut.Cut.Points.size(), square.Points.size());
   EXPECT_EQ(cut.Cut.Triangles, square.Triangles);
   EXPECT_EQ(cut.Edges.size(), 8U);
@@ -165,7 +166,7 @@ TEST(Curves, EdgesOfTheSurfaceAreTakenAsTheyAre)
 TEST(Curves, PartsThatAreNotOnTheSurfaceAreLeftOutAndSaid)
 {
   const Curve away = { { 0.2, 0.5, 0.0 }, { 0.4, 0.5, 0.0 }, { 0.6, 0.5, 0.3 }, { 0.8, 0.5, 0.0 } };
-  const CurveCut cut = CutAlong(Meshes::Square(10), { away });
+  const CurveCut cut = CutAlong(Meshes::Square(10), { { away }, {} });
   ASSERT_EQ(cut.Notes.size(), 1U);
   EXPECT_NE(cut.Notes[0].find("Parts of curve 0 are"), std::string::npos);
   EXPECT_NEAR(LengthOf(cut), 0.2, 1e-9);
@@ -182,7 +183,7 @@ TEST(Curves, BecomeLinesOfTheMesh)
   EXPECT_LT(FarthestFromFeatures(mesh, circle), 0.1 * mesh.EdgeLength);
   for (const MeshChain& chain : mesh.Chains)
   {
-    for (std::size_t i = 0; chain.Kind == ChainKind::Feature && i < chain.Points.size(); ++i)
+    for (std::size_t i = 0; chain.Kind == ChainKind::Curve && i < chain.Points.size(); ++i)
     {
       EXPECT_NEAR((mesh.Points[chain.Points[i]] - Vector3(0.5, 0.5, 0.0)).norm(), 0.3,
         0.08 * mesh.EdgeLength);
@@ -258,7 +259,7 @@ TEST(Curves, SeamsAreCrossed)
 {
   const Surface soup = Meshes::Soup(Meshes::Square(6));
   const Curve line = { { 0.0, 0.4, 0.0 }, { 1.0, 0.63, 0.0 } };
-  const CurveCut cut = CutAlong(soup, { line });
+  const CurveCut cut = CutAlong(soup, { { line }, {} });
   EXPECT_TRUE(cut.Notes.empty());
   EXPECT_NEAR(LengthOf(cut), std::hypot(1.0, 0.23), 1e-3);
   EXPECT_LT(FarthestFromFeatures(Remeshed(soup, { line }, 200), line), 1e-2);
@@ -275,7 +276,7 @@ TEST(Curves, TrianglesWithACornerTwiceAreNotCut)
   {
     const Vector3 start = given.Points[0] + part * along;
     const Vector3 end(0.3, 0.55, 0.0);
-    const CurveCut cut = CutAlong(given, { { start + 0.005 * outward, end } });
+    const CurveCut cut = CutAlong(given, { { { start + 0.005 * outward, end } }, {} });
     EXPECT_TRUE(cut.Notes.empty());
     EXPECT_NEAR(AreaOf(cut.Cut), AreaOf(given), 1e-15);
     // But for an edge that the end may be taken to.
@@ -295,7 +296,7 @@ TEST(Curves, CoordinatesThatAreTooLargeAreRefused)
   const auto large = std::make_shared<Surface>(
     Surface{ { { 0.0, 0.0, 0.0 }, { 1e308, 0.0, 0.0 }, { 0.0, 1e308, 0.0 } }, { { 0, 1, 2 } } });
   const Curve line = { { 3e307, 3e307, 0.0 }, { 1e307, 1e307, 0.0 } };
-  EXPECT_THROW(Remesh(large, { line }), MeshError);
+  EXPECT_THROW(Remesh(large, { line }).Compute({}), MeshError);
   const auto square = std::make_shared<Surface>(Meshes::Square(4));
   for (const double bad : { std::nan(""), HUGE_VAL })
   {

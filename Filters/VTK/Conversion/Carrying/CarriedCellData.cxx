@@ -14,6 +14,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkType.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -73,17 +75,17 @@ std::vector<Index> ClassesOf(const TriangulatedPolyData& surface, vtkAbstractArr
   {
     return {};
   }
-  const std::vector<double> values = ValuesOf(surface, numbers);
-  const auto components = static_cast<std::size_t>(numbers->GetNumberOfComponents());
-  if (components == 1)
-  {
-    return Numbered<double>(surface, [&](std::size_t t) { return values[t]; });
-  }
-  return Numbered<std::vector<double>>(surface,
+  // As integers: ids beyond 2^53 are not all doubles.
+  const vtkIdType components = numbers->GetNumberOfComponents();
+  return Numbered<std::vector<vtkTypeInt64>>(surface,
     [&](std::size_t t)
     {
-      const double* const begin = values.data() + t * components;
-      return std::vector<double>(begin, begin + components);
+      std::vector<vtkTypeInt64> tuple;
+      for (vtkIdType c = 0; c < components; ++c)
+      {
+        tuple.push_back(numbers->GetVariantValue(surface.Cell(t) * components + c).ToTypeInt64());
+      }
+      return tuple;
     });
 }
 

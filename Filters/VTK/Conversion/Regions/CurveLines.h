@@ -6,18 +6,48 @@
 
 #include <DirectionFields/Types.h>
 
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
 #include <vector>
 
+class vtkCellData;
 class vtkDataObject;
+class vtkPolyData;
 
 namespace DirectionFields
 {
+/// A cell of polydata.
+struct GivenCell
+{
+  vtkSmartPointer<vtkPolyData> Data;
+  vtkIdType Cell;
+};
+
 using Curves = std::vector<std::vector<Vector3>>;
 
-/// The lines of polydata, or of all polydata in a composite dataset; none for null. Throws
-/// std::invalid_argument or std::out_of_range for damaged data, and for lines with coordinates that
-/// are no finite numbers, with a sentence that names the second input.
-Curves LinesOf(vtkDataObject* data);
+/// The lines and points that a mesh is to have.
+struct KeptLines
+{
+  DirectionFields::Curves Curves;
+  /// The cell that each of them is.
+  std::vector<GivenCell> OfCurves;
+  std::vector<Vector3> Points;
+  /// The cell that each of them is in; None where the data has points alone.
+  std::vector<GivenCell> OfPoints;
+};
+
+/// The lines, and the points of the vertices, of polydata, or of all polydata in a composite
+/// dataset; none for null. Polydata without any cells has its points. A point is taken once. Throws
+/// std::invalid_argument or std::out_of_range for damaged data, and for coordinates that are no
+/// finite numbers, with a sentence that names the second input.
+/// @param hasPoints whether points are wanted
+KeptLines LinesOf(vtkDataObject* data, bool hasPoints = true);
+
+/// Adds the cell arrays that all of these cells' data have, of the same type.
+/// @param sources for each cell of the output the one whose values it has; with null data NaN, 0 or
+///                an empty text
+void CarryCellArrays(const std::vector<GivenCell>& sources, vtkCellData* output);
 }
 
 #endif

@@ -123,9 +123,46 @@ std::vector<std::array<Index, 2>> EdgesOf(const ShellMesh& mesh)
 }
 }
 
-void AddChains(const std::vector<MeshChain>& chains, vtkPoints* points,
-  const std::vector<std::string>& names, vtkPolyData* output)
+namespace
 {
+/// The cell that each chain is along.
+std::vector<GivenCell> SourcesOf(const std::vector<MeshChain>& chains, const KeptLines& kept)
+{
+  std::vector<GivenCell> sources;
+  for (const MeshChain& chain : chains)
+  {
+    const std::vector<GivenCell>& given =
+      chain.Kind == ChainKind::Point ? kept.OfPoints : kept.OfCurves;
+    sources.push_back(chain.Source == None ? GivenCell{ nullptr, 0 }
+                                           : given[static_cast<std::size_t>(chain.Source)]);
+  }
+  return sources;
+}
+}
+
+void AddGivenPoints(const std::vector<MeshChain>& chains, vtkPolyData* output)
+{
+  std::vector<int> given(static_cast<std::size_t>(output->GetNumberOfPoints()), -1);
+  for (const MeshChain& chain : chains)
+  {
+    if (chain.Kind == ChainKind::Point)
+    {
+      given[static_cast<std::size_t>(chain.Points[0])] = static_cast<int>(chain.Source);
+    }
+  }
+  output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("GivenPoint", given));
+}
+
+void AddChains(const std::vector<MeshChain>& given, vtkPoints* points,
+  const std::vector<std::string>& names, const KeptLines& kept, vtkPolyData* output)
+{
+  // The vertices come first in polydata.
+  std::vector<MeshChain> chains = given;
+  const auto lines = static_cast<std::size_t>(std::count_if(given.begin(), given.end(),
+    [](const MeshChain& chain) { return chain.Kind != ChainKind::Point; }));
+  const auto numberOf = [&](std::size_t i)
+  { return static_cast<int>((i + lines) % std::max<std::size_t>(given.size(), 1)); };
+  std::rotate(chains.begin(), chains.begin() + static_cast<std::ptrdiff_t>(lines), chains.end());
   std::vector<Index> used;
   for (const MeshChain& chain : chains)
   {
@@ -139,29 +176,48 @@ void AddChains(const std::vector<MeshChain>& chains, vtkPoints* points,
   {
     own->InsertNextPoint(points->GetPoint(p));
   }
-  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> lineCells;
+  vtkNew<vtkCellArray> vertexCells;
   std::vector<int> kinds;
   for (const MeshChain& chain : chains)
   {
-    lines->InsertNextCell(static_cast<int>(chain.Points.size()));
+    vtkCellArray* const cells = chain.Kind == ChainKind::Point ? vertexCells : lineCells;
+    cells->InsertNextCell(static_cast<int>(chain.Points.size()));
     for (const Index p : chain.Points)
     {
-      lines->InsertCellPoint(std::lower_bound(used.begin(), used.end(), p) - used.begin());
+      cells->InsertCellPoint(std::lower_bound(used.begin(), used.end(), p) - used.begin());
     }
     kinds.push_back(static_cast<int>(chain.Kind));
   }
   output->SetPoints(own);
-  output->SetLines(lines);
+  output->SetLines(lineCells);
+  if (vertexCells->GetNumberOfCells() > 0)
+  {
+    output->SetVerts(vertexCells);
+  }
   output->GetPointData()->AddArray(MakeScalars<vtkIntArray>("MeshPoint", used));
   vtkCellData* const data = output->GetCellData();
-  data->AddArray(
-    MakeValues<vtkIntArray>("ChainId", chains.size(), [](std::size_t i) { return i; }));
+  data->AddArray(MakeValues<vtkIntArray>("ChainId", chains.size(), numberOf));
   data->AddArray(MakeScalars<vtkSignedCharArray>("ChainKind", kinds));
   data->AddArray(MakeTexts("ChainName", NamesOf(chains)));
   if (!names.empty())
   {
     AddRegionsBeside("FirstRegion", 0, chains, names, data);
     AddRegionsBeside("SecondRegion", 1, chains, names, data);
+  }
+  if (!kept.Curves.empty() || !kept.Points.empty())
+  {
+    const auto sourceOf = [&](bool isPoint)
+    {
+      return [&chains, isPoint](std::size_t i)
+      {
+        const bool isOwn = (chains[i].Kind == ChainKind::Point) == isPoint;
+        return isOwn && chains[i].Source != None ? static_cast<int>(chains[i].Source) : -1;
+      };
+    };
+    data->AddArray(MakeValues<vtkIntArray>("CurveId", chains.size(), sourceOf(false)));
+    data->AddArray(MakeValues<vtkIntArray>("GivenPoint", chains.size(), sourceOf(true)));
+    CarryCellArrays(SourcesOf(chains, kept), data);
   }
 }
 
@@ -208,7 +264,7 @@ std::vector<NamedSet> KeptChains(vtkFieldData* data, const ShellMesh& mesh, bool
   {
     const auto first = static_cast<vtkIdType>(offsets->GetComponent(chain, 0));
     const auto end = static_cast<vtkIdType>(offsets->GetComponent(chain + 1, 0));
-    if (first < 0 || end < first + 2 || end > points->GetNumberOfTuples())
+    if (first < 0 || end < first + 1 || end > points->GetNumberOfTuples())
     {
       return {};
     }
@@ -216,6 +272,10 @@ std::vector<NamedSet> KeptChains(vtkFieldData* data, const ShellMesh& mesh, bool
     for (vtkIdType i = first; i < end; ++i)
     {
       const auto point = static_cast<Index>(points->GetComponent(i, 0));
+      if (point < 0 || point >= static_cast<Index>(mesh.Points.size()))
+      {
+        return {};
+      }
       if (!set.Members.empty())
       {
         const auto ends = std::minmax(set.Members.back(), point);

@@ -4,6 +4,8 @@
 #ifndef MeshLines_h
 #define MeshLines_h
 
+#include "Conversion/Regions/CurveLines.h"
+
 #include <DirectionFields/Chains/MeshChain.h>
 #include <DirectionFields/SolverFiles/ShellMesh.h>
 
@@ -16,11 +18,17 @@ class vtkPolyData;
 
 namespace DirectionFields
 {
-/// Fills an empty output with a line for each chain of a mesh. Points are shared where chains meet.
+/// Fills an empty output with a line for each chain of a mesh, and a vertex for each that is a
+/// point. Points are shared where chains meet.
 /// @param points of the mesh
 /// @param names  of the regions, by their numbers; empty without regions
+/// @param kept   curves and points whose cell arrays the lines have
 void AddChains(const std::vector<MeshChain>& chains, vtkPoints* points,
-  const std::vector<std::string>& names, vtkPolyData* output);
+  const std::vector<std::string>& names, const KeptLines& kept, vtkPolyData* output);
+
+/// Adds the point array `GivenPoint`: the number of the given point that each point of a mesh is,
+/// or -1.
+void AddGivenPoints(const std::vector<MeshChain>& chains, vtkPolyData* output);
 
 /// The names and points of chains as arrays that stay with the mesh in files: ChainNames,
 /// ChainOffsets and ChainPoints. Without chains there are none.

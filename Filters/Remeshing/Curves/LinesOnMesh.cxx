@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Curves/LinesOnMesh.h"
+
+#include "Chains/MeshChains.h"
+#include "Preparation/SurfaceUnit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Points closer than this part of an edge are one.
+constexpr double LeastDistance = 0.1;
+
+/// Lines run along the edges of curves but for rounding, in parts of the surface's extent.
+constexpr double Rounding = 1e-9;
+
+/// Cells of a grid in which close points are in the same one or in neighbours.
+std::array<double, 3> CellOf(const Vector3& place, double size)
+{
+  return { std::floor(place.x() / size), std::floor(place.y() / size),
+    std::floor(place.z() / size) };
+}
+
+std::string Listed(const std::vector<Index>& numbers, const char* plural, const char* single)
+{
+  return numbers.size() == 1 ? "Point " + std::to_string(numbers[0]) + single
+                             : "Points " + std::to_string(numbers[0]) + " and " +
+      std::to_string(numbers.size() - 1) + " more" + plural;
+}
+
+std::vector<Index> CurvesOfLines(const FaceMesh& mesh, const PreparedSurface& surface,
+  const FeatureLines& features, const CurveCut& cut)
+{
+  std::vector<ClosestPoints::Corners> segments;
+  for (const std::array<Index, 2>& edge : cut.Edges)
+  {
+    const Vector3& end = cut.Cut.Points[edge[1]];
+    segments.push_back({ cut.Cut.Points[edge[0]], end, end });
+  }
+  const ClosestPoints curves(std::move(segments));
+  const std::vector<ClosestPoints> lines = surface.LinesOf(surface.GetGeometry(), features);
+  const double within = Rounding * Extent(cut.Cut);
+  std::vector<Index> found(mesh.LineEdges.size(), None);
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const FaceMesh::LineEdge& edge = mesh.LineEdges[k];
+    if (edge.Line > 0)
+    {
+      const Vector3 middle = 0.5 * (mesh.Points[edge.Ends[0]] + mesh.Points[edge.Ends[1]]);
+      const ClosestPoints::Answer onLine = lines[edge.Line - 1].Find(middle);
+      const Index at = curves.Find(onLine.Position, Vector3::Zero(), within).Triangle;
+      found[k] = at == None ? None : cut.CurveOf[at];
+    }
+  }
+  return found;
+}
+}
+
+ChosenPoints::ChosenPoints(const CurveCut& cut, const std::vector<double>& sizes, double edgeLength)
+{
+  double most = 0.0;
+  for (const Index p : cut.Points)
+  {
+    most = std::max(most, p == None ? 0.0 : LeastDistance * edgeLength * sizes[p]);
+  }
+  std::map<std::array<double, 3>, std::vector<Index>> grid;
+  std::vector<std::array<Index, 2>> chosen;
+  for (std::size_t k = 0; k < cut.Points.size(); ++k)
+  {
+    if (cut.Points[k] == None)
+    {
+      continue;
+    }
+    const Vector3& place = cut.Places[k];
+    const double least = LeastDistance * edgeLength * sizes[cut.Points[k]];
+    const std::array<double, 3> cell = CellOf(place, most);
+    bool isClose = false;
+    for (int n = 0; n < 27; ++n)
+    {
+      const auto near =
+        grid.find({ cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1 });
+      isClose = isClose ||
+        (near != grid.end() &&
+          std::any_of(near->second.begin(), near->second.end(),
+            [&](Index other) {
+              return cut.Points[other] == cut.Points[k] ||
+                (cut.Places[other] - place).norm() < least;
+            }));
+    }
+    if (isClose)
+    {
+      this->TooClose.push_back(static_cast<Index>(k));
+      continue;
+    }
+    grid[cell].push_back(static_cast<Index>(k));
+    chosen.push_back({ cut.Points[k], static_cast<Index>(k) });
+  }
+  std::sort(chosen.begin(), chosen.end());
+  for (const std::array<Index, 2>& point : chosen)
+  {
+    // Two that are not that close may have taken the same point of a coarse surface.
+    if (!this->Surface.empty() && this->Surface.back() == point[0])
+    {
+      this->TooClose.push_back(point[1]);
+      continue;
+    }
+    this->Surface.push_back(point[0]);
+    this->Numbers.push_back(point[1]);
+  }
+  std::sort(this->TooClose.begin(), this->TooClose.end());
+}
+
+Index ChosenPoints::NumberOf(Index point) const
+{
+  const auto found = std::lower_bound(this->Surface.begin(), this->Surface.end(), point);
+  return found != this->Surface.end() && *found == point
+    ? this->Numbers[found - this->Surface.begin()]
+    : None;
+}
+
+void ChosenPoints::Place(const PreparedSurface& surface, const CurveCut& cut, FaceMesh& mesh) const
+{
+  const std::vector<Index> points = surface.FindPoints();
+  for (std::size_t v = 0; !points.empty() && v < mesh.Points.size(); ++v)
+  {
+    const Index origin = mesh.Vertices[v].Origin;
+    const Index number = origin == None ? None : this->NumberOf(points[origin]);
+    if (number != None)
+    {
+      mesh.Points[v] = cut.Places[number];
+      mesh.Vertices[v].Line = -1;
+    }
+  }
+}
+
+std::vector<MeshChain> ChosenPoints::Find(const PreparedSurface& surface, const CurveCut& cut,
+  const FaceMesh& mesh, std::vector<std::string>& sentences) const
+{
+  const std::vector<Index> points = surface.FindPoints();
+  std::map<Index, Index> vertexOf;
+  for (std::size_t v = 0; !points.empty() && v < mesh.Points.size(); ++v)
+  {
+    const Index origin = mesh.Vertices[v].Origin;
+    const Index number = origin == None ? None : this->NumberOf(points[origin]);
+    if (number != None && mesh.Points[v] == cut.Places[number])
+    {
+      vertexOf.emplace(number, static_cast<Index>(v));
+    }
+  }
+  std::vector<MeshChain> chains;
+  for (const auto& [number, v] : vertexOf)
+  {
+    chains.push_back(
+      { ChainKind::Point, { v }, { None, None }, "Point " + std::to_string(number), number });
+  }
+  if (!this->TooClose.empty())
+  {
+    sentences.push_back(Listed(this->TooClose, " are no vertices", " is no vertex") +
+      " of the mesh: closer than a tenth of an edge to one before. Shorter edges would keep both.");
+  }
+  std::vector<Index> missed;
+  std::copy_if(this->Numbers.begin(), this->Numbers.end(), std::back_inserter(missed),
+    [&](Index number) { return vertexOf.count(number) == 0; });
+  std::sort(missed.begin(), missed.end());
+  if (!missed.empty())
+  {
+    sentences.push_back(Listed(missed, " are no vertices", " is no vertex") +
+      " of the mesh, since there is no room for edges beside other points and lines. Shorter edges "
+      "would keep them.");
+  }
+  return chains;
+}
+
+std::vector<MeshChain> LinesOn(const FaceMesh& mesh, const LineSources& sources,
+  const ChosenPoints& points, const std::vector<Index>& regions,
+  const std::vector<std::string>& names, std::vector<std::string>& sentences)
+{
+  const CurveCut* cut = sources.Cut;
+  std::vector<Index> curves;
+  if (cut && !cut->Edges.empty())
+  {
+    curves = CurvesOfLines(mesh, sources.Surface, sources.Features, *cut);
+  }
+  std::vector<MeshChain> chains = FindChains(mesh,
+    LinesOfBoundary(sources.Surface.GetGeometry().Mesh, sources.Features), curves, regions, names);
+  if (cut)
+  {
+    const std::vector<MeshChain> found = points.Find(sources.Surface, *cut, mesh, sentences);
+    chains.insert(chains.end(), found.begin(), found.end());
+  }
+  return chains;
+}
+}
