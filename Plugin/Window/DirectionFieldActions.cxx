@@ -4,6 +4,7 @@
 #include "DirectionFieldActions.h"
 
 #include "PythonAction.h"
+#include "SingularityTool.h"
 #include "StrokeTool.h"
 #include "pqActiveObjects.h"
 #include "pqDataRepresentation.h"
@@ -63,6 +64,29 @@ DirectionFieldActions::DirectionFieldActions(QObject* parent)
   // The toolbar and the menu have an action each.
   this->connect(draw, &QAction::toggled, StrokeTool::instance(), &StrokeTool::setOn);
   this->connect(StrokeTool::instance(), &StrokeTool::toggled, draw, &QAction::setChecked);
+  QAction* const edit = this->newAction("EditSingularitiesByHand", tr("Edit singularities"),
+    tr("While this is on, drag the singularities of the selected field over its surface, and the "
+       "field follows; Shift-click adds some, Delete takes the one under the mouse away"));
+  edit->setCheckable(true);
+  this->connect(edit, &QAction::toggled, SingularityTool::instance(), &SingularityTool::setOn);
+  this->connect(SingularityTool::instance(), &SingularityTool::toggled, edit, &QAction::setChecked);
+  // The mouse does one of them only.
+  this->connect(edit, &QAction::toggled, draw,
+    [draw](bool isOn)
+    {
+      if (isOn)
+      {
+        draw->setChecked(false);
+      }
+    });
+  this->connect(draw, &QAction::toggled, edit,
+    [edit](bool isOn)
+    {
+      if (isOn)
+      {
+        edit->setChecked(false);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The actions "Show direction field", "Remesh to quads" and "Draw strokes" of ParaView's window.
+ * The actions "Show direction field", "Remesh to quads", "Draw strokes" and "Edit singularities" of ParaView's window.
  * The first two do what directionfields.show_active() and directionfields.remesh_active() do in a
- * script; with quads selected that are on show, the latter saves them. The third one switches
- * StrokeTool on.
+ * script; with quads selected that are on show, the latter saves them. The others switch
+ * StrokeTool and SingularityTool on, of which one is on at a time.
  */
 
 #ifndef DirectionFieldActions_h

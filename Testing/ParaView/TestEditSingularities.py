@@ -40,7 +40,8 @@ def numbers(data, name):
 def test_properties():
     [expected] = printed(sys.argv[2], "EditSingularities")
     edit = EditSingularities(Input=field(), Singularities=Sphere())
-    check_properties(edit, expected, ENUMERATIONS, ["GatherLimit", "KeepStages"], others=("Input", "Singularities"))
+    check_properties(edit, expected, ENUMERATIONS, ["GatherLimit", "KeepStages"],
+                     others=("Input", "Singularities", "SingularityList"))
     assert edit.SMProxy.GetXMLLabel() == "Edit Singularities"
 
 

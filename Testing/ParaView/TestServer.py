@@ -54,6 +54,23 @@ def client(port):
     caption = servermanager.Fetch(shown.caption).GetColumn(0).GetValue(0)
     assert caption.startswith("8 singularities (8 +, 0 -), index sum 8"), caption
 
+    # A singularity of a field that only the server has is dragged.
+    from directionfields import singularities as room
+    from directionfields.strokes import Screen
+    simple.SetActiveSource(shown.field)
+    assert room.begin() == "", room.begin()
+    hand = room._handles.hand
+    number = [k for k in range(8) if hand.seen[k]][0]
+    x, y = Screen(hand.view).pixels(hand.rows[number:number + 1, :3])[0]
+    middle = [0.5 * size for size in hand.view.ViewSize]
+    x, y = x + 0.2 * (middle[0] - x), y + 0.2 * (middle[1] - y)
+    hand.step(room.MOVE, number, (x, y))
+    moved = list(hand.edit.SingularityList)[4 * number:4 * number + 3]
+    pixel = Screen(hand.view).pixels([moved])[0]
+    assert abs(pixel[0] - x) < 1.0 and abs(pixel[1] - y) < 1.0, (pixel, x, y)
+    assert servermanager.Fetch(hand.edit, idx=1).GetNumberOfPoints() == 8
+    room.end()
+
 
 if len(sys.argv) == 4:
     serve(*sys.argv[2:])

@@ -13,7 +13,8 @@ namespace DirectionFields
 struct WantedSingularity
 {
   /// In space, in the surface's unit of length; the singularity comes to the nearest point of the
-  /// surface. Where it is not finite, SingularityEditor::Edit throws.
+  /// surface. Where it is not finite, SingularityEditor::Edit throws (without
+  /// EditOptions::KeepsUnmet).
   Vector3 Position;
   /// In units of 1/n, of either sign; 0 is ignored.
   int Index = 1;
@@ -25,6 +26,14 @@ struct EditOptions
   /// The singularities are added to those of the given field; else they replace these in all
   /// connected components that have one.
   bool AddsToBase = false;
+  /// The singularities are all that the surface is to have, as a list of SingularityHand: the given
+  /// field's go wherever they are. Components that have none before and after keep their field.
+  /// Without AddsToBase only.
+  bool IsWholeList = false;
+  /// Where indices do not add up, or no triangles can hold them, the component keeps its given
+  /// field, with a sentence in EditedField::Notes; singularities without a place are left out.
+  /// Else Edit throws.
+  bool KeepsUnmet = false;
   RotationObjective Objective = RotationObjective::Smoothest;
   /// Adds the singularities that are missing where indices do not add up to n times the Euler
   /// characteristic (or, on regions enclosed by directions that are kept, to the number that these

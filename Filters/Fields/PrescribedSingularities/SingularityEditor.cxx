@@ -4,6 +4,7 @@
 #include "PrescribedSingularities/SingularityEditor.h"
 
 #include "Distance/TriangleRuns.h"
+#include "PrescribedSingularities/ConstrainedVertices.h"
 #include "PrescribedSingularities/SingularityTargets.h"
 #include "Support/VectorMath.h"
 #include "TrivialConnection/RotationAlignment.h"
@@ -17,11 +18,6 @@
 
 namespace DirectionFields
 {
-namespace
-{
-constexpr double LeastTangential = 1e-6;
-}
-
 /// The given field, and the data that the edits of each component share.
 class SingularityEditor::Components
 {
@@ -38,7 +34,8 @@ public:
 
 private:
   std::vector<std::vector<PrescribedSingularity>> Snapped(
-    const std::vector<WantedSingularity>& wanted);
+    const std::vector<WantedSingularity>& wanted, bool keepsUnmet, std::vector<std::string>& notes);
+  bool HasSingularities(std::size_t component);
   TrivialConnection& GetRotation(std::size_t component);
   const TriangleRuns& GetNearest();
   void EditComponent(std::size_t component, const std::vector<PrescribedSingularity>& singularities,
@@ -50,6 +47,8 @@ private:
   std::vector<Complex> Section;
   /// Not 0 for vertices with a given direction; empty for none.
   std::vector<char> IsGiven;
+  /// Whether each component of the base has singularities; empty until it is asked for.
+  std::vector<char> IsSingular;
   /// The surface's triangles that the mesh has.
   std::optional<TriangleRuns> Nearest;
   std::vector<std::unique_ptr<TrivialConnection>> Rotations;
@@ -72,22 +71,15 @@ SingularityEditor::Components::Components(const Surface& surface,
   {
     return;
   }
+  const std::vector<Complex> kept = ConstrainedVertices(this->Base.GetGeometry(), constraints);
   this->IsGiven.resize(mesh.GetNumberOfVertices(), 0);
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    const Vector3& direction = constraints[mesh.Point(v)];
-    if (!direction.allFinite() || direction.isZero(0.0))
-    {
-      continue;
-    }
-    const Complex tangential =
-      this->Base.GetGeometry().Frames.Tangential(v, direction.stableNormalized());
-    const double length = Modulus(tangential);
-    if (length > LeastTangential)
+    if (kept[v] != 0.0)
     {
       const double modulus = Modulus(this->Section[v]);
       this->Section[v] =
-        (modulus > 0.0 ? modulus : 1.0) * IntegerPower(tangential / length, this->Base.GetDegree());
+        (modulus > 0.0 ? modulus : 1.0) * IntegerPower(kept[v], this->Base.GetDegree());
       this->IsGiven[v] = 1;
     }
   }
@@ -124,8 +116,23 @@ const TriangleRuns& SingularityEditor::Components::GetNearest()
   return *this->Nearest;
 }
 
+bool SingularityEditor::Components::HasSingularities(std::size_t component)
+{
+  if (this->IsSingular.empty())
+  {
+    const auto& components = this->Base.GetMesh().GetComponents();
+    const std::vector<int> indices = this->Base.Indices();
+    for (const TriangleMesh::Component& part : components)
+    {
+      this->IsSingular.push_back(static_cast<char>(std::any_of(indices.begin() + part.FirstTriangle,
+        indices.begin() + part.EndTriangle, [](int index) { return index != 0; })));
+    }
+  }
+  return this->IsSingular[component] != 0;
+}
+
 std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Components::Snapped(
-  const std::vector<WantedSingularity>& wanted)
+  const std::vector<WantedSingularity>& wanted, bool keepsUnmet, std::vector<std::string>& notes)
 {
   const TriangleMesh& mesh = this->Base.GetMesh();
   std::vector<std::vector<PrescribedSingularity>> snapped(mesh.GetComponents().size());
@@ -133,8 +140,14 @@ std::vector<std::vector<PrescribedSingularity>> SingularityEditor::Components::S
   {
     if (!singularity.Position.allFinite())
     {
-      throw std::invalid_argument(
-        "A singularity has coordinates that are not finite. Give each a place on the surface.");
+      const char* const reason =
+        "A singularity has coordinates that are not finite. Give each a place on the surface.";
+      if (!keepsUnmet)
+      {
+        throw std::invalid_argument(reason);
+      }
+      notes.emplace_back(reason);
+      continue;
     }
     const ClosestPoints::Answer found = this->GetNearest().Find(singularity.Position);
     if (singularity.Index == 0 || found.Triangle == None)
@@ -163,17 +176,30 @@ EditedField SingularityEditor::Components::Edit(const std::vector<WantedSingular
 {
   EditedField edited;
   edited.Section = this->Base.GetSection();
-  const auto snapped = this->Snapped(wanted);
+  const auto snapped = this->Snapped(wanted, options.KeepsUnmet, edited.Notes);
   edited.Components.resize(snapped.size());
   progress.Report(0.1);
   const double perComponent = 0.9 / static_cast<double>(std::max<std::size_t>(1, snapped.size()));
   for (std::size_t c = 0; c < snapped.size(); ++c)
   {
-    if (!snapped[c].empty())
+    if (snapped[c].empty() && !(options.IsWholeList && this->HasSingularities(c)))
     {
-      const double begin = 0.1 + perComponent * static_cast<double>(c);
+      continue;
+    }
+    const double begin = 0.1 + perComponent * static_cast<double>(c);
+    try
+    {
       this->EditComponent(
         c, snapped[c], options, progress.Part(begin, begin + perComponent), edited);
+    }
+    catch (const std::invalid_argument& problem)
+    {
+      if (!options.KeepsUnmet)
+      {
+        throw;
+      }
+      edited.Components[c].IsUnmet = true;
+      edited.Notes.emplace_back(problem.what());
     }
   }
   if (!edited.WrongTriangles.empty())

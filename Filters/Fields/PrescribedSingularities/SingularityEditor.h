@@ -17,6 +17,8 @@ namespace DirectionFields
 /// How the edit of one connected component went.
 struct EditedComponent
 {
+  /// With EditOptions::KeepsUnmet: whether the singularities cannot be, so that it keeps its field.
+  bool IsUnmet = false;
   /// Whether its field differs from the given one. Components without singularities that were asked
   /// for keep their directions to the last bit, and so do components that are to have the
   /// singularities that they have, with RotationObjective::LeastChange.
@@ -99,8 +101,8 @@ public:
   ///
   /// Throws std::invalid_argument, its text a sentence for the user, for positions that are not
   /// finite, for indices that do not add up to n times the Euler characteristic of a closed
-  /// component (without EditOptions::Balances), and for indices that no triangles can hold; and
-  /// Stopped.
+  /// component (without EditOptions::Balances), and for indices that no triangles can hold, all
+  /// unless EditOptions::KeepsUnmet; and Stopped.
   EditedField Edit(const std::vector<WantedSingularity>& wanted, const EditOptions& options = {},
     const Progress& progress = {});
 

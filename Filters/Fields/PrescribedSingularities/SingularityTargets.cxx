@@ -40,7 +40,7 @@ public:
     this->Target.Indices = this->Rotation.GetBaseIndices();
     if (!options.AddsToBase)
     {
-      this->ClearRegions(singularities);
+      this->ClearRegions(singularities, options.IsWholeList);
     }
     for (const PrescribedSingularity& singularity : singularities)
     {
@@ -75,11 +75,11 @@ private:
       this->Positions[this->TailOf(localTriangle, 2)] / 3.0;
   }
 
-  /// Forgets the base's indices in regions with a singularity.
-  void ClearRegions(const std::vector<PrescribedSingularity>& singularities)
+  /// Forgets the base's indices in regions with a singularity, or in all.
+  void ClearRegions(const std::vector<PrescribedSingularity>& singularities, bool all)
   {
     const TreeCotree& trees = this->Rotation.GetTrees();
-    std::vector<char> isCleared(trees.GetNumberOfRegions(), 0);
+    std::vector<char> isCleared(trees.GetNumberOfRegions(), static_cast<char>(all));
     for (const PrescribedSingularity& singularity : singularities)
     {
       isCleared[trees.GetRegion(this->Local(singularity.Place.Triangle))] = 1;

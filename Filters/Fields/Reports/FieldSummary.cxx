@@ -196,9 +196,14 @@ std::string SummaryOfEdit(
   const bool isChanged = std::any_of(edited.Components.begin(), edited.Components.end(),
     [](const EditedComponent& component) { return component.IsChanged; });
   std::string text = DescribeIndices(field.SingularityIndex);
+  const auto unmet = std::count_if(edited.Components.begin(), edited.Components.end(),
+    [](const EditedComponent& component) { return component.IsUnmet; });
+  const std::string rest = unmet == 0
+    ? ""
+    : ", the list cannot be met on " + Count(static_cast<std::size_t>(unmet), "component");
   if (!isChanged)
   {
-    return text + ", as given";
+    return text + ", as given" + rest;
   }
   text += objective == RotationObjective::Smoothest ? ", edited to the smoothest field"
                                                     : ", edited with least change";
@@ -206,7 +211,7 @@ std::string SummaryOfEdit(
   {
     text += ", " + Count(edited.WrongTriangles.size(), "triangle") + " with wrong indices";
   }
-  return text;
+  return text + rest;
 }
 
 std::string DescribeTensors(

@@ -3,6 +3,7 @@
 
 #include "vtkDirectionFieldSingularities.h"
 
+#include "Conversion/Input/FieldArrays.h"
 #include "Conversion/Input/PolyDataCheck.h"
 #include "Conversion/Input/PolyDataToGuidance.h"
 #include "Conversion/Output/EditedPolyData.h"
@@ -15,12 +16,17 @@
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -52,6 +58,24 @@ Blocks BlocksOf(vtkCompositeDataSet* composite)
     blocks.push_back(vtkPolyData::SafeDownCast(at->GetCurrentDataObject()));
   }
   return blocks;
+}
+
+/// A list as the second input gives it.
+vtkSmartPointer<vtkPolyData> PointsOf(const std::vector<std::array<double, 4>>& list)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> indices;
+  indices->SetName(DirectionFields::ArrayNames::SingularityIndex);
+  for (const std::array<double, 4>& singularity : list)
+  {
+    points->InsertNextPoint(singularity.data());
+    indices->InsertNextValue(singularity[3]);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(indices);
+  return data;
 }
 }
 
@@ -85,6 +109,7 @@ void vtkDirectionFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SingularityMode: " << this->SingularityMode << "\n";
+  os << indent << "List: " << this->List.size() << "\n";
   os << indent << "Objective: " << this->Objective << "\n";
   os << indent << "BalanceAutomatically: " << this->BalanceAutomatically << "\n";
   os << indent << "RefineWhereNeeded: " << this->RefineWhereNeeded << "\n";
@@ -102,6 +127,24 @@ void vtkDirectionFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
 void vtkDirectionFieldSingularities::SetSingularitiesConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::AddSingularity(double x, double y, double z, double index)
+{
+  const bool isIndex = std::abs(index) <= std::numeric_limits<short>::max();
+  this->List.push_back({ x, y, z, isIndex ? std::round(index) : 0.0 });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionFieldSingularities::RemoveAllSingularities()
+{
+  if (!this->List.empty())
+  {
+    this->List.clear();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +169,8 @@ int vtkDirectionFieldSingularities::FillInputPortInformation(int port, vtkInform
 DirectionFields::EditOptions vtkDirectionFieldSingularities::MakeOptions() const
 {
   DirectionFields::EditOptions options;
-  options.AddsToBase = this->SingularityMode == ADD;
+  options.IsWholeList = options.KeepsUnmet = !this->List.empty();
+  options.AddsToBase = this->SingularityMode == ADD && this->List.empty();
   options.Objective = static_cast<DirectionFields::RotationObjective>(this->Objective);
   options.Balances = this->BalanceAutomatically;
   options.AlignmentStrength = this->Alignment == ALIGN_NONE ? 0.0 : this->AlignmentStrength;
@@ -212,16 +256,18 @@ void vtkDirectionFieldSingularities::Execute(
   const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
   this->Last->Begin();
+  const vtkSmartPointer<vtkPolyData> list = this->List.empty() ? nullptr : PointsOf(this->List);
+  vtkDataObject* const points = list ? list.Get() : inputs[1];
   if (auto* const surface = vtkPolyData::SafeDownCast(inputs[0]))
   {
     DirectionFields::CheckPolyData(surface);
-    const std::vector<WantedSingularity> wanted = DirectionFields::WantedSingularities(inputs[1]);
-    this->EditBlock(surface, inputs[1] ? &wanted : nullptr, progress,
+    const std::vector<WantedSingularity> wanted = DirectionFields::WantedSingularities(points);
+    this->EditBlock(surface, points ? &wanted : nullptr, progress,
       vtkPolyData::SafeDownCast(outputs[0]), vtkPolyData::SafeDownCast(outputs[1]));
   }
   else
   {
-    this->EditBlocks(vtkCompositeDataSet::SafeDownCast(inputs[0]), inputs[1], progress,
+    this->EditBlocks(vtkCompositeDataSet::SafeDownCast(inputs[0]), points, progress,
       vtkCompositeDataSet::SafeDownCast(outputs[0]), vtkCompositeDataSet::SafeDownCast(outputs[1]));
   }
   this->Last->End();

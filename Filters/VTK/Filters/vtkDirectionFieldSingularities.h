@@ -65,6 +65,7 @@
 #include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
@@ -129,6 +130,19 @@ public:
   vtkGetMacro(SingularityMode, int);
   void SetSingularityModeToReplace() { this->SetSingularityMode(REPLACE); }
   void SetSingularityModeToAdd() { this->SetSingularityMode(ADD); }
+  ///@}
+
+  ///@{
+  /**
+   * A list of all singularities that the surface is to have: the place of each in space, which
+   * counts for the nearest point of the surface, and its index in units of 1/n, rounded to a whole
+   * number. Once it has an entry, it takes the place of port 1 and SingularityMode, and parts of
+   * the surface without an entry lose their singularities; an index of 0 is none. What the field
+   * cannot have is no error: the component keeps its directions, and `Warnings` and `Summary` say
+   * why. Default: none.
+   */
+  void AddSingularity(double x, double y, double z, double index);
+  void RemoveAllSingularities();
   ///@}
 
   ///@{
@@ -253,6 +267,8 @@ private:
   char* GuidanceVectors;
   char* GuidanceWeights;
   bool KeepStages;
+  /// Place and index of each singularity of the list.
+  std::vector<std::array<double, 4>> List;
   std::unique_ptr<DirectionFields::SingularityEditorCache> Last;
 };
 

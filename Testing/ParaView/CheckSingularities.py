@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A macro: each run is the next step of the playback of the same name. Checks what the mouse has done
+with singularities in the ParaView window."""
+import os
+import sys
+
+import numpy as np
+from directionfields import singularities as room
+from paraview.simple import *
+
+sys.path.insert(0, os.environ["HOME"])
+import Steps
+
+
+def rows(name="Edited field of bunny.ply"):
+    return np.array(list(FindSource(name).SingularityList), float).reshape(-1, 4)
+
+
+def keep(name, value):
+    os.environ["DIRECTIONFIELDS_TEST_" + name] = " ".join(map(str, np.ravel(value)))
+
+
+def kept(name):
+    return np.array(os.environ["DIRECTIONFIELDS_TEST_" + name].split(), float)
+
+
+def aim(view):
+    """Puts a singularity that is seen, and far from others, into the middle of the view."""
+    assert len(rows()) == 0 and GetActiveSource().GetXMLName() == "EditSingularities"
+    hand = room._handles.hand
+    assert hand.seen.sum() > 3
+    gaps = np.linalg.norm(hand.rows[:, None, :3] - hand.rows[None, :, :3], axis=2)
+    gaps[np.diag_indices(len(gaps))] = np.inf
+    # Not at the outline either, where there is no way to drag it.
+    towards = np.array(view.CameraPosition) - np.array(view.CameraFocalPoint)
+    level = hand.rows[:, :3] @ towards / np.linalg.norm(towards)
+    number = int(np.argmax(np.where(hand.seen, gaps.min(axis=1) + level, -np.inf)))
+    shift = hand.rows[number, :3] - np.array(view.CameraFocalPoint)
+    view.CameraFocalPoint = list(np.array(view.CameraFocalPoint) + shift)
+    view.CameraPosition = list(np.array(view.CameraPosition) + shift)
+    Render(view)
+    room.refresh()
+    keep("COUNT", len(hand.rows))
+    keep("NUMBER", number)
+    keep("PLACE", hand.rows[number])
+
+
+def check_moved(view):
+    """One has moved, to where the mouse has let go."""
+    now, number = rows(), int(kept("NUMBER")[0])
+    assert len(now) == kept("COUNT")[0], len(now)
+    assert now[number, 3] == kept("PLACE")[3]
+    pixel = room.Screen(view).pixels(now[number:number + 1, :3])[0]
+    width, height = view.ViewSize
+    assert abs(pixel[0] - 0.54 * width) < 3.0 and abs(pixel[1] - 0.5 * height) < 3.0, (
+        pixel, view.ViewSize)
+    keep("MOVED", now)
+
+
+def check_merged(view):
+    """It has met its nearest opposite."""
+    assert len(rows()) == kept("COUNT")[0] - 2, len(rows())
+    assert rows()[:, 3].sum() == 8
+
+
+def check_back(view):
+    assert np.allclose(rows().ravel(), kept("MOVED"))
+
+
+def check_undone(view):
+    assert len(rows()) == 0, len(rows())
+    assert FindSource("Edited field of bunny.ply").Objective == "Least Change"
+
+
+view = GetActiveView()
+Steps.take_next([lambda step=step: step(view)
+                 for step in (aim, check_moved, check_merged, check_back, check_undone)])
