@@ -7,7 +7,6 @@
 #include "Curves/LinesOnMesh.h"
 #include "Extraction/MeshExtraction.h"
 #include "FaceMesh/FaceCounts.h"
-#include "Finishing/CloserMesh.h"
 #include "Finishing/FaceSources.h"
 #include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
@@ -26,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace DirectionFields
 {
@@ -39,10 +37,6 @@ constexpr double AfterCells = 0.85;
 constexpr double AfterFinishing = 0.97;
 /// The user is told of lengths of edges that differ by more than this factor.
 constexpr double Noticeably = 1.05;
-/// How far the progress is after the first mesh, and how often one with smaller faces at its thin
-/// parts is made.
-constexpr double AfterFirst = 0.9;
-constexpr int MostShrinkings = 3;
 
 int DegreeOf(Element element)
 {
@@ -319,13 +313,6 @@ RemeshResult InUnitOfSurface(RemeshResult&& result, const Vector3& origin, doubl
   result.EdgeLength *= unit;
   return std::move(result);
 }
-
-MeshStanding StandingOf(const RemeshResult& mesh)
-{
-  return { std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh),
-    LeastQuality(mesh.Points, mesh.Faces),
-    std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore) };
-}
 }
 
 const char* Remesh::StepAt(double done)
@@ -335,7 +322,8 @@ const char* Remesh::StepAt(double done)
     : ofFirst < AfterField        ? "Computing the field"
     : ofFirst < AfterCells        ? "Mapping the surface to a grid"
     : ofFirst <= 1.0              ? "Smoothing the mesh"
-                                  : "Making faces smaller at thin parts";
+    : done <= AfterShrinkings     ? "Making faces smaller at thin parts"
+                                  : "Making another mesh for better faces";
 }
 
 RemeshResult Remesh::Compute(const RemeshOptions& given,
@@ -378,49 +366,11 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
   }
 }
 
-void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
-  const Progress& progress, RemeshResult& result)
-{
-  ThinParts thin(*this->Input);
-  this->MakeOnce(options, directions, thin, progress.Part(0.0, AfterFirst), result);
-  const double edgeLength = result.EdgeLength;
-  RemeshResult last;
-  // Roughness of the surface is no part of it that gets lost.
-  const bool isRough = this->Cache->GetNeedless() > 0;
-  // The boundary may make many more faces than are wanted, which are not to become more.
-  constexpr double mostCrowded = 4.0;
-  const bool isCrowded = !options.UseEdgeLength &&
-    static_cast<double>(result.Faces.size()) > mostCrowded * options.NumberOfFaces;
-  const int most = options.KeepThinParts && !isRough && !isCrowded ? MostShrinkings : 0;
-  for (int k = 0; k < most; ++k)
-  {
-    const RemeshResult& former = k == 0 ? result : last;
-    if (!(StandingOf(former).Farthest > edgeLength) ||
-      !thin.Shrink(this->Cache->GetInputTriangles(),
-        DistancesBothWays(*this->Input, former.Points, former.Faces, former.FaceSource),
-        edgeLength))
-    {
-      break;
-    }
-    const auto afterRound = [](int round)
-    { return AfterFirst + (1.0 - AfterFirst) * round / MostShrinkings; };
-    RemeshResult smaller;
-    this->MakeOnce(
-      options, directions, thin, progress.Part(afterRound(k), afterRound(k + 1)), smaller);
-    smaller.Notes.push_back(thin.Sentence(this->Origin, this->Unit));
-    last = std::move(smaller);
-    if (IsCloser(StandingOf(last), StandingOf(result)))
-    {
-      result = last;
-    }
-  }
-}
-
 void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,
-  const ThinParts& thin, const Progress& progress, RemeshResult& result)
+  const ThinParts& thin, double gridLength, const Progress& progress, RemeshResult& result)
 {
-  const WantedSizes sizes =
-    this->Prepare(options, directions, thin, progress.Part(0.0, AfterField));
+  WantedSizes sizes = this->Prepare(options, directions, thin, progress.Part(0.0, AfterField));
+  sizes.MapLength *= gridLength;
   const Request request{ options, *this->Input, *this->Cache, sizes, this->Unit, this->Cut.get(),
     *this->Points };
   ParametrizationInput input = InputFor(request);

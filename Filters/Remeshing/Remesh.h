@@ -215,17 +215,25 @@ public:
   static const char* StepAt(double done);
 
 private:
+  /// How far the progress is after the first mesh, and after those with smaller faces at thin
+  /// parts.
+  static constexpr double AfterFirst = 0.9;
+  static constexpr double AfterShrinkings = 0.96;
+
   /// Options for the surface that is computed on, with sizes that are relative and grow as they
   /// may.
   RemeshOptions InUnitOfInput(const RemeshOptions& given, std::vector<std::string>& notes) const;
   /// Cuts the surface along the lines given, if that is not done yet. Throws MeshError and Stopped.
   void CutSurface(const Progress& progress);
-  /// Makes a mesh, and others where that one loses thin parts. Throws Stopped.
+  /// Makes a mesh, and others where that one loses thin parts or has faces that are of no use.
+  /// Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
   /// Makes one mesh, with smaller faces at thin parts.
+  /// @param gridLength of the grid's edges, as a part of the wanted one
   void MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,
-    const Internal::ThinParts& thin, const Progress& progress, RemeshResult& result);
+    const Internal::ThinParts& thin, double gridLength, const Progress& progress,
+    RemeshResult& result);
   /// Makes sure that the cache has the surface and the field for these options.
   Internal::WantedSizes Prepare(const RemeshOptions& options,
     const std::vector<Vector3>& directions, const Internal::ThinParts& thin,

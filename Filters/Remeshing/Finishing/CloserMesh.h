@@ -10,6 +10,9 @@
 
 namespace DirectionFields::Internal
 {
+/// Faces below this scaled Jacobian are of no use to a solver.
+constexpr double LeastUsable = 0.1;
+
 /// What a mesh of a surface is judged by, beside others of it.
 struct MeshStanding
 {

@@ -3,6 +3,7 @@
 
 #include "Finishing/MeshAdvice.h"
 
+#include "Finishing/CloserMesh.h"
 #include "Soup/JoinedSets.h"
 #include "Support/Sentences.h"
 
@@ -18,8 +19,6 @@ namespace
 /// A triangle at an odd rim or at a corner is normal; more than this part of all faces is not.
 constexpr double MostTriangles = 0.01;
 constexpr Index FewTriangles = 4;
-/// Faces below this scaled Jacobian are of no use to a solver.
-constexpr double LeastQuality = 0.1;
 /// Of the diagonal of the box around the surface; and of the length of edges, since faces that are
 /// wanted as large as the bends of the surface cut them off.
 constexpr double MostDistance = 0.02;
@@ -53,14 +52,14 @@ std::string AboutQuality(
   const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes)
 {
   const auto isBad = [&](const Faces::Face& face)
-  { return ScaledJacobian(points, face) < LeastQuality; };
+  { return ScaledJacobian(points, face) < LeastUsable; };
   const auto bad = std::count_if(faces.Corners.begin(), faces.Corners.end(), isBad);
   if (bad == 0)
   {
     return {};
   }
   return std::to_string(bad) + (bad == 1 ? " face has" : " faces have") +
-    " a scaled Jacobian below " + Figure(LeastQuality) +
+    " a scaled Jacobian below " + Figure(LeastUsable) +
     ", as the array ScaledJacobian shows: nearly flat or folded. " +
     (wishes.IsSmoothed
         ? "A tenth fewer or more faces may avoid that, unless the surface itself is as pointed or "

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Distance/ClosestPoints.h"
+#include "Finishing/CloserMesh.h"
 #include "Meshes/Remeshed.h"
 #include "Meshes/Surfaces.h"
 #include "Preparation/WantedSizes.h"
@@ -313,4 +314,24 @@ TEST(LongTriangles, KeywaysKeepTheirEdges)
       EXPECT_GT(Meshes::LeastQuality(mesh), 0.6);
     }
   }
+}
+
+TEST(LongTriangles, MeshesWithFacesOfNoUseAreMadeAnew)
+{
+  // The first mesh has faces without area between the rim and the singularities beside it.
+  RemeshOptions options;
+  options.NumberOfFaces = 250;
+  std::vector<double> progress;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(PlateWithHole(48)))
+                              .Compute(options, {},
+                                [&](double done)
+                                {
+                                  progress.push_back(done);
+                                  return true;
+                                });
+  EXPECT_GT(LeastQuality(mesh.Points, mesh.Faces), 0.3);
+  EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 250.0, 50.0);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_LE(progress.back(), 1.0);
 }

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remesh.h"
+
+#include "Finishing/CloserMesh.h"
+#include "Finishing/FaceSources.h"
+#include "Finishing/ThinParts.h"
+#include "Preparation/PreparedField.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+namespace DirectionFields
+{
+namespace
+{
+/// How often a mesh with smaller faces at its thin parts is made.
+constexpr int MostShrinkings = 3;
+/// Lengths of the grid's edges, as parts of the wanted one, for which a bad mesh is made anew.
+constexpr std::array<double, 2> OtherLengths = { 0.98, 1.02 };
+
+MeshStanding StandingOf(const RemeshResult& mesh)
+{
+  return { std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh),
+    LeastQuality(mesh.Points, mesh.Faces),
+    std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore) };
+}
+}
+
+void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  const Progress& progress, RemeshResult& result)
+{
+  ThinParts thin(*this->Input);
+  this->MakeOnce(options, directions, thin, 1.0, progress.Part(0.0, AfterFirst), result);
+  const double edgeLength = result.EdgeLength;
+  RemeshResult last;
+  bool isLastTaken = true;
+  // Roughness of the surface is no part of it that gets lost.
+  const bool isRough = this->Cache->GetNeedless() > 0;
+  // The boundary may make many more faces than are wanted, which are not to become more.
+  constexpr double mostCrowded = 4.0;
+  const bool isCrowded = !options.UseEdgeLength &&
+    static_cast<double>(result.Faces.size()) > mostCrowded * options.NumberOfFaces;
+  const int most = options.KeepThinParts && !isRough && !isCrowded ? MostShrinkings : 0;
+  for (int k = 0; k < most; ++k)
+  {
+    const RemeshResult& former = k == 0 ? result : last;
+    if (!(StandingOf(former).Farthest > edgeLength) ||
+      !thin.Shrink(this->Cache->GetInputTriangles(),
+        DistancesBothWays(*this->Input, former.Points, former.Faces, former.FaceSource),
+        edgeLength))
+    {
+      break;
+    }
+    const auto afterRound = [](int round)
+    { return AfterFirst + (AfterShrinkings - AfterFirst) * round / MostShrinkings; };
+    RemeshResult smaller;
+    this->MakeOnce(
+      options, directions, thin, 1.0, progress.Part(afterRound(k), afterRound(k + 1)), smaller);
+    smaller.Notes.push_back(thin.Sentence(this->Origin, this->Unit));
+    last = std::move(smaller);
+    isLastTaken = IsCloser(StandingOf(last), StandingOf(result));
+    if (isLastTaken)
+    {
+      result = last;
+    }
+  }
+  // Other integers are as good for the energy, and by chance for the faces or not.
+  const bool mayVary = !isRough && !isCrowded && options.SmoothingIterations > 0;
+  const auto isBad = [&](const MeshStanding& standing) {
+    return standing.LeastQuality < LeastUsable || (!isLastTaken && standing.Farthest > edgeLength);
+  };
+  for (std::size_t k = 0; k < OtherLengths.size() && mayVary && isBad(StandingOf(result)); ++k)
+  {
+    const auto afterTrial = [](std::size_t trials)
+    {
+      return AfterShrinkings +
+        (1.0 - AfterShrinkings) * static_cast<double>(trials) / OtherLengths.size();
+    };
+    RemeshResult other;
+    this->MakeOnce(options, directions, thin, OtherLengths[k],
+      progress.Part(afterTrial(k), afterTrial(k + 1)), other);
+    if (!thin.GetLengths().empty())
+    {
+      other.Notes.push_back(thin.Sentence(this->Origin, this->Unit));
+    }
+    if (IsCloser(StandingOf(other), StandingOf(result)))
+    {
+      result = std::move(other);
+    }
+  }
+}
+}
