@@ -289,7 +289,7 @@ Pieced MakeMesh(Processes& processes, const Messages& messages, const Surface& s
       made.Mesh =
         std::make_unique<DistributedMesh>(processes, messages, made.Around, covering.Shared);
       const bool hasFlat = made.Mesh->GetGeometry().Lengths.DegenerateTriangles > 0;
-      made.Reason = messages.Any(hasFlat) ? "it has only one side, and triangles without area" : "";
+      made.Reason = messages.Any(hasFlat) ? "a part of it has only one side, and it has triangles without area" : "";
     }
     else
     {
@@ -333,13 +333,13 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
     return;
   }
   Pieced pieced = MakeMesh(processes, messages, surface, piece, shared);
-  const DistributedMesh& mesh = *pieced.Mesh;
-  PieceWithSurroundings& around = pieced.Around;
   field.Reason = pieced.Reason;
   if (!field.Reason.empty())
   {
     return;
   }
+  const DistributedMesh& mesh = *pieced.Mesh;
+  PieceWithSurroundings& around = pieced.Around;
   const DistributedGuide guide =
     MakeGuide(processes, messages, mesh, around, options, OnBothSides(guidance, around));
   field.Reason = guide.Reason;

@@ -402,15 +402,17 @@ def to_line(place, line):
     return np.linalg.norm(starts + parts[:, None] * steps - place, axis=1).min()
 
 
-# The identifier of the Surface Strokes with the selected stroke, and its number there; or None.
+# The identifier of the Surface Strokes with the selected stroke, its number there and the identifier of
+# the selection that shows it; or None.
 _selected = None
 
 
 def select(pixel, view):
     global _selected
     strokes, number = near(pixel, shown_in(view), view)
-    for known in shown_in(view):
-        simple.ClearSelection(known)
+    for known in sources():
+        if known.GetXMLName() == "SurfaceStrokes":
+            simple.ClearSelection(known)
     _selected = None
     if strokes is not None:
         # As ParaView's own selections, so that the strokes stay the same data. Its window expects
@@ -420,8 +422,8 @@ def select(pixel, view):
         query.QueryString = f"Stroke == {int(number)}"
         combined = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(query.SMProxy)
         strokes.SMProxy.SetSelectionInput(0, combined, 0)
+        _selected = strokes.SMProxy.GetGlobalID(), number, combined.GetGlobalID()
         combined.UnRegister(None)
-        _selected = strokes.SMProxy.GetGlobalID(), number
     simple.Render(view)
     return None if strokes is None else (strokes, int(number))
 
@@ -429,8 +431,9 @@ def select(pixel, view):
 def selected_in(known):
     """Which of some strokes has the selected one, and its number there, or Nones."""
     for strokes in known:
+        selection = strokes.SMProxy.GetSelectionInput(0)
         if (_selected and strokes.SMProxy.GetGlobalID() == _selected[0] and
-                strokes.SMProxy.GetSelectionInput(0) and
+                selection and selection.GetGlobalID() == _selected[2] and
                 _selected[1] in rows_of(strokes)[:, 0]):
             return strokes, _selected[1]
     return None, None

@@ -37,7 +37,9 @@ def run_filters(step):
     watched = [watch(name, proxy) for (name, _), proxy in simple.GetSources().items()
                if proxy.GetClientSideObject()]
     begin = time.perf_counter()
-    step()
+    done = step()
+    if done is None or done is False:
+        sys.exit("A step did nothing.")
     took = time.perf_counter() - begin
     for filter, observers in watched:
         for observer in observers:
@@ -65,6 +67,7 @@ def drag(view):
         def step(cost=cost):
             field.SingularityCost = cost
             simple.Render(view)
+            return True
         report("slider", step)
 
 

@@ -4,6 +4,7 @@
 
 Those are solved for as one process does, on all processes at once, as small ones are that are moved to a process; large ones that lie
 across processes are solved for by all."""
+import re
 import sys
 
 sys.path.insert(0, sys.argv[1])
@@ -81,6 +82,29 @@ def test_moved():
         check(len(used) == 30 and (used == DIRECT).all(), name, used)
 
 
+def test_one_sided():
+    """Components with one side that lie on one process each, and one that lies across all."""
+    parts = [Surfaces.potato(9), Surfaces.moebius(40, 7), Surfaces.moebius(32, 6), Surfaces.moebius(36, 8)]
+    points = np.concatenate([own * (1.0, 1.0 + 0.1 * k, 1.0) + (4.0 * k, 0.0, 0.0) for k, (own, _) in enumerate(parts)])
+    first = np.cumsum([0] + [len(own) for own, _ in parts])
+    triangles = np.concatenate([corners + first[k] for k, (_, corners) in enumerate(parts)])
+    sizes = [len(corners) for _, corners in parts]
+    owner = np.concatenate([np.full(sizes[0], count - 1), np.full(sizes[1], 0), np.full(sizes[2], count - 1),
+                            np.arange(sizes[3]) % count])
+    for options in ({}, {"ConstrainBoundary": 1}):
+        whole = make(vtkDirectionField, options, Surfaces.piece(points, triangles, {}, owner * 0, 0))
+        part = make(vtkPDirectionField, {**options, "Distribution": vtkPDirectionField.DISTRIBUTED},
+                    Surfaces.piece(points, triangles, {}, owner, rank))
+        name = f"one-sided {options}"
+        data = [field.GetOutput().GetFieldData() for field in (whole, part)]
+        check(Surfaces.array(data[1], "Distribution").reshape(-1)[0] == 2, name)
+        compare(whole, part, 4, name)
+        # Neither side is counted by itself.
+        texts = [each.GetAbstractArray("Summary").GetValue(0) for each in data]
+        given = [re.findall(r"([0-9,. ]+) points constrained", text) for text in texts]
+        check(given[0] == given[1] and len(given[0]) == len(options), name, texts)
+
+
 def test_faded():
     """Where a field fades away on a rough surface the user is told as on one process."""
     points, triangles = Surfaces.potato(24)
@@ -121,7 +145,7 @@ def test_stop():
         check(total(field.GetOutput().GetNumberOfCells()) == len(triangles), "after a stop")
 
 
-for test in (test_fields, test_moved, test_faded, test_stop):
+for test in (test_fields, test_moved, test_one_sided, test_faded, test_stop):
     test()
 if rank == 0:
     # Open MPI 5 may lose what is still on its way when processes end.

@@ -395,6 +395,9 @@ void DistributedMesh::FindCovers(const PieceWithSurroundings& piece)
     if (this->IsCover(component))
     {
       this->ProcessOfComponent[component] = -1;
+      // Without any vertices of others where it lies on one process.
+      this->TravellersOf[component].Sent.resize(this->AllTravellers.Sent.size());
+      this->TravellersOf[component].Received.resize(this->AllTravellers.Sent.size());
     }
   }
 }

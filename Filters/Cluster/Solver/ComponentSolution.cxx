@@ -281,7 +281,7 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
   report.RequiredResidual = pair.RequiredResidual;
   report.Iterations = pair.Iterations;
   report.SolverUsed = Solver::Multigrid;
-  report.Constraints = system.CountGiven();
+  report.Constraints = system.CountGiven() / (mesh.IsCover(component) ? 2 : 1);
   report.Converged =
     pair.Residual <= pair.RequiredResidual && report.SystemResidual <= SystemTolerance(options);
   return isSmoothest && pair.IsRepeated;
