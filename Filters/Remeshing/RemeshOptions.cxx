@@ -95,8 +95,10 @@ RemeshOptions Remesh::InUnitOfInput(
   }
   else if (const auto outside =
              static_cast<std::size_t>(std::count_if(given.Sizing.begin(), given.Sizing.end(),
-               [](double size)
-               { return size > LargestSize || (size > 0.0 && size < 1.0 / LargestSize); }));
+               [](double size) {
+                 return std::isfinite(size) && size > 0.0 &&
+                   (size > LargestSize || size < 1.0 / LargestSize);
+               }));
            outside > 0)
   {
     notes.push_back("Sizes are taken from 1/8 to 8 only: at " + Count(outside, "point") +

@@ -177,6 +177,8 @@ def test_boundary():
 
 def test_bad():
     """Nothing there, lines, blocks, a filter that goes: a sentence, and no error."""
+    # The one of the session before is not forgotten by itself.
+    simple.SetActiveSource(None)
     assert "no mesh" in room.begin() and any("no mesh" in text for text in messages), messages
     del messages[:]
     for source in (simple.Line(), simple.PointSource()):

@@ -15,11 +15,23 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Sizes at the two ends of an edge differ by no more than this factor. A triangle whose angles are
-/// above 15 degrees is one in the metric, too, then.
+/// Sizes at the two ends of an edge differ by no more than this factor, and along short edges of a
+/// needle by less: else their lengths in the metric would not be those of a triangle.
 constexpr double MostAlongEdge = 1.3;
 /// Sizes that differ by less are the same.
 constexpr double LeastDifference = 1.0 + 1e-6;
+
+/// The factor by which sizes may differ at the ends of an edge of a triangle.
+double GrowthAlong(const SurfaceGeometry& geometry, Index triangle, Index edge)
+{
+  double longest = 0.0;
+  for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
+  {
+    longest = std::max(longest, geometry.Lengths.SquaredLength[geometry.Mesh.Edge(h)]);
+  }
+  const double square = geometry.Lengths.SquaredLength[edge];
+  return square < longest ? std::pow(MostAlongEdge, std::sqrt(square / longest)) : MostAlongEdge;
+}
 
 /// The angles of the edges around a vertex, ascending from the first one of the fan on, and of the
 /// end.
@@ -57,49 +69,63 @@ double TurnOf(
 std::vector<double> SizesOfMetric(const SurfaceGeometry& geometry, const std::vector<double>& sizes)
 {
   const TriangleMesh& mesh = geometry.Mesh;
-  if (sizes.empty() || mesh.GetNumberOfVertices() == 0)
+  const Index vertices = mesh.GetNumberOfVertices();
+  if (sizes.empty() || vertices == 0)
+  {
+    return {};
+  }
+  // Sheets that meet at a point have a vertex each there.
+  std::vector<Index> firstOf(sizes.size(), None);
+  std::vector<Index> nextOf(static_cast<std::size_t>(vertices), None);
+  double least = sizes[mesh.Point(0)];
+  double largest = least;
+  for (Index v = 0; v < vertices; ++v)
+  {
+    nextOf[v] = std::exchange(firstOf[mesh.Point(v)], v);
+    least = std::min(least, sizes[mesh.Point(v)]);
+    largest = std::max(largest, sizes[mesh.Point(v)]);
+  }
+  if (!(largest > LeastDifference * least))
   {
     return {};
   }
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<double> limited = sizes;
-  double least = sizes[mesh.Point(0)];
-  double largest = least;
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  for (Index point = 0; point < static_cast<Index>(sizes.size()); ++point)
   {
-    const double size = sizes[mesh.Point(v)];
-    queue.emplace(size, v);
-    least = std::min(least, size);
-    largest = std::max(largest, size);
-  }
-  if (!(largest > LeastDifference * least))
-  {
-    return {};
-  }
-  std::vector<Index> fan;
-  const auto lower = [&](Index v, double size)
-  {
-    double& present = limited[mesh.Point(v)];
-    if (size < present)
+    if (firstOf[point] != None)
     {
-      present = size;
-      queue.emplace(size, v);
+      queue.emplace(sizes[point], point);
+    }
+  }
+  const auto lower = [&](Index triangle, Index edge, Index point, double size)
+  {
+    const double limit = GrowthAlong(geometry, triangle, edge) * size;
+    if (limit < limited[point])
+    {
+      limited[point] = limit;
+      queue.emplace(limit, point);
     }
   };
+  std::vector<Index> fan;
   while (!queue.empty())
   {
-    const auto [size, v] = queue.top();
+    const auto [size, point] = queue.top();
     queue.pop();
-    if (size > limited[mesh.Point(v)])
+    if (size > limited[point])
     {
       continue;
     }
-    mesh.GetFan(v, fan);
-    for (const Index h : fan)
+    for (Index v = firstOf[point]; v != None; v = nextOf[v])
     {
-      lower(mesh.Head(h), MostAlongEdge * size);
-      lower(mesh.Tail(TriangleMesh::Previous(h)), MostAlongEdge * size);
+      mesh.GetFan(v, fan);
+      for (const Index h : fan)
+      {
+        const Index back = TriangleMesh::Previous(h);
+        lower(h / 3, mesh.Edge(h), mesh.Point(mesh.Head(h)), size);
+        lower(h / 3, mesh.Edge(back), mesh.Point(mesh.Tail(back)), size);
+      }
     }
   }
   return limited;

@@ -140,6 +140,81 @@ TEST(SizeMetric, SizesDoNotJump)
   EXPECT_TRUE(SizesOfMetric(geometry, {}).empty());
 }
 
+/// Nor do they across a line where three sheets meet.
+TEST(SizeMetric, SizesDoNotJumpBetweenSheets)
+{
+  constexpr int cells = 8;
+  Surface rib = Meshes::Square(cells);
+  const auto plate = static_cast<Index>(rib.Points.size());
+  std::map<int, Index> last;
+  for (Index p = 0; p < plate; ++p)
+  {
+    if (std::abs(rib.Points[p].y() - 0.5) < 1e-9)
+    {
+      last[static_cast<int>(std::lround(rib.Points[p].x() * cells))] = p;
+    }
+  }
+  ASSERT_EQ(last.size(), cells + 1U);
+  for (int row = 1; row <= cells; ++row)
+  {
+    std::map<int, Index> next;
+    for (const auto& [column, p] : last)
+    {
+      next[column] = static_cast<Index>(rib.Points.size());
+      rib.Points.emplace_back(rib.Points[p].x(), 0.5, static_cast<double>(row) / cells);
+    }
+    for (int column = 0; column < cells; ++column)
+    {
+      rib.Triangles.push_back({ last[column], last[column + 1], next[column] });
+      rib.Triangles.push_back({ next[column], last[column + 1], next[column + 1] });
+    }
+    last = next;
+  }
+  const SurfaceGeometry geometry(rib);
+  const std::vector<double> sizes = SizesOfMetric(
+    geometry, AtPoints(rib, [](const Vector3& p) { return p.z() > 0.0 ? 0.2 : 5.0; }));
+  ASSERT_EQ(sizes.size(), rib.Points.size());
+  for (const Triangle& t : rib.Triangles)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_LE(sizes[t[c]], 1.3 * sizes[t[(c + 1) % 3]] * (1.0 + 1e-12));
+    }
+  }
+}
+
+/// On needles, as CAD programs write them, lengths divided by sizes that jump are those of triangles.
+TEST(SizeMetric, NeedlesStayTriangles)
+{
+  Surface strip;
+  constexpr int needles = 60;
+  for (Index k = 0; k <= needles; ++k)
+  {
+    strip.Points.emplace_back(0.03 * k, 0.0, 0.0);
+    strip.Points.emplace_back(0.03 * k, 1.0, 0.0);
+    if (k > 0)
+    {
+      strip.Triangles.push_back({ 2 * k - 2, 2 * k, 2 * k - 1 });
+      strip.Triangles.push_back({ 2 * k - 1, 2 * k, 2 * k + 1 });
+    }
+  }
+  const std::vector<double> sizes = SizesOfMetric(SurfaceGeometry(strip),
+    AtPoints(strip, [](const Vector3& p) { return p.x() < 0.8 ? 0.2 : 5.0; }));
+  ASSERT_EQ(sizes.size(), strip.Points.size());
+  for (const Triangle& t : strip.Triangles)
+  {
+    std::array<double, 3> lengths{};
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index p = t[c];
+      const Index q = t[(c + 1) % 3];
+      lengths[c] = (strip.Points[p] - strip.Points[q]).norm() / std::sqrt(sizes[p] * sizes[q]);
+    }
+    std::sort(lengths.begin(), lengths.end());
+    EXPECT_LT(lengths[2], lengths[0] + lengths[1]);
+  }
+}
+
 /// A direction along an edge is along that edge in the other metric, too, and back again all
 /// directions are what they were.
 TEST(SizeMetric, DirectionsKeepToTheirEdges)
@@ -197,5 +272,9 @@ TEST(SizeMetric, IsMadeAnewForOtherSizes)
   Remesh remesh(std::make_shared<Surface>(sphere));
   remesh.Compute(even);
   const RemeshOptions front = WithSizes(AtPoints(sphere, Front), true);
+  EXPECT_EQ(remesh.Compute(front).Points, Remeshed(sphere, front).Points);
+  RemeshOptions frontWithout = front;
+  frontWithout.AddIrregularPairs = false;
+  EXPECT_EQ(remesh.Compute(frontWithout).Points, Remeshed(sphere, frontWithout).Points);
   EXPECT_EQ(remesh.Compute(front).Points, Remeshed(sphere, front).Points);
 }
