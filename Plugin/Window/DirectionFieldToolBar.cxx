@@ -86,8 +86,10 @@ void DirectionFieldToolBar::insertButtons()
   for (QAction* action : bar->actions())
   {
     // In a window of 1280 pixels there is no room for all. Fields of files are opened by File,
-    // Open, and the menu has the filter. ParaView 5.11 ignores the attribute omit_from_toolbar.
-    if (action->objectName() == "ReadDirectionField")
+    // Open, few compare fields, and the menu has both filters. ParaView 5.11 ignores the attribute
+    // omit_from_toolbar.
+    if (action->objectName() == "ReadDirectionField" ||
+      action->objectName() == "CompareDirectionFields")
     {
       bar->removeAction(action);
     }
