@@ -233,6 +233,7 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   wishes.Extent = request.Unit * Extent(request.Input);
   wishes.ToSurface = request.Unit * result.MaximumDistance;
   wishes.ToMesh = request.Unit * result.MaximumDistanceToMesh;
+  wishes.PartCrossed = request.Field.GetPartCrossed();
   for (std::size_t v = 0; !options.Sizing.empty() && v < result.Points.size(); ++v)
   {
     const Triangle& t = request.Input.Triangles[result.SourceTriangle[v]];
@@ -322,7 +323,7 @@ const char* Remesh::StepAt(double done)
     : ofFirst < AfterField        ? "Computing the field"
     : ofFirst < AfterCells        ? "Mapping the surface to a grid"
     : ofFirst <= 1.0              ? "Smoothing the mesh"
-    : done <= AfterShrinkings     ? "Making faces smaller at thin parts"
+    : done < AfterShrinkings      ? "Making faces smaller at thin parts"
                                   : "Making another mesh for better faces";
 }
 

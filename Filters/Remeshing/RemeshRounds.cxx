@@ -19,6 +19,8 @@ namespace
 {
 /// How often a mesh with smaller faces at its thin parts is made.
 constexpr int MostShrinkings = 3;
+/// Distances that are a smaller part of the edge length are the same.
+constexpr double Negligible = 1e-3;
 /// Lengths of the grid's edges, as parts of the wanted one, for which a bad mesh is made anew.
 constexpr std::array<double, 2> OtherLengths = { 0.98, 1.02 };
 
@@ -26,7 +28,8 @@ MeshStanding StandingOf(const RemeshResult& mesh)
 {
   return { std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh),
     LeastQuality(mesh.Points, mesh.Faces),
-    std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore) };
+    std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore),
+    Negligible * mesh.EdgeLength };
 }
 }
 

@@ -11,11 +11,11 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -72,6 +72,31 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(vtkDataObject* input)
   triangulate->PassLinesOff();
   triangulate->Update();
   return triangulate->GetOutput();
+}
+
+/// Gives the first process the answer of the one that has the surface.
+void SendToFirst(vtkPolyData* answer, bool hasSurface)
+{
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() == 1)
+  {
+    return;
+  }
+  constexpr int tag = 58311;
+  const int rank = controller->GetLocalProcessId();
+  const int own = hasSurface ? rank : -1;
+  int owner = -1;
+  controller->AllReduce(&own, &owner, 1, vtkCommunicator::MAX_OP);
+  if (owner > 0 && rank == owner)
+  {
+    controller->Send(answer, 0, tag);
+  }
+  else if (owner > 0 && rank == 0)
+  {
+    vtkNew<vtkPolyData> received;
+    controller->Receive(received, owner, tag);
+    answer->ShallowCopy(received);
+  }
 }
 }
 
@@ -159,6 +184,8 @@ public:
     return !this->Hit(from, to, hit);
   }
 
+  bool HasSurface() const { return this->Triangles->GetNumberOfCells() > 0; }
+
   const DirectionFields::SingularityHand& GetHand() const { return *this->Hand; }
 
 private:
@@ -243,6 +270,7 @@ int vtkSingularityHand::RequestData(vtkInformation* vtkNotUsed(request),
     note->InsertNextValue(problem.what());
     output->GetFieldData()->AddArray(note);
   }
+  SendToFirst(output, this->Last && this->Last->HasSurface());
   return 1;
 }
 
@@ -255,15 +283,8 @@ void vtkSingularityHand::Take(Target& target, vtkPolyData* output) const
     step.Singularities.push_back(
       { Vector3(row[0], row[1], row[2]), static_cast<int>(std::lround(row[3])) });
   }
-  vtkNew<vtkDoubleArray> hit;
-  hit->SetName("Hit");
-  hit->SetNumberOfComponents(3);
   Vector3 place = Vector3::Constant(std::nan(""));
-  if (target.Hit(this->Ray, this->Ray + 3, place.data()))
-  {
-    hit->InsertNextTuple(place.data());
-  }
-  else
+  if (!target.Hit(this->Ray, this->Ray + 3, place.data()))
   {
     place.setConstant(std::nan(""));
   }
@@ -311,7 +332,6 @@ void vtkSingularityHand::Take(Target& target, vtkPolyData* output) const
   output->GetPointData()->AddArray(visible);
   output->GetFieldData()->AddArray(note);
   output->GetFieldData()->AddArray(isDone);
-  output->GetFieldData()->AddArray(hit);
 }
 
 //------------------------------------------------------------------------------

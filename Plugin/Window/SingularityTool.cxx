@@ -7,7 +7,6 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
-#include "pqCoreUtilities.h"
 #include "pqPipelineSource.h"
 #include "pqQVTKWidget.h"
 #include "pqRenderView.h"
@@ -19,13 +18,9 @@
 #include "vtkSMTrace.h"
 
 #include <QApplication>
-#include <QCursor>
 #include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QMainWindow>
 #include <QMenu>
 #include <QMouseEvent>
-#include <QStatusBar>
 
 namespace
 {
@@ -33,18 +28,11 @@ namespace
 constexpr qint64 SLOW = 200;
 constexpr int PAUSE = 250;
 
-void Say(const QString& text)
-{
-  if (auto* const window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
-  {
-    window->statusBar()->showMessage(text);
-  }
-}
-
 /// The text that an expression of Python gives.
 QString Evaluate(const QString& expression)
 {
-  const QString script = QString("try:\n"
+  const QString script = QString("_directionfields_answer = ''\n"
+                                 "try:\n"
                                  "  import paraview.simple\n"
                                  "  import directionfields.singularities\n"
                                  "  _directionfields_answer = directionfields.singularities.%1\n"
@@ -76,7 +64,7 @@ SingularityTool* SingularityTool::instance()
 
 //------------------------------------------------------------------------------
 SingularityTool::SingularityTool(QObject* parent)
-  : QObject(parent)
+  : ViewTool(parent)
 {
   this->Move.setSingleShot(true);
   this->Refresh.setSingleShot(true);
@@ -92,6 +80,11 @@ void SingularityTool::setOn(bool on)
   {
     return;
   }
+  if (this->IsBusy)
+  {
+    emit this->toggled(this->IsOn);
+    return;
+  }
   this->IsOn = on;
   QString problem;
   if (on)
@@ -100,13 +93,15 @@ void SingularityTool::setOn(bool on)
     problem = this->ask("begin()");
     END_UNDO_SET();
     this->IsOn = problem.isEmpty();
+    pqPipelineSource* const source = pqActiveObjects::instance().activeSource();
+    this->Edited = source ? source->getProxy() : nullptr;
   }
   else
   {
     this->ask("end()");
   }
   this->follow();
-  Say(!on ? QString()
+  ViewTool::say(!on ? QString()
       : !problem.isEmpty()
       ? problem
       : tr("Drag a singularity along the surface; Shift-click adds some, Delete takes the one "
@@ -118,14 +113,10 @@ void SingularityTool::setOn(bool on)
 void SingularityTool::follow()
 {
   this->leave();
-  auto* const view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
-  this->View = view ? qobject_cast<pqQVTKWidget*>(view->widget()) : nullptr;
-  if (this->IsOn && this->View)
+  pqRenderView* const view = this->IsOn ? this->attach() : nullptr;
+  if (view)
   {
-    this->View->renderWidget()->installEventFilter(this);
     this->View->renderWidget()->setMouseTracking(true);
-    // Keys go to the widget with the focus: Delete elsewhere would delete a filter.
-    this->View->renderWidget()->setFocus();
     // The camera, or properties in the panel, may have changed.
     this->Rendered = this->connect(view, &pqView::endRender, this,
       [this]
@@ -152,33 +143,8 @@ void SingularityTool::leave()
 {
   this->drop();
   this->Refresh.stop();
-  if (this->View)
-  {
-    this->View->renderWidget()->removeEventFilter(this);
-    this->View->unsetCursor();
-  }
+  this->detach();
   QObject::disconnect(this->Rendered);
-}
-
-//------------------------------------------------------------------------------
-bool SingularityTool::eventFilter(QObject* object, QEvent* event)
-{
-  switch (event->type())
-  {
-    case QEvent::Enter:
-      this->View->renderWidget()->setFocus();
-      return false;
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonRelease:
-      return this->mouse(static_cast<QMouseEvent*>(event));
-    case QEvent::ShortcutOverride:
-    case QEvent::KeyPress:
-      return this->key(static_cast<QKeyEvent*>(event));
-    default:
-      return this->QObject::eventFilter(object, event);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +153,12 @@ bool SingularityTool::mouse(QMouseEvent* event)
   this->Mouse = event->localPos();
   if (this->IsDragging)
   {
-    if (event->type() == QEvent::MouseMove)
+    if (event->type() == QEvent::MouseMove && !(event->buttons() & Qt::LeftButton))
+    {
+      // Another window, or a computation, has had the release.
+      this->drop();
+    }
+    else if (event->type() == QEvent::MouseMove)
     {
       this->HasMoved = true;
       // Moves that come during an update are taken together; a slow one waits for a pause.
@@ -223,7 +194,7 @@ bool SingularityTool::mouse(QMouseEvent* event)
       this->HasMoved = false;
       this->View->setCursor(Qt::ClosedHandCursor);
       BEGIN_UNDO_SET(tr("Move singularity"));
-      Say(answer.mid(1));
+      ViewTool::say(answer.mid(1));
       return true;
     }
   }
@@ -234,7 +205,7 @@ bool SingularityTool::mouse(QMouseEvent* event)
     this->View->setToolTip(answer);
     if (!answer.isEmpty())
     {
-      Say(answer);
+      ViewTool::say(answer);
     }
   }
   return false;
@@ -243,11 +214,11 @@ bool SingularityTool::mouse(QMouseEvent* event)
 //------------------------------------------------------------------------------
 void SingularityTool::drag()
 {
-  if (this->IsDragging && !this->IsBusy)
+  if (this->IsDragging && !this->IsBusy && this->View)
   {
     QElapsedTimer timer;
     timer.start();
-    Say(this->ask(QString("drag(%1)").arg(this->place(this->Mouse))));
+    ViewTool::say(this->ask(QString("drag(%1)").arg(this->place(this->Mouse))));
     this->IsSlow = timer.elapsed() > SLOW;
   }
 }
@@ -257,6 +228,12 @@ void SingularityTool::drop()
 {
   if (!this->IsDragging)
   {
+    return;
+  }
+  if (this->IsBusy)
+  {
+    // The last place of the mouse is still to come.
+    QTimer::singleShot(PAUSE, this, &SingularityTool::drop);
     return;
   }
   if (this->HasMoved)
@@ -278,27 +255,12 @@ void SingularityTool::drop()
 }
 
 //------------------------------------------------------------------------------
-bool SingularityTool::key(QKeyEvent* event)
+void SingularityTool::remove()
 {
-  const bool isDelete = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
-  if (!isDelete && event->key() != Qt::Key_Escape)
-  {
-    return false;
-  }
-  if (event->type() == QEvent::ShortcutOverride)
-  {
-    // Not a shortcut of the window, which would delete a filter.
-    event->accept();
-  }
-  else if (isDelete && !this->IsDragging && !this->IsBusy)
+  if (!this->IsDragging && !this->IsBusy)
   {
     this->change(tr("Remove singularity"), QString("merge(%1)").arg(this->place(this->Mouse)));
   }
-  else if (!isDelete)
-  {
-    this->setOn(false);
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -364,14 +326,13 @@ void SingularityTool::change(const QString& step, const QString& call)
   const QString note = this->ask(call);
   this->record();
   END_UNDO_SET();
-  Say(note);
+  ViewTool::say(note);
 }
 
 //------------------------------------------------------------------------------
 void SingularityTool::record()
 {
-  pqPipelineSource* const source = pqActiveObjects::instance().activeSource();
-  vtkSMProxy* const proxy = source ? source->getProxy() : nullptr;
+  vtkSMProxy* const proxy = this->Edited;
   if (proxy && proxy->GetProperty("SingularityList"))
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
@@ -385,7 +346,6 @@ void SingularityTool::record()
 //------------------------------------------------------------------------------
 QString SingularityTool::place(const QPointF& position) const
 {
-  const double ratio = this->View->effectiveDevicePixelRatio();
-  const double height = this->View->renderWidget()->height();
-  return QString("%1, %2").arg(position.x() * ratio).arg((height - 1.0 - position.y()) * ratio);
+  const QPointF pixel = this->pixel(position);
+  return QString("%1, %2").arg(pixel.x()).arg(pixel.y());
 }

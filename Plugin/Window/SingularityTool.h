@@ -12,17 +12,14 @@
 #ifndef SingularityTool_h
 #define SingularityTool_h
 
-#include <QObject>
+#include "ViewTool.h"
+#include "vtkSMProxy.h"
+#include "vtkWeakPointer.h"
+
 #include <QPointF>
-#include <QPointer>
 #include <QTimer>
 
-class QKeyEvent;
-class QMouseEvent;
-class pqQVTKWidget;
-class pqView;
-
-class SingularityTool : public QObject
+class SingularityTool : public ViewTool
 {
   Q_OBJECT
 
@@ -30,13 +27,8 @@ public:
   /// The one of the window.
   static SingularityTool* instance();
 
-  bool eventFilter(QObject* object, QEvent* event) override;
-
 public slots:
-  void setOn(bool on);
-
-signals:
-  void toggled(bool on);
+  void setOn(bool on) override;
 
 private slots:
   /// The handles are in one view only: the tool is switched off with it.
@@ -49,8 +41,8 @@ private:
   /// Listens to the active view.
   void follow();
   void leave();
-  bool mouse(QMouseEvent* event);
-  bool key(QKeyEvent* event);
+  bool mouse(QMouseEvent* event) override;
+  void remove() override;
   void offer(const QPointF& position);
   void drop();
   /// Calls a function of directionfields.singularities; the answer is a sentence for the user.
@@ -60,15 +52,15 @@ private:
   void record();
   QString place(const QPointF& position) const;
 
-  bool IsOn = false;
   bool IsDragging = false;
   bool IsBusy = false;
   bool IsSlow = false;
   bool HasMoved = false;
+  /// The filter whose singularities are edited.
+  vtkWeakPointer<vtkSMProxy> Edited;
   QPointF Mouse;
   QTimer Move;
   QTimer Refresh;
-  QPointer<pqQVTKWidget> View;
   QMetaObject::Connection Rendered;
 };
 

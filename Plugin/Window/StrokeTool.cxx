@@ -6,16 +6,11 @@
 #include "PythonAction.h"
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
-#include "pqCoreUtilities.h"
 #include "pqQVTKWidget.h"
-#include "pqRenderView.h"
 
 #include <QCursor>
-#include <QKeyEvent>
-#include <QMainWindow>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QStatusBar>
 #include <QStringList>
 
 namespace
@@ -51,14 +46,6 @@ private:
   const QPolygonF& Path;
 };
 
-void Say(const QString& text)
-{
-  if (auto* const window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
-  {
-    window->statusBar()->showMessage(text);
-  }
-}
-
 QString Tuple(const QPointF& point)
 {
   return QString("(%1, %2)").arg(point.x()).arg(point.y());
@@ -78,7 +65,7 @@ StrokeTool* StrokeTool::instance()
 
 //------------------------------------------------------------------------------
 StrokeTool::StrokeTool(QObject* parent)
-  : QObject(parent)
+  : ViewTool(parent)
 {
   this->connect(&pqActiveObjects::instance(), SIGNAL(viewChanged(pqView*)), SLOT(follow()));
 }
@@ -92,7 +79,7 @@ void StrokeTool::setOn(bool on)
   }
   this->IsOn = on;
   this->follow();
-  Say(on
+  ViewTool::say(on
       ? tr(
           "Drag over a surface to draw a stroke that its field follows; click on a stroke to select "
           "it; Delete takes that or the one under the mouse away, Escape ends drawing")
@@ -104,14 +91,9 @@ void StrokeTool::setOn(bool on)
 void StrokeTool::follow()
 {
   this->leave();
-  auto* const view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
-  this->View = view ? qobject_cast<pqQVTKWidget*>(view->widget()) : nullptr;
-  if (this->IsOn && this->View)
+  if (this->IsOn && this->attach())
   {
-    this->View->renderWidget()->installEventFilter(this);
     this->View->setCursor(Qt::CrossCursor);
-    // Keys go to the widget with the focus: Delete elsewhere would delete a filter.
-    this->View->renderWidget()->setFocus();
   }
 }
 
@@ -120,32 +102,7 @@ void StrokeTool::leave()
 {
   this->IsDrawing = false;
   delete this->Line;
-  if (this->View)
-  {
-    this->View->renderWidget()->removeEventFilter(this);
-    this->View->unsetCursor();
-  }
-}
-
-//------------------------------------------------------------------------------
-bool StrokeTool::eventFilter(QObject* object, QEvent* event)
-{
-  switch (event->type())
-  {
-    case QEvent::Enter:
-      this->View->renderWidget()->setFocus();
-      return false;
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonRelease:
-      return this->mouse(static_cast<QMouseEvent*>(event));
-    case QEvent::ShortcutOverride:
-    case QEvent::KeyPress:
-      return this->key(static_cast<QKeyEvent*>(event));
-    default:
-      return this->QObject::eventFilter(object, event);
-  }
+  this->detach();
 }
 
 //------------------------------------------------------------------------------
@@ -182,28 +139,10 @@ bool StrokeTool::mouse(QMouseEvent* event)
 }
 
 //------------------------------------------------------------------------------
-bool StrokeTool::key(QKeyEvent* event)
+void StrokeTool::remove()
 {
-  const bool isDelete = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
-  if (!isDelete && event->key() != Qt::Key_Escape)
-  {
-    return false;
-  }
-  if (event->type() == QEvent::ShortcutOverride)
-  {
-    // Not a shortcut of the window, which would delete a filter.
-    event->accept();
-  }
-  else if (isDelete)
-  {
-    const QPointF place = this->pixel(this->View->renderWidget()->mapFromGlobal(QCursor::pos()));
-    RunPythonAction(tr("Remove stroke"), QString("remove_stroke(%1)").arg(Tuple(place)));
-  }
-  else
-  {
-    this->setOn(false);
-  }
-  return true;
+  const QPointF place = this->pixel(this->View->renderWidget()->mapFromGlobal(QCursor::pos()));
+  RunPythonAction(tr("Remove stroke"), QString("remove_stroke(%1)").arg(Tuple(place)));
 }
 
 //------------------------------------------------------------------------------
@@ -222,12 +161,4 @@ void StrokeTool::draw()
     points << Tuple(this->pixel(position));
   }
   RunPythonAction(tr("Draw stroke"), QString("draw_stroke([%1])").arg(points.join(", ")));
-}
-
-//------------------------------------------------------------------------------
-QPointF StrokeTool::pixel(const QPointF& position) const
-{
-  const double ratio = this->View->effectiveDevicePixelRatio();
-  const double height = this->View->renderWidget()->height();
-  return QPointF(position.x(), height - 1.0 - position.y()) * ratio;
 }

@@ -11,15 +11,12 @@
 #ifndef StrokeTool_h
 #define StrokeTool_h
 
-#include <QObject>
+#include "ViewTool.h"
+
 #include <QPointer>
 #include <QPolygonF>
 
-class QKeyEvent;
-class QMouseEvent;
-class pqQVTKWidget;
-
-class StrokeTool : public QObject
+class StrokeTool : public ViewTool
 {
   Q_OBJECT
 
@@ -27,13 +24,8 @@ public:
   /// The one of the window.
   static StrokeTool* instance();
 
-  bool eventFilter(QObject* object, QEvent* event) override;
-
 public slots:
-  void setOn(bool on);
-
-signals:
-  void toggled(bool on);
+  void setOn(bool on) override;
 
 private slots:
   /// Goes over to the active view.
@@ -42,15 +34,12 @@ private slots:
 private:
   explicit StrokeTool(QObject* parent);
   void leave();
-  bool mouse(QMouseEvent* event);
-  bool key(QKeyEvent* event);
+  bool mouse(QMouseEvent* event) override;
+  void remove() override;
   void draw();
-  QPointF pixel(const QPointF& position) const;
 
-  bool IsOn = false;
   bool IsDrawing = false;
   QPolygonF Path;
-  QPointer<pqQVTKWidget> View;
   QPointer<QWidget> Line;
 };
 

@@ -128,7 +128,8 @@ class Hand:
         put(self.proxy, SingularityList=[float(x) for x in rows.ravel()], Step=step, Eye=eye,
             KeepConstraints=self.edit.KeepConstraints, Ray=[float(x) for x in np.ravel(ray)],
             **{"Index" if step in (ADD, ADD_PAIR) else "Which": number})
-        data = servermanager.Fetch(self.proxy)
+        # Of several processes of a server the first one has the answer.
+        data = servermanager.Fetch(self.proxy, 0)
         fields, points = data.GetFieldData(), data.GetPointData()
         note, done = fields.GetAbstractArray("Note"), fields.GetArray("IsDone")
         self.note = note.GetValue(0) if note and note.GetNumberOfValues() else ""
@@ -140,8 +141,9 @@ class Hand:
 
     def look(self):
         """Reads the list, and which of its singularities are seen."""
+        put(self.whole, Input=self.edit.Input)
         self.rows = rows_of(self.edit)
-        self.degree = self.degree or degree_of(simple.OutputPort(self.edit, 0))
+        self.degree = degree_of(simple.OutputPort(self.edit, 0))
         note = self.note
         _, self.seen, _ = self.ask(LOOK)
         self.note = note
@@ -227,7 +229,7 @@ class Handles:
         self.renderer.RemoveActor(self.text)
 
 
-# The handles while the button is down; see SingularityTool.
+# The handles while the button is on; see SingularityTool.
 _handles = None
 
 
@@ -259,6 +261,7 @@ def begin():
             _handles = Handles(Hand(edit, view))
             simple.Render(view)
     except Exception as problem:
+        end()
         complain(BUTTON, problem)
         return " ".join(str(problem).split()) or type(problem).__name__
     return ""
@@ -313,10 +316,14 @@ def hover(x, y):
     return handles.hand.describe(number) if number is not None else ""
 
 
+@answers
 def press(x, y):
     """Whether there is a handle to drag: then the answer begins with +."""
+    refresh()
     text = hover(x, y)
-    return f"+{text}" if _handles is not None and _handles.held is not None else ""
+    handles = alive()
+    is_there = handles is not None and handles.hand.at((x, y)) is not None
+    return f"+{text}" if is_there else ""
 
 
 def change(step, number, pixel, is_kept=False):
@@ -335,10 +342,11 @@ def change(step, number, pixel, is_kept=False):
 @answers
 def drag(x, y):
     """Moves the handle that is held, with its field."""
-    if _handles is None or _handles.held is None:
+    handles = alive()
+    if handles is None or handles.held is None:
         return
-    note = change(MOVE, _handles.held, (x, y), True)
-    return note or _handles.hand.describe(_handles.held)
+    note = change(MOVE, handles.held, (x, y), True)
+    return note or handles.hand.describe(handles.held)
 
 
 @answers
@@ -351,11 +359,13 @@ def drop():
 
 @answers
 def add(x, y, index, pair):
+    refresh()
     return change(ADD_PAIR if pair else ADD, index, (x, y))
 
 
 @answers
 def merge(x, y):
+    refresh()
     handles = alive()
     number = handles.hand.at((x, y)) if handles else None
     return "There is no singularity under the mouse." if number is None else (

@@ -64,4 +64,4 @@ def check_undone(view):
 
 view = GetActiveView()
 Steps.take_next([lambda step=step: step(view)
-                 for step in (aim, check_moved, check_undone)])
+                 for step in (aim, check_moved, check_moved, check_undone)])

@@ -42,6 +42,26 @@ def client(port):
                  ("Eigenvalue", "EulerCharacteristic", "IndexSum")], points,
                 distribution and distribution.GetTuple3(0), data.GetAbstractArray("Summary").GetValue(0))
 
+    def drag():
+        """A singularity of a surface in two pieces is moved by hand: one process has the whole."""
+        import numpy as np
+        from directionfields import singularities as room
+        from directionfields.strokes import Screen
+        field = [one for one in simple.GetSources().values() if one.GetXMLName() == "DirectionField"][-1]
+        field.UnitLength = 1
+        simple.SetActiveSource(field)
+        assert room.begin() == "", room.begin()
+        hand = room._handles.hand
+        assert hand.rows[:, 3].sum() == 8 and len(hand.seen) == len(hand.rows) and hand.seen.any()
+        number = int(np.argmax(hand.seen))
+        x, y = Screen(hand.view).pixels(hand.rows[number:number + 1, :3])[0]
+        middle = [0.5 * size for size in hand.view.ViewSize]
+        x, y = x + 0.2 * (middle[0] - x), y + 0.2 * (middle[1] - y)
+        assert hand.step(room.MOVE, number, (x, y)), hand.note
+        moved = list(hand.edit.SingularityList)[4 * number:4 * number + 3]
+        assert np.abs(Screen(hand.view).pixels([moved])[0] - [x, y]).max() < 1.0
+        room.end()
+
     simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
     wanted = compute()
     simple.Connect("localhost", port)
@@ -51,6 +71,7 @@ def client(port):
     assert abs(found[0][0] / wanted[0][0] - 1.0) < 1e-5, (found, wanted)
     assert found[0][1:] == wanted[0][1:] == [2.0, 8.0], (found, wanted)
     assert found[1] == wanted[1], (found, wanted)
+    drag()
     assert wanted[2] is None and found[2][:2] == (1.0, 2.0) and found[2][2] > 50, (found, wanted)
 
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -20,8 +21,8 @@ namespace DirectionFields
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// How many triangles lie between the two of a new pair: each is to have a handle of its own, and
-/// triangles next to each other could not turn as much as both ask for.
+/// How many steps from triangle to triangle the two of a new pair are apart: each is to have a handle
+/// of its own, and triangles next to each other could not turn as much as both ask for.
 constexpr int RingsOfPair = 4;
 }
 
@@ -340,11 +341,18 @@ HandStep SingularityHand::AddPair(
     step.Note = "There is no surface to put a pair on, or its index is 0.";
     return step;
   }
+  // Where there is a singularity already, the two would add up.
+  std::set<Index> taken = { triangle };
+  for (const WantedSingularity& singularity : singularities)
+  {
+    Vector3 position;
+    taken.insert(this->Found->TriangleAt(singularity.Position, position));
+  }
   Index other = None;
   this->Found->VisitFrom(triangle,
     [&](Index reached, int steps)
     {
-      other = this->Found->Mesh().IsFront(reached) && reached != triangle ? reached : other;
+      other = this->Found->Mesh().IsFront(reached) && taken.count(reached) == 0 ? reached : other;
       return steps >= RingsOfPair && other == reached;
     });
   if (other == None)

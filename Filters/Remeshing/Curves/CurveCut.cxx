@@ -42,24 +42,6 @@ Ends Sorted(Index p, Index q)
   return { std::min(p, q), std::max(p, q) };
 }
 
-double DiagonalOf(const Surface& surface)
-{
-  Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
-  Vector3 most = -least;
-  for (const Triangle& triangle : surface.Triangles)
-  {
-    for (const Index p : triangle)
-    {
-      if (p >= 0 && p < static_cast<Index>(surface.Points.size()) && surface.Points[p].allFinite())
-      {
-        least = least.cwiseMin(surface.Points[p]);
-        most = most.cwiseMax(surface.Points[p]);
-      }
-    }
-  }
-  return least.x() <= most.x() ? (most - least).norm() : 0.0;
-}
-
 /// The surface without triangles that have a corner twice, which can be no part of a cut: their
 /// corners become ids of no point, so that the others keep their numbers.
 Surface WithoutCollapsed(const Surface& surface)
@@ -111,7 +93,7 @@ public:
     : Mesh(surface)
     , Asked(progress)
     , Places(WithoutCollapsed(surface))
-    , Limit(MostDistance * DiagonalOf(surface))
+    , Limit(MostDistance * Extent(surface))
   {
   }
 

@@ -27,6 +27,10 @@ constexpr double Rounding = 1e-9;
 /// Cells of a grid in which close points are in the same one or in neighbours.
 std::array<double, 3> CellOf(const Vector3& place, double size)
 {
+  if (!(size > 0.0))
+  {
+    return {};
+  }
   return { std::floor(place.x() / size), std::floor(place.y() / size),
     std::floor(place.z() / size) };
 }

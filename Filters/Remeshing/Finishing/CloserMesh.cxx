@@ -13,8 +13,10 @@ namespace
 constexpr double GoodEnough = 0.2;
 /// By which factor a closer mesh has to be closer.
 constexpr double Closer = 0.8;
-/// Or its worst face better by this one, if it is not much farther away.
+/// Or its worst face better by this factor or usable for the first time, and by this much, if it is
+/// not much farther away.
 constexpr double Better = 2.0;
+constexpr double LeastGain = 0.05;
 constexpr double AboutAsClose = 1.15;
 }
 
@@ -32,8 +34,11 @@ bool IsCloser(const MeshStanding& mesh, const MeshStanding& other)
 {
   const double quality = std::min(mesh.LeastQuality, GoodEnough);
   const double former = std::min(other.LeastQuality, GoodEnough);
-  const double times = mesh.Farthest / other.Farthest;
+  const double farthest = std::max(mesh.Farthest, mesh.LeastDistance);
+  const double before = std::max(other.Farthest, other.LeastDistance);
+  const bool isBetter = quality > former + LeastGain &&
+    (quality > Better * former || (former < LeastUsable && quality >= LeastUsable));
   return mesh.MissedHoles <= other.MissedHoles && quality >= former &&
-    (times < Closer || (times < AboutAsClose && quality > Better * former));
+    (farthest < Closer * before || (farthest < AboutAsClose * before && isBetter));
 }
 }

@@ -22,6 +22,8 @@ struct MeshStanding
   double LeastQuality = 1.0;
   /// By how much the Euler characteristics of mesh and surface differ.
   int MissedHoles = 0;
+  /// Distances below this one are the same, such as those of planes, which are rounding errors.
+  double LeastDistance = 0.0;
 };
 
 /// The least scaled Jacobian of a face; 1 without faces.

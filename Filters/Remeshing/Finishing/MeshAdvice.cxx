@@ -27,6 +27,8 @@ constexpr double MostPerLength = 1.0 / 3.0;
 constexpr double MostMissed = 1.3;
 /// The part of its wanted length that an edge may be off.
 constexpr double MostOff = 0.25;
+/// Directions that cross more of the kept edges are what makes faces bad.
+constexpr double MostCrossed = 0.1;
 /// Sizes are judged by this part of the faces, those that are to be the smallest or the largest.
 constexpr double Extremes = 0.1;
 
@@ -61,7 +63,11 @@ std::string AboutQuality(
   return std::to_string(bad) + (bad == 1 ? " face has" : " faces have") +
     " a scaled Jacobian below " + Figure(LeastUsable) +
     ", as the array ScaledJacobian shows: nearly flat or folded. " +
-    (wishes.IsSmoothed
+    (wishes.PartCrossed > MostCrossed
+        ? "The directions given cross " + Figure(100.0 * wishes.PartCrossed) +
+          " % of the edges that are kept: Constrain Sharp Edges and Constrain Boundary of Direction "
+          "Field make them follow these."
+        : wishes.IsSmoothed
         ? "A tenth fewer or more faces may avoid that, unless the surface itself is as pointed or "
           "folded there."
         : "Smoothing Iterations above 0 would make most of them regular.");

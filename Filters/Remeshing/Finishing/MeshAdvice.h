@@ -28,6 +28,8 @@ struct MeshWishes
   /// from the mesh.
   double ToSurface = 0.0;
   double ToMesh = 0.0;
+  /// The part of the kept edges that the directions given cross; 0 without such directions.
+  double PartCrossed = 0.0;
   /// The wanted length of edges at each vertex of the mesh, in the unit of its points; empty for
   /// the same everywhere.
   std::vector<double> Sizes;

@@ -21,16 +21,26 @@ constexpr double MostAlongEdge = 1.3;
 /// Sizes that differ by less are the same.
 constexpr double LeastDifference = 1.0 + 1e-6;
 
-/// The factor by which sizes may differ at the ends of an edge of a triangle.
+/// The factor by which sizes may differ at the ends of an edge of a triangle. Along the two shorter
+/// edges a and b of an obtuse one beside c it is no more than (a + b) / c: if the point between them
+/// were larger by the square of that, a and b would be as long as c together.
 double GrowthAlong(const SurfaceGeometry& geometry, Index triangle, Index edge)
 {
   double longest = 0.0;
+  double sum = 0.0;
   for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
-    longest = std::max(longest, geometry.Lengths.SquaredLength[geometry.Mesh.Edge(h)]);
+    const double length = std::sqrt(geometry.Lengths.SquaredLength[geometry.Mesh.Edge(h)]);
+    longest = std::max(longest, length);
+    sum += length;
   }
-  const double square = geometry.Lengths.SquaredLength[edge];
-  return square < longest ? std::pow(MostAlongEdge, std::sqrt(square / longest)) : MostAlongEdge;
+  const double length = std::sqrt(geometry.Lengths.SquaredLength[edge]);
+  if (!(length < longest))
+  {
+    return MostAlongEdge;
+  }
+  const double others = (sum - longest) / longest;
+  return std::max(1.0, std::min(std::pow(MostAlongEdge, length / longest), others));
 }
 
 /// The angles of the edges around a vertex, ascending from the first one of the fan on, and of the

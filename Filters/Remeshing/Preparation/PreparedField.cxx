@@ -6,6 +6,7 @@
 #include "Guidance/Guidance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -47,6 +48,29 @@ double AreaOf(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
   }
   return area;
 }
+}
+
+double PreparedField::GetPartCrossed() const
+{
+  constexpr double mostOff = 15.0 / 180.0 * Pi;
+  const SurfaceGeometry& geometry = this->GetGeometry();
+  double all = 0.0;
+  double crossed = 0.0;
+  for (Index e = 0; !this->Given.empty() && e < geometry.Mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = geometry.Mesh.HalfEdge(e);
+    const Index tail = geometry.Mesh.Tail(h);
+    const Complex value = this->IsFrameless[tail] != 0 ? 0.0 : this->Section[tail];
+    const bool isKept = this->IsFeature[e] != 0 || geometry.Mesh.Twin(h) == None;
+    if (isKept && value != 0.0)
+    {
+      const double length = std::sqrt(geometry.Lengths.SquaredLength[e]);
+      const Complex along = std::polar(1.0, -this->Degree * geometry.Transport.EdgeAngle[h]);
+      all += length;
+      crossed += std::abs(std::arg(value * along)) > this->Degree * mostOff ? length : 0.0;
+    }
+  }
+  return all > 0.0 ? crossed / all : 0.0;
 }
 
 double PreparedField::GetAreaLeft() const

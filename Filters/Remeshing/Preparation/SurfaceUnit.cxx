@@ -119,9 +119,15 @@ std::vector<std::vector<Vector3>> InUnit(
 double Extent(const Surface& surface)
 {
   Eigen::AlignedBox3d box;
-  for (const Vector3& point : surface.Points)
+  for (const Triangle& triangle : surface.Triangles)
   {
-    box.extend(point);
+    for (const Index p : triangle)
+    {
+      if (p >= 0 && p < static_cast<Index>(surface.Points.size()) && surface.Points[p].allFinite())
+      {
+        box.extend(surface.Points[p]);
+      }
+    }
   }
   return box.isEmpty() ? 0.0 : (box.max() - box.min()).stableNorm();
 }

@@ -115,6 +115,17 @@ TEST(SingularityHand, EachStepIsAListThatTheFieldCanHave)
   EXPECT_NE(merged.Note.find("both are gone"), std::string::npos) << merged.Note;
 }
 
+TEST(SingularityHand, APairComesWhereNoOtherIs)
+{
+  const Surface square = Square(20);
+  const SingularityHand hand(square);
+  const Vector3 place(9.3, 9.1, 0.0);
+  const Vector3 partner = hand.AddPair({}, place, 1).Singularities[1].Position;
+  const HandStep added = hand.AddPair({ { partner, 1 } }, place, 1);
+  ASSERT_EQ(added.Singularities.size(), 3u);
+  EXPECT_GT((added.Singularities[2].Position - partner).norm(), 0.1);
+}
+
 TEST(SingularityHand, MergesAlongTheSurfaceAndNotThroughIt)
 {
   // Two sheets, one close over the other, that are joined far away at x = 10.

@@ -73,7 +73,7 @@ TEST(GivenPoints, BecomeVerticesExactly)
 
 TEST(GivenPoints, OnARoundBodyAreAtTheClosestPlaces)
 {
-  const Surface sphere = Meshes::Icosphere(4);
+  const Surface sphere = Meshes::Icosphere(6);
   Curve points;
   for (int k = 0; k < 10; ++k)
   {

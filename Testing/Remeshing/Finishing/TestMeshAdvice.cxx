@@ -140,6 +140,9 @@ TEST(MeshAdvice, FlatFacesAreTold)
     MeshAdvice(points, flat, wishes)[0].rfind("1 face has a scaled Jacobian below 0.1", 0), 0u);
   wishes.IsSmoothed = false;
   EXPECT_NE(MeshAdvice(points, flat, wishes)[0].find("Smoothing Iterations"), std::string::npos);
+  wishes.PartCrossed = 0.25;
+  EXPECT_NE(MeshAdvice(points, flat, wishes)[0].find("cross 25 % of the edges that are kept"),
+    std::string::npos);
 }
 
 TEST(MeshAdvice, SizesThatAreNotReachedAreTold)

@@ -171,4 +171,14 @@ TEST(ThinParts, AnotherMeshIsTakenIfItIsBetterAndInNothingWorse)
   EXPECT_FALSE(IsCloser(meshOf(0.7, 0.09, 2), former));
   EXPECT_TRUE(IsCloser(meshOf(1.1, 1.0, 0), former));
   EXPECT_FALSE(IsCloser(meshOf(1.2, 1.0, 0), former));
+  // Usable for the first time; as much folded as before.
+  EXPECT_TRUE(IsCloser(meshOf(1.1, 0.15, 1), former));
+  EXPECT_FALSE(IsCloser(meshOf(1.1, -0.5, 1), meshOf(1.0, -0.51, 1)));
+  EXPECT_FALSE(IsCloser(meshOf(1.1, 1e-17, 1), meshOf(1.0, 0.0, 1)));
+  // On planes distances are rounding errors.
+  const auto flat = [](double distance, double quality) {
+    return MeshStanding{ distance, quality, 0, 1e-3 };
+  };
+  EXPECT_TRUE(IsCloser(flat(4e-16, 1.0), flat(0.0, 0.0)));
+  EXPECT_FALSE(IsCloser(flat(0.0, 0.05), flat(4e-16, 0.05)));
 }

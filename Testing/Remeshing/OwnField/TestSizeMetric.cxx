@@ -183,8 +183,9 @@ TEST(SizeMetric, SizesDoNotJumpBetweenSheets)
   }
 }
 
-/// On needles, as CAD programs write them, lengths divided by sizes that jump are those of triangles.
-TEST(SizeMetric, NeedlesStayTriangles)
+/// On needles and caps, as CAD programs write them, lengths divided by sizes that jump are those of
+/// triangles.
+TEST(SizeMetric, NeedlesAndCapsStayTriangles)
 {
   Surface strip;
   constexpr int needles = 60;
@@ -198,8 +199,16 @@ TEST(SizeMetric, NeedlesStayTriangles)
       strip.Triangles.push_back({ 2 * k - 1, 2 * k, 2 * k + 1 });
     }
   }
-  const std::vector<double> sizes = SizesOfMetric(SurfaceGeometry(strip),
-    AtPoints(strip, [](const Vector3& p) { return p.x() < 0.8 ? 0.2 : 5.0; }));
+  // Beside the strip, and the largest size at the apex.
+  const auto cap = static_cast<Index>(strip.Points.size());
+  strip.Points.insert(
+    strip.Points.end(), { { 0.0, 3.0, 0.0 }, { 1.0, 3.0, 0.0 }, { 0.5, 3.05, 0.0 } });
+  strip.Triangles.push_back({ cap, cap + 1, cap + 2 });
+  std::vector<double> wanted =
+    AtPoints(strip, [](const Vector3& p) { return p.x() < 0.8 ? 0.2 : 5.0; });
+  wanted[cap + 1] = 0.2;
+  wanted[cap + 2] = 5.0;
+  const std::vector<double> sizes = SizesOfMetric(SurfaceGeometry(strip), wanted);
   ASSERT_EQ(sizes.size(), strip.Points.size());
   for (const Triangle& t : strip.Triangles)
   {

@@ -171,6 +171,37 @@ TEST(PreparedField, IsOnlyForTheInputItWasPreparedFor)
   EXPECT_GT(features, 12);
 }
 
+TEST(PreparedField, KnowsWhichPartOfTheKeptEdgesItCrosses)
+{
+  const Surface square = Meshes::Square(8);
+  const auto crossed = [&](double angle)
+  {
+    const std::vector<Vector3> directions(
+      square.Points.size(), Vector3(std::cos(angle), std::sin(angle), 0.0));
+    return PreparedField(square, 4, Sharp, {}, directions, ShapeAlignment{ 0.25, 1.5 }, Progress())
+      .GetPartCrossed();
+  };
+  EXPECT_EQ(crossed(0.0), 0.0);
+  EXPECT_EQ(crossed(0.5 * Pi + 0.2), 0.0);
+  // The corners have no frame.
+  EXPECT_GT(crossed(0.6), 0.8);
+  EXPECT_LE(crossed(0.6), 1.0);
+  // Of the edges of a cube those along x and y.
+  const Surface cube = Meshes::FlatlySubdivided(Meshes::Cube(), 2);
+  for (const bool isAcross : { false, true })
+  {
+    const std::vector<Vector3> directions(
+      cube.Points.size(), isAcross ? Vector3(0.7, 0.7, 0.0) : Vector3(1.0, 0.0, 0.0));
+    const double part =
+      PreparedField(cube, 4, Sharp, {}, directions, ShapeAlignment{ 0.25, 1.5 }, Progress())
+        .GetPartCrossed();
+    EXPECT_TRUE(isAcross ? part > 0.5 : part < 0.1) << part;
+  }
+  EXPECT_EQ(PreparedField(square, 4, Sharp, {}, {}, ShapeAlignment{ 0.25, 1.5 }, Progress())
+              .GetPartCrossed(),
+    0.0);
+}
+
 TEST(WantedSizes, AreaIsInUnitsOfTheSize)
 {
   const Surface square = Meshes::Square(4, 3.0);
