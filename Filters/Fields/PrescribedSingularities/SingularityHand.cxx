@@ -21,8 +21,8 @@ namespace DirectionFields
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// How many steps from triangle to triangle the two of a new pair are apart: each is to have a handle
-/// of its own, and triangles next to each other could not turn as much as both ask for.
+/// How many steps from triangle to triangle the two of a new pair are apart: each is to have a
+/// handle of its own, and triangles next to each other could not turn as much as both ask for.
 constexpr int RingsOfPair = 4;
 }
 

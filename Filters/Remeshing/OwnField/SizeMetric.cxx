@@ -22,8 +22,8 @@ constexpr double MostAlongEdge = 1.3;
 constexpr double LeastDifference = 1.0 + 1e-6;
 
 /// The factor by which sizes may differ at the ends of an edge of a triangle. Along the two shorter
-/// edges a and b of an obtuse one beside c it is no more than (a + b) / c: if the point between them
-/// were larger by the square of that, a and b would be as long as c together.
+/// edges a and b beside c it is no more than (a + b) / c: if the size between them were larger by
+/// the square of that, a and b would be as long as c together.
 double GrowthAlong(const SurfaceGeometry& geometry, Index triangle, Index edge)
 {
   double longest = 0.0;

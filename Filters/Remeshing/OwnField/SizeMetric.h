@@ -12,7 +12,8 @@
 namespace DirectionFields::Internal
 {
 /// Sizes for the metric of a field: no larger than those given, and along no edge by more than a
-/// factor of 1.3 apart, and less along short edges of needles and caps, since lengths divided by sizes that jump are no lengths of triangles.
+/// factor of 1.3 apart, and less along short edges of needles and caps, since lengths divided by
+/// sizes that jump are no lengths of triangles.
 /// Empty where the sizes are the same everywhere, or none are given.
 /// @param sizes at the points of the surface, above 0
 std::vector<double> SizesOfMetric(

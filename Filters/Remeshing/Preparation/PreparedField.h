@@ -64,8 +64,8 @@ public:
   const FieldMatching& GetMatching() const { return this->Matching; }
   const std::vector<char>& GetFeatures() const { return this->IsFeature; }
   const std::vector<char>& GetFrameless() const { return this->IsFrameless; }
-  /// The part of the length of features and boundary, from 0 to 1, that a given field crosses: there it is
-  /// more than 15 degrees off them. 0 for an OwnField, which follows them.
+  /// The part of the length of features and boundary, from 0 to 1, that a given field crosses:
+  /// there it is more than 15 degrees off them. 0 for an OwnField, which follows them.
   double GetPartCrossed() const;
   const Seams& GetSeams() const { return this->Joints; }
   /// The triangles of the input.
