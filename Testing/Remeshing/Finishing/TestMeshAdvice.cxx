@@ -64,12 +64,12 @@ TEST(MeshAdvice, MeshesThatAreAsTheyShouldBeHaveNone)
 TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
 {
   RemeshOptions options;
-  options.NumberOfFaces = 1000;
+  options.NumberOfFaces = 300;
   options.KeepThinParts = false;
   const RemeshResult mesh = Remeshed(Star(), options);
   ASSERT_GT(100 * mesh.Triangles, static_cast<Index>(mesh.Faces.size()));
   EXPECT_NE(NoteWith(mesh, "are triangles. Pure Quads"), "");
-  const std::string number = NoteWith(mesh, "in place of 1000");
+  const std::string number = NoteWith(mesh, "in place of 300");
   ASSERT_NE(number, "");
   options.PureQuads = true;
   const RemeshResult pure = Remeshed(Star(), options);
@@ -78,8 +78,8 @@ TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
   options.PureQuads = false;
   options.NumberOfFaces = static_cast<Index>(NumberAfter(number, "A Number Of Faces of "));
   const RemeshResult more = Remeshed(Star(), options);
-  EXPECT_LT(std::abs(std::log(static_cast<double>(more.Faces.size()) / 1000.0)),
-    std::abs(std::log(static_cast<double>(mesh.Faces.size()) / 1000.0)));
+  EXPECT_LT(std::abs(std::log(static_cast<double>(more.Faces.size()) / 300.0)),
+    std::abs(std::log(static_cast<double>(mesh.Faces.size()) / 300.0)));
 }
 
 TEST(MeshAdvice, LimbsThatAreLostAreToldWithTheEdgeLengthThatComesCloser)
