@@ -289,7 +289,9 @@ Pieced MakeMesh(Processes& processes, const Messages& messages, const Surface& s
       made.Mesh =
         std::make_unique<DistributedMesh>(processes, messages, made.Around, covering.Shared);
       const bool hasFlat = made.Mesh->GetGeometry().Lengths.DegenerateTriangles > 0;
-      made.Reason = messages.Any(hasFlat) ? "a part of it has only one side, and it has triangles without area" : "";
+      made.Reason = messages.Any(hasFlat)
+        ? "a part of it has only one side, and it has triangles without area"
+        : "";
     }
     else
     {
