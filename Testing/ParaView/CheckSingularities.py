@@ -46,15 +46,25 @@ def aim(view):
     keep("PLACE", hand.rows[number])
 
 
-def check_moved(view):
-    """One has moved, to where the mouse has let go."""
+def moved_to(view, share):
+    """Whether one, and the same as before, is where the mouse has been at this share of the width."""
     now, number = rows(), int(kept("NUMBER")[0])
     assert len(now) == kept("COUNT")[0], len(now)
     assert now[number, 3] == kept("PLACE")[3]
     pixel = room.Screen(view).pixels(now[number:number + 1, :3])[0]
     width, height = view.ViewSize
-    assert abs(pixel[0] - 0.54 * width) < 3.0 and abs(pixel[1] - 0.5 * height) < 3.0, (
-        pixel, view.ViewSize)
+    return abs(pixel[0] - share * width) < 3.0 and abs(pixel[1] - 0.5 * height) < 3.0
+
+
+def check_dragged(view):
+    """One follows the mouse. Where an update takes longer than a fifth of a second, as on a loaded
+    machine, the last place of the mouse comes at its next pause or release."""
+    assert moved_to(view, 0.52) or moved_to(view, 0.54)
+
+
+def check_dropped(view):
+    """One is where the mouse has let go."""
+    assert moved_to(view, 0.54)
 
 
 def check_undone(view):
@@ -64,4 +74,4 @@ def check_undone(view):
 
 view = GetActiveView()
 Steps.take_next([lambda step=step: step(view)
-                 for step in (aim, check_moved, check_moved, check_undone)])
+                 for step in (aim, check_dragged, check_dropped, check_undone)])
