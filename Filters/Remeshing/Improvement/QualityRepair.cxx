@@ -173,7 +173,7 @@ private:
     }
     std::stable_sort(
       looks.begin(), looks.end(), [](const Look& a, const Look& b) { return a.Gain > b.Gain; });
-    looks.resize(std::min(looks.size(), MostLooks));
+    looks.erase(looks.begin() + std::min(looks.size(), MostLooks), looks.end());
     for (const Look& look : looks)
     {
       this->Edits.Do(look.Edit);

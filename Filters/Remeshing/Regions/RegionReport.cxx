@@ -59,7 +59,8 @@ struct BorderEdges
     for (const auto& [ends, regions] : regionsAt)
     {
       if (regions.size() > 1 &&
-        std::any_of(regions.begin(), regions.end(), [&](Index r) { return r != regions[0]; }))
+        std::any_of(
+          regions.begin(), regions.end(), [first = regions[0]](Index r) { return r != first; }))
       {
         this->Add(mesh.Points[ends[0]], mesh.Points[ends[1]]);
       }
