@@ -3,6 +3,7 @@
 
 #include "DistributedField.h"
 
+#include "Components/ComponentSolution.h"
 #include "Computation/FieldToResult.h"
 #include "Computation/Guide.h"
 #include "Computation/Stages.h"
@@ -15,7 +16,6 @@
 #include "Mesh/PieceWithSurroundings.h"
 #include "Mesh/SharedPoints.h"
 #include "Sections/SectionDirections.h"
-#include "Solver/ComponentSolution.h"
 #include "Solver/DistributedGuide.h"
 #include "Solver/PetscObjects.h"
 #include "Solver/PreviousPhase.h"
@@ -26,6 +26,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -315,11 +316,19 @@ std::vector<T> OnBothSides(std::vector<T> values, const PieceWithSurroundings& p
   return values;
 }
 
-Guidance OnBothSides(Guidance guidance, const PieceWithSurroundings& piece)
+/// Guidance at both sides.
+Guidance OnBothSides(
+  Processes& processes, const Guidance& guidance, const PieceWithSurroundings& piece)
 {
-  guidance.Vectors = OnBothSides(std::move(guidance.Vectors), piece);
-  guidance.Weights = OnBothSides(std::move(guidance.Weights), piece);
-  return guidance;
+  Guidance both;
+  processes.Together(
+    [&]
+    {
+      both = guidance;
+      both.Vectors = OnBothSides(std::move(both.Vectors), piece);
+      both.Weights = OnBothSides(std::move(both.Weights), piece);
+    });
+  return both;
 }
 
 void Compute(Processes& processes, const Messages& messages, const Surface& surface,
@@ -343,7 +352,7 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   const DistributedMesh& mesh = *pieced.Mesh;
   PieceWithSurroundings& around = pieced.Around;
   const DistributedGuide guide =
-    MakeGuide(processes, messages, mesh, around, options, OnBothSides(guidance, around));
+    MakeGuide(processes, messages, mesh, around, options, OnBothSides(processes, guidance, around));
   field.Reason = guide.Reason;
   if (!field.Reason.empty())
   {
@@ -352,8 +361,10 @@ void Compute(Processes& processes, const Messages& messages, const Surface& surf
   DistributedSolution solution =
     SolveDistributed(processes, messages, mesh, around, guide, options, goOn);
   std::vector<Complex>& section = solution.Section;
+  std::vector<Vector3> before;
+  processes.Together([&] { before = OnBothSides(previous, around); });
   FollowPrevious(
-    messages, mesh, around, guide, OnBothSides(previous, around), options.Degree, section);
+    processes, messages, mesh, around, guide, std::move(before), options.Degree, section);
   const double faded = FadedShare(messages, mesh, section);
   processes.Together(
     [&]
@@ -420,7 +431,15 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   const Threads::Scope scope(threads);
   const Messages messages(communicator.Handle);
   StartPetsc(communicator.Handle);
-  Compute(processes, messages, surface, piece, options, guidance, previous, goOn, field);
+  try
+  {
+    Compute(processes, messages, surface, piece, options, guidance, previous, goOn, field);
+  }
+  catch (const std::bad_alloc&)
+  {
+    // Where the others do not know of it, they wait for this one.
+    EndAllForMemory("");
+  }
   return field;
 }
 }

@@ -6,13 +6,14 @@ Those are solved for as one process does, on all processes at once, as small one
 across processes are solved for by all."""
 import re
 import sys
+import time
 
 sys.path.insert(0, sys.argv[1])
 
 import numpy as np
 
 import Surfaces
-from Comparing import check, compare, compare_singularities, count, make, rank, total
+from Comparing import check, compare, compare_singularities, count, end, make, rank, total
 from directionfields_vtk import vtkDirectionField, vtkPDirectionField
 
 DIRECT, MULTIGRID = vtkDirectionField.SOLVER_DIRECT, vtkDirectionField.SOLVER_MULTIGRID
@@ -82,6 +83,57 @@ def test_moved():
         check(len(used) == 30 and (used == DIRECT).all(), name, used)
 
 
+def chain():
+    """Large components, each on few of the processes: those without common processes are solved for at once."""
+    points, triangles, owner = [], [], []
+    processes = [[k, k + 1] for k in range(count - 1)] + [[0, count - 1], list(range(count)), [count - 2, count - 1]]
+    for k, members in enumerate(processes):
+        own, corners = (Surfaces.half if k % 3 == 2 else Surfaces.potato)(9 + k)
+        owner.append(np.array(members)[Surfaces.owners(own, corners, ("slabs", "random")[k % 2], len(members))])
+        triangles.append(corners + sum(map(len, points)))
+        points.append(own * (1.0, 1.0 + 0.1 * k, 1.0) + (3.0 * k, 0.0, 0.0))
+    return np.concatenate(points), np.concatenate(triangles), np.concatenate(owner), len(processes)
+
+
+def test_groups():
+    points, triangles, owner, number = chain()
+    arrays = {"Wanted": points[:, [1, 2, 0]] + 0.3, "Few": (points[:, 1] > 0.9) * 1.5}
+    guided = {"Alignment": vtkDirectionField.ALIGN_POINT_VECTORS, "GuidanceVectors": "Wanted"}
+    for options in ({}, {**guided, "GuidanceWeights": "Few", "ConstrainGuidance": 1, "ConstrainBoundary": 1}):
+        whole = make(vtkDirectionField, options, Surfaces.piece(points, triangles, arrays, owner * 0, 0))
+        part = make(vtkPDirectionField, {**options, "Distribution": vtkPDirectionField.DISTRIBUTED},
+                    Surfaces.piece(points, triangles, arrays, owner, rank))
+        name = f"groups {options}"
+        compare(whole, part, 4, name)
+        compare_singularities(whole, part, name)
+        used = Surfaces.array(part.GetOutput().GetFieldData(), "SolverUsed")
+        check(len(used) == number and (used == MULTIGRID).sum() == number, name, used)
+
+
+def test_stop_while_waiting():
+    """A process that waits for others, which solve for a component that it has no part of, can stop them."""
+    points, triangles = Surfaces.pair(12)
+    # The last one has a small component of its own.
+    ball, more = Surfaces.potato(4, shift=9.0)
+    owner = np.concatenate([Surfaces.owners(points, triangles, "random", count - 1), np.full(len(more), count - 1)])
+    points, triangles = np.concatenate([points, ball]), np.concatenate([triangles, more + len(points)])
+    field = vtkPDirectionField()
+    field.SetDistribution(vtkPDirectionField.DISTRIBUTED)
+    field.SetInputData(Surfaces.piece(points, triangles, {}, owner, rank))
+    began = []
+
+    def stop(source, event):
+        began.append(source.GetProgress())
+        if rank == count - 1 and source.GetProgress() > 0.5:
+            source.SetAbortExecute(1)
+        elif rank < count - 1:
+            # Whoever works must still be at it when the message comes.
+            time.sleep(0.01 if len(began) < 200 else 0.0)
+    field.AddObserver("ProgressEvent", stop)
+    field.Update()
+    check(field.GetOutput().GetNumberOfPoints() == 0, "stopped by the one that waits", began)
+
+
 def test_one_sided():
     """Components with one side that lie on one process each, and one that lies across all."""
     parts = [Surfaces.potato(9), Surfaces.moebius(40, 7), Surfaces.moebius(32, 6), Surfaces.moebius(36, 8)]
@@ -145,8 +197,6 @@ def test_stop():
         check(total(field.GetOutput().GetNumberOfCells()) == len(triangles), "after a stop")
 
 
-for test in (test_fields, test_moved, test_one_sided, test_faded, test_stop):
+for test in (test_fields, test_moved, test_groups, test_one_sided, test_faded, test_stop, test_stop_while_waiting):
     test()
-if rank == 0:
-    # Open MPI 5 may lose what is still on its way when processes end.
-    print("passed", flush=True)
+end()

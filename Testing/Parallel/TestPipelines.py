@@ -129,4 +129,4 @@ def main():
 
 main()
 # Open MPI 5 may lose what is still on its way when processes end.
-print("passed", flush=True)
+print(f"passed on all {count} processes", flush=True)

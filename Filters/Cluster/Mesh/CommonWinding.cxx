@@ -267,7 +267,7 @@ CommonWinding WindAlike(Processes& processes, const Messages& messages, const Tr
   }
   CommonWinding found;
   const std::vector<char> turn = Decide(joined, all, isOneSided, found);
-  found.IsOneSided.assign(piece.InputTriangle.size(), 0);
+  processes.Together([&] { found.IsOneSided.assign(piece.InputTriangle.size(), 0); });
   for (std::size_t t = 0; t < windings.size(); ++t)
   {
     if (windings[t].Part == None)

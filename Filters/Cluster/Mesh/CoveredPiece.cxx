@@ -238,4 +238,21 @@ Covering CoverOneSided(Processes& processes, const Messages& messages, const Sur
   }
   return covering;
 }
+
+std::vector<Index> VerticesBehind(const TriangleMesh& mesh, const PieceWithSurroundings& piece)
+{
+  std::unordered_map<vtkIdType, Index> vertexOf;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    vertexOf.emplace(piece.Number[mesh.Point(v)], v);
+  }
+  std::vector<Index> behind(static_cast<std::size_t>(mesh.GetNumberOfVertices()), None);
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    // The numbers of front and back differ in their last bit.
+    const auto other = vertexOf.find(piece.Number[mesh.Point(v)] ^ 1);
+    behind[v] = other == vertexOf.end() ? None : other->second;
+  }
+  return behind;
+}
 }

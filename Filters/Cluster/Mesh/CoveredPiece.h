@@ -7,6 +7,7 @@
 #include "Mesh/Messages.h"
 #include "Mesh/PieceWithSurroundings.h"
 #include "Mesh/SharedPoints.h"
+#include "Mesh/TriangleMesh.h"
 #include "Processes.h"
 #include "SurfacePiece.h"
 
@@ -35,6 +36,10 @@ struct Covering
 Covering CoverOneSided(Processes& processes, const Messages& messages, const SurfacePiece& own,
   const SharedPoints& shared, const PieceWithSurroundings& piece,
   const std::vector<char>& isOneSided);
+
+/// The vertex on the other side of the surface from each vertex of a covered piece; None where
+/// there is none.
+std::vector<Index> VerticesBehind(const TriangleMesh& mesh, const PieceWithSurroundings& piece);
 }
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "Mesh/DistributedMesh.h"
 
+#include "Mesh/CoveredPiece.h"
 #include "Mesh/JoinedComponents.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ bool IsInPiece(const PieceWithSurroundings& piece, Index point)
 
 DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
   const PieceWithSurroundings& piece, const SharedPoints& shared)
-  : Exchange(messages)
+  : All(messages)
 {
   std::string fault;
   processes.Together(
@@ -57,7 +58,7 @@ DistributedMesh::DistributedMesh(Processes& processes, const Messages& messages,
   processes.Together([&] { this->FindOwned(piece, shared); });
   this->FindExchange(processes, piece, shared);
   this->JoinComponents(processes, piece, shared);
-  this->FindCovers(piece);
+  this->FindCovers(processes, piece);
   if (messages.Any(this->Disagrees(piece)))
   {
     this->Reason = "its pieces do not agree on what is around the points that they share";
@@ -152,7 +153,7 @@ bool DistributedMesh::HasChangedEdgesNearGhosts(const PieceWithSurroundings& pie
 void DistributedMesh::FindOwned(const PieceWithSurroundings& piece, const SharedPoints& shared)
 {
   const TriangleMesh& mesh = this->GetMesh();
-  const int own = this->Exchange.Own();
+  const int own = this->All.Own();
   this->Owned.assign(static_cast<std::size_t>(mesh.GetNumberOfVertices()), 0);
   this->VertexOfPoint.assign(piece.Number.size(), None);
   for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -197,7 +198,7 @@ void DistributedMesh::FindExchange(
         std::copy_n(this->Geometry->Frames.Normal[v].data(), 3, normals[v].data());
       }
     });
-  this->Complete(normals, this->FindTravellers(processes, piece, shared, matters));
+  Exchange(this->All, normals, this->FindTravellers(processes, piece, shared, matters));
   for (std::size_t v = 0; v < normals.size(); ++v)
   {
     this->Geometry->Frames.Normal[v] = Vector3(normals[v].data());
@@ -209,7 +210,7 @@ DistributedMesh::Travellers DistributedMesh::FindTravellers(Processes& processes
   const std::vector<char>& matters) const
 {
   const TriangleMesh& mesh = this->GetMesh();
-  const auto processCount = static_cast<std::size_t>(this->Exchange.Count());
+  const auto processCount = static_cast<std::size_t>(this->All.Count());
   std::vector<std::vector<vtkIdType>> wanted(processCount);
   Travellers travellers;
   travellers.Received.resize(processCount);
@@ -227,7 +228,7 @@ DistributedMesh::Travellers DistributedMesh::FindTravellers(Processes& processes
         }
       }
     });
-  const std::vector<std::vector<vtkIdType>> asked = this->Exchange.Exchange(wanted);
+  const std::vector<std::vector<vtkIdType>> asked = this->All.Exchange(wanted);
   processes.Together(
     [&]
     {
@@ -263,7 +264,7 @@ void DistributedMesh::CompleteBytes(char* values, std::size_t size) const
       sent[p].insert(sent[p].end(), value, value + size);
     }
   }
-  const std::vector<std::vector<char>> received = this->Exchange.Exchange(sent);
+  const std::vector<std::vector<char>> received = this->All.Exchange(sent);
   for (std::size_t p = 0; p < received.size(); ++p)
   {
     const char* value = received[p].data();
@@ -291,8 +292,8 @@ void DistributedMesh::JoinComponents(
           static_cast<int>(c));
       }
     });
-  const Messages::Collected<vtkIdType> all = this->Exchange.AllGather(first);
-  const int begin = all.First[this->Exchange.Own()];
+  const Messages::Collected<vtkIdType> all = this->All.AllGather(first);
+  const int begin = all.First[this->All.Own()];
   std::vector<int> own;
   for (const vtkIdType point : shared.OwnBorder)
   {
@@ -300,7 +301,7 @@ void DistributedMesh::JoinComponents(
     own.push_back(vertex == None ? -1 : begin + partOf[vertex]);
   }
   const std::vector<int> components =
-    JoinedComponents(all.Values, this->Exchange.AllGather(own).Values, shared.BorderNumber);
+    JoinedComponents(all.Values, this->All.AllGather(own).Values, shared.BorderNumber);
   this->Components =
     components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
   // The process that has the only part of each.
@@ -360,38 +361,34 @@ void DistributedMesh::FindTravellersOfComponents(const std::vector<int>& partOf)
   share(this->AllTravellers.Received, &Travellers::Received);
 }
 
-void DistributedMesh::FindCovers(const PieceWithSurroundings& piece)
+void DistributedMesh::FindCovers(Processes& processes, const PieceWithSurroundings& piece)
 {
-  const TriangleMesh& mesh = this->GetMesh();
   this->FrontPoints = piece.FrontPoints;
-  std::vector<double> covers(static_cast<std::size_t>(this->Components), 0.0);
-  if (piece.FrontPoints > 0)
-  {
-    std::unordered_map<vtkIdType, Index> vertexOf;
-    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  std::vector<double> covers;
+  processes.Together(
+    [&]
     {
-      vertexOf.emplace(piece.Number[mesh.Point(v)], v);
-    }
-    this->VertexBehind.assign(this->Owned.size(), None);
-    for (std::size_t c = 0; c < this->ComponentOfPart.size(); ++c)
-    {
-      const TriangleMesh::Component& part = mesh.GetComponents()[c];
-      for (Index v = part.FirstVertex; v < part.EndVertex && this->ComponentOfPart[c] >= 0; ++v)
+      covers.assign(static_cast<std::size_t>(this->Components), 0.0);
+      if (piece.FrontPoints > 0)
       {
-        // The numbers of front and back differ in their last bit.
-        const auto behind = vertexOf.find(piece.Number[mesh.Point(v)] ^ 1);
-        if (behind != vertexOf.end())
+        this->VertexBehind = VerticesBehind(this->GetMesh(), piece);
+      }
+      for (int c = 0; c < this->Components && piece.FrontPoints > 0; ++c)
+      {
+        for (const std::size_t k : this->Parts[c])
         {
-          this->VertexBehind[v] = behind->second;
-          covers[this->ComponentOfPart[c]] = 1.0;
+          const TriangleMesh::Component& part = this->GetMesh().GetComponents()[k];
+          const auto first = this->VertexBehind.begin();
+          covers[c] += std::any_of(first + part.FirstVertex, first + part.EndVertex,
+            [](Index behind) { return behind != None; });
         }
       }
-    }
-  }
-  this->Exchange.Largest(covers.data(), this->Components);
-  this->Covers.assign(covers.begin(), covers.end());
+      this->Covers.resize(covers.size());
+    });
+  this->All.Largest(covers.data(), this->Components);
   for (int component = 0; component < this->Components; ++component)
   {
+    this->Covers[component] = covers[component] > 0.0 ? 1 : 0;
     if (this->IsCover(component))
     {
       this->ProcessOfComponent[component] = -1;
@@ -436,7 +433,7 @@ std::vector<double> DistributedMesh::MeanEdges(
       }
     }
   }
-  this->Exchange.Sum(sums.data(), static_cast<int>(sums.size()));
+  this->All.Sum(sums.data(), static_cast<int>(sums.size()));
   std::vector<double> means;
   for (std::size_t k = 0; k < sums.size(); k += 2)
   {

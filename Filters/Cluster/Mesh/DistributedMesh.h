@@ -67,16 +67,27 @@ public:
   template <typename T>
   void Complete(std::vector<T>& values) const
   {
-    this->Complete(values, this->AllTravellers);
+    Exchange(this->All, values, this->AllTravellers);
   }
   /// The same for values of any kind.
   /// @param size the bytes of a value
   void CompleteBytes(char* values, std::size_t size) const;
-  /// The same for one component of the whole surface that lies across processes.
+  /// The same for one component of the whole surface that lies across processes, by those that have
+  /// parts of it.
+  /// @param members   of these processes
+  /// @param processes which they are, in ascending order
   template <typename T>
-  void Complete(std::vector<T>& values, int component) const
+  void Complete(std::vector<T>& values, int component, const Messages& members,
+    const std::vector<int>& processes) const
   {
-    this->Complete(values, this->TravellersOf[component]);
+    const Travellers& all = this->TravellersOf[component];
+    Travellers travellers;
+    for (const int p : processes)
+    {
+      travellers.Sent.push_back(all.Sent[p]);
+      travellers.Received.push_back(all.Received[p]);
+    }
+    Exchange(members, values, travellers);
   }
 
 private:
@@ -88,7 +99,8 @@ private:
   };
 
   template <typename T>
-  void Complete(std::vector<T>& values, const Travellers& travellers) const
+  static void Exchange(
+    const Messages& messages, std::vector<T>& values, const Travellers& travellers)
   {
     std::vector<std::vector<T>> sent(travellers.Sent.size());
     for (std::size_t p = 0; p < sent.size(); ++p)
@@ -98,7 +110,7 @@ private:
         sent[p].push_back(values[vertex]);
       }
     }
-    const std::vector<std::vector<T>> received = this->Exchange.Exchange(sent);
+    const std::vector<std::vector<T>> received = messages.Exchange(sent);
     for (std::size_t p = 0; p < received.size(); ++p)
     {
       for (std::size_t k = 0; k < received[p].size(); ++k)
@@ -123,7 +135,7 @@ private:
   /// @param partOf the component of the mesh of each vertex
   void FindTravellersOfComponents(const std::vector<int>& partOf);
   /// Finds the covers, and what is behind their vertices.
-  void FindCovers(const PieceWithSurroundings& piece);
+  void FindCovers(Processes& processes, const PieceWithSurroundings& piece);
   bool Disagrees(const PieceWithSurroundings& piece) const;
   /// The length of the mean edge of each component of the whole surface. All processes call it.
   std::vector<double> MeanEdges(Processes& processes, const PieceWithSurroundings& piece) const;
@@ -132,7 +144,7 @@ private:
   bool HasDoubtfulEdges(const std::vector<double>& meanEdges) const;
   double LengthOf(Index edge) const;
 
-  const Messages& Exchange;
+  const Messages& All;
   std::unique_ptr<SurfaceGeometry> Geometry;
   std::string Reason;
   bool WoundOtherwise = false;

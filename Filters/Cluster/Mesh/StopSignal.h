@@ -6,6 +6,10 @@
 
 #include "Mesh/Messages.h"
 
+#include <chrono>
+#include <functional>
+#include <thread>
+
 namespace DirectionFields::Parallel
 {
 /// Tells processes that work by themselves that another one has been stopped or has failed, so that
@@ -43,6 +47,32 @@ public:
       this->Take();
     }
     return this->Taken > 0;
+  }
+
+  /// Waits for the end of the others' work, without taking processor time from them. All processes
+  /// call it, and then Finish.
+  /// @param goOn is called now and then; false raises the signal
+  /// @return whether goOn never was false
+  bool WaitForAll(const std::function<bool()>& goOn)
+  {
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibarrier(this->Exchange.GetCommunicator(), &request);
+    bool goesOn = true;
+    for (;;)
+    {
+      int isDone = 0;
+      MPI_Test(&request, &isDone, MPI_STATUS_IGNORE);
+      if (isDone)
+      {
+        return goesOn;
+      }
+      if (goesOn && !goOn())
+      {
+        goesOn = false;
+        this->Raise();
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
   }
 
   /// All processes call it, each when it has come to its end.

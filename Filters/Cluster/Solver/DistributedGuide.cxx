@@ -17,18 +17,26 @@ namespace DirectionFields::Parallel
 namespace
 {
 /// The user's vectors as a section, in the scale of the whole surface.
-std::vector<Complex> GivenSection(const Messages& messages, const DistributedMesh& mesh,
-  const PieceWithSurroundings& piece, const Options& options, Guidance guidance)
+std::vector<Complex> GivenSection(Processes& processes, const Messages& messages,
+  const DistributedMesh& mesh, const PieceWithSurroundings& piece, const Options& options,
+  const Guidance& guidance)
 {
   GuidanceScale scale = ScaleOf(guidance);
   scale.Longest = messages.Largest(scale.Longest);
   scale.Heaviest = messages.Largest(scale.Heaviest);
-  guidance.Vectors.resize(piece.Number.size(), Vector3::Zero());
-  if (!guidance.Weights.empty())
-  {
-    guidance.Weights.resize(piece.Number.size(), 0.0);
-  }
-  return GuidanceSection(mesh.GetGeometry(), guidance, options.Degree, scale);
+  std::vector<Complex> section;
+  processes.Together(
+    [&]
+    {
+      Guidance all = guidance;
+      all.Vectors.resize(piece.Number.size(), Vector3::Zero());
+      if (!all.Weights.empty())
+      {
+        all.Weights.resize(piece.Number.size(), 0.0);
+      }
+      section = GuidanceSection(mesh.GetGeometry(), all, options.Degree, scale);
+    });
+  return section;
 }
 
 /// Whether a value is not zero at any owned vertex of the whole surface.
@@ -80,7 +88,7 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
   }
   if (options.Alignment == Alignment::PointVectors || options.ConstrainGuidance)
   {
-    given = GivenSection(messages, mesh, piece, options, guidance);
+    given = GivenSection(processes, messages, mesh, piece, options, guidance);
     if (!AnyOwned(messages, mesh, [&](Index v) { return given[v] != 0.0; }))
     {
       guide.Reason = "its guidance is zero everywhere";

@@ -37,6 +37,10 @@ struct DistributedGuide
   /// the whole surface has; nothing where the field follows something else.
   std::optional<Curvature> Curved;
   std::vector<double> Shares;
+  double ShareOf(int component) const
+  {
+    return this->Shares.empty() ? 1.0 : this->Shares[component];
+  }
   /// Why the options can only be had of the gathered surface; the same on all processes.
   std::string Reason;
 };

@@ -3,6 +3,7 @@
 
 #include "Solver/DistributedMatrices.h"
 
+#include "Processes.h"
 #include "Sections/Assembly.h"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ void AppendRows(const DistributedMesh& mesh, const TriangleMesh::Component& part
 }
 }
 
-DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messages,
+DistributedMatrices AssembleMatrices(const Messages& members, const std::vector<int>& processes,
   const DistributedMesh& mesh, int component, int degree, double energyBias,
   std::vector<PetscInt>& rowOf)
 {
@@ -83,7 +84,7 @@ DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messa
   const TriangleMesh& triangles = mesh.GetMesh();
   const std::vector<std::size_t>& parts = mesh.PartsOf(component);
   double unit = 0.0;
-  processes.Together(
+  DoOnAll(members.GetCommunicator(),
     [&]
     {
       for (const std::size_t c : parts)
@@ -99,18 +100,19 @@ DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messa
         }
       }
     });
-  matrices.Unit = messages.Largest(unit);
+  matrices.Unit = members.Largest(unit);
   const auto own = static_cast<vtkIdType>(matrices.Vertices.size());
-  const std::vector<vtkIdType> first = Processes::FirstOf(processes.AllGather({ own }));
-  matrices.FirstRow = static_cast<PetscInt>(first[messages.Own()]);
+  const std::vector<vtkIdType> first =
+    Processes::FirstOf(members.AllGather(std::vector<vtkIdType>{ own }).Values);
+  matrices.FirstRow = static_cast<PetscInt>(first[members.Own()]);
   for (std::size_t k = 0; k < matrices.Vertices.size(); ++k)
   {
     rowOf[matrices.Vertices[k]] = matrices.FirstRow + static_cast<PetscInt>(k);
   }
-  mesh.Complete(rowOf, component);
+  mesh.Complete(rowOf, component, members, processes);
   Rows rows;
   double area = 0.0;
-  processes.Together(
+  DoOnAll(members.GetCommunicator(),
     [&]
     {
       RequireMemory(matrices.Vertices.size());
@@ -129,12 +131,12 @@ DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messa
         area += 2.0 * PetscRealPart(rows.Mass[diagonal - row]);
       }
     });
-  matrices.Area = messages.Sum(area);
+  matrices.Area = members.Sum(area);
   const auto count = static_cast<PetscInt>(own);
   const auto total = static_cast<PetscInt>(first.back());
   const auto make = [&](const std::vector<PetscScalar>& values, OwnedMat& matrix)
   {
-    Require(MatCreateMPIAIJWithArrays(messages.GetCommunicator(), count, count, total, total,
+    Require(MatCreateMPIAIJWithArrays(members.GetCommunicator(), count, count, total, total,
       rows.Begin.data(), rows.Columns.data(), values.data(), matrix.New()));
   };
   make(rows.Energy, matrices.Energy);

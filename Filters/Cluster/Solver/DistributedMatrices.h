@@ -6,7 +6,6 @@
 
 #include "Mesh/DistributedMesh.h"
 #include "Mesh/Messages.h"
-#include "Processes.h"
 #include "Solver/PetscObjects.h"
 
 #include <vector>
@@ -30,11 +29,13 @@ struct DistributedMatrices
   double Area = 0.0;
 };
 
-/// All processes call it, also processes without vertices of the component; throws ProcessesError,
-/// and std::runtime_error on all.
+/// The processes that have parts of a component call it, also those without vertices of their own;
+/// throws std::runtime_error on all of them, and as DoOnAll does.
+/// @param members   of these processes
+/// @param processes which they are, in ascending order
 /// @param component of the whole surface that lies across processes
 /// @param rowOf     room for a row of each vertex of the mesh, whatever is in it
-DistributedMatrices AssembleMatrices(Processes& processes, const Messages& messages,
+DistributedMatrices AssembleMatrices(const Messages& members, const std::vector<int>& processes,
   const DistributedMesh& mesh, int component, int degree, double energyBias,
   std::vector<PetscInt>& rowOf);
 }

@@ -35,24 +35,24 @@ void EndAllForMemory(const char* message)
 
 void DoOnAll(MPI_Comm communicator, const std::function<void()>& work)
 {
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  int shortOn = -1;
+  int isShort = 0;
   try
   {
     work();
   }
   catch (const std::bad_alloc&)
   {
-    shortOn = rank;
+    isShort = 1;
   }
-  MPI_Allreduce(MPI_IN_PLACE, &shortOn, 1, MPI_INT, MPI_MAX, communicator);
-  if (shortOn >= 0)
+  int isAnyShort = 0;
+  MPI_Allreduce(&isShort, &isAnyShort, 1, MPI_INT, MPI_MAX, communicator);
+  if (isShort)
   {
-    throw ProcessesError(
-      "Take more nodes of a cluster, or decimate the surface: there is too little "
-      "memory on process " +
-      std::to_string(shortOn) + ".");
+    throw TooLittleMemory();
+  }
+  if (isAnyShort)
+  {
+    throw ProcessesError("");
   }
 }
 

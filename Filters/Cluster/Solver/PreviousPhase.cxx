@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace DirectionFields::Parallel
 {
@@ -69,9 +70,9 @@ std::vector<Overlap> AddUp(const Messages& messages, const DistributedMesh& mesh
 }
 }
 
-void FollowPrevious(const Messages& messages, const DistributedMesh& mesh,
-  const PieceWithSurroundings& piece, const DistributedGuide& guide,
-  const std::vector<Vector3>& previous, int degree, std::vector<Complex>& section)
+void FollowPrevious(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
+  const PieceWithSurroundings& piece, const DistributedGuide& guide, std::vector<Vector3> previous,
+  int degree, std::vector<Complex>& section)
 {
   const bool isThere = previous.size() == static_cast<std::size_t>(piece.InputPoints);
   if (messages.Any(!piece.InputTriangle.empty() && !isThere))
@@ -79,13 +80,17 @@ void FollowPrevious(const Messages& messages, const DistributedMesh& mesh,
     return;
   }
   Guidance directions;
-  directions.Vectors = isThere ? previous : std::vector<Vector3>();
+  directions.Vectors = isThere ? std::move(previous) : std::vector<Vector3>();
   // Vectors of the same length must count alike on all processes.
   GuidanceScale scale = ScaleOf(directions);
   scale.Longest = messages.Largest(scale.Longest);
-  directions.Vectors.resize(piece.Number.size(), Vector3::Zero());
-  const std::vector<Complex> reference =
-    GuidanceSection(mesh.GetGeometry(), directions, degree, scale);
+  std::vector<Complex> reference;
+  processes.Together(
+    [&]
+    {
+      directions.Vectors.resize(piece.Number.size(), Vector3::Zero());
+      reference = GuidanceSection(mesh.GetGeometry(), directions, degree, scale);
+    });
   const std::vector<Overlap> overlaps = AddUp(messages, mesh, guide, reference, section);
   for (int c = 0; c < mesh.CountComponents(); ++c)
   {

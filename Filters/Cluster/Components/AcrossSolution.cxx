@@ -1,20 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Solver/ComponentSolution.h"
+#include "Components/AcrossSolution.h"
 
-#include "Computation/ComponentSetup.h"
 #include "Computation/Guide.h"
 #include "Computation/SystemFactors.h"
 #include "Mesh/CoverSymmetry.h"
-#include "Mesh/StopSignal.h"
 #include "Progress.h"
 #include "Sections/ReferenceSection.h"
 #include "Solver/DistributedEigenpair.h"
 #include "Solver/DistributedHierarchy.h"
 #include "Solver/DistributedMatrices.h"
 #include "Solver/DistributedSystem.h"
-#include "Solver/MovedComponents.h"
 #include "Support/Division.h"
 #include "Systems/SystemSolution.h"
 
@@ -22,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <new>
 
 namespace DirectionFields::Parallel
 {
@@ -144,11 +140,6 @@ private:
   std::vector<Part> Parts;
 };
 
-double ShareOf(const DistributedGuide& guide, int component)
-{
-  return guide.Shares.empty() ? 1.0 : guide.Shares[component];
-}
-
 /// The input of a component's fields.
 struct Problem
 {
@@ -245,17 +236,16 @@ void FixPhase(const Messages& messages, const DistributedMesh& mesh, int compone
     GiveRows(matrices, section, vector);
   }
 }
+}
 
-/// Solves for a component that lies across processes.
-/// @param rowOf as in AssembleMatrices
-/// @return whether other fields are as smooth as this one, and nothing has chosen among them
-bool SolveAcross(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
-  int component, const DistributedGuide& guide, const Options& options,
+bool SolveAcross(const Messages& members, const ProcessGroups::Group& group,
+  const DistributedMesh& mesh, const DistributedGuide& guide, const Options& options,
   const std::function<bool(double)>& goOn, std::vector<PetscInt>& rowOf,
   std::vector<Complex>& section, ComponentReport& report)
 {
+  const int component = group.Component;
   const DistributedMatrices matrices = AssembleMatrices(
-    processes, messages, mesh, component, options.Degree, options.EnergyBias, rowOf);
+    members, group.Members, mesh, component, options.Degree, options.EnergyBias, rowOf);
   DistributedSettings settings;
   settings.Tolerance = options.Tolerance;
   settings.MaximumIterations = options.MaximumIterations;
@@ -265,11 +255,11 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
   settings.GoOn = goOn;
   DistributedHierarchy hierarchy(matrices.Energy, matrices.Mass, settings.Scale);
   const DistributedEigenpair pair = FindSmallestPair(matrices, hierarchy, settings);
-  FixPhase(messages, mesh, component, options.Degree, matrices, section, pair.Vector);
-  const DistributedSystem system(messages, mesh, matrices, guide);
+  FixPhase(members, mesh, component, options.Degree, matrices, section, pair.Vector);
+  const DistributedSystem system(members, mesh, matrices, guide);
   bool isSmoothest = false;
   const OwnedVec field =
-    SolveProblem({ matrices, system, hierarchy, pair, options, ShareOf(guide, component), goOn },
+    SolveProblem({ matrices, system, hierarchy, pair, options, guide.ShareOf(component), goOn },
       report, isSmoothest);
   TakeRows(matrices, field, section);
   if (mesh.IsCover(component))
@@ -285,187 +275,5 @@ bool SolveAcross(Processes& processes, const Messages& messages, const Distribut
   report.Converged =
     pair.Residual <= pair.RequiredResidual && report.SystemResidual <= SystemTolerance(options);
   return isSmoothest && pair.IsRepeated;
-}
-
-/// Which components of the whole surface are solved for in which way.
-struct Shares
-{
-  /// The components that are on this process alone, and then those that have been moved here.
-  std::vector<int> Own;
-  /// The components that lie across processes.
-  std::vector<int> Across;
-  /// The part of this process's vertices that the own ones have.
-  double OwnPart = 0.0;
-};
-
-Shares SharesOf(const Messages& messages, const DistributedMesh& mesh, const MovedComponents& moved)
-{
-  Shares shares;
-  double vertices = 0.0;
-  for (int component = 0; component < mesh.CountComponents(); ++component)
-  {
-    if (mesh.ProcessOf(component) < 0)
-    {
-      if (!moved.IsMoved(component))
-      {
-        shares.Across.push_back(component);
-      }
-    }
-    else if (mesh.ProcessOf(component) == messages.Own())
-    {
-      shares.Own.push_back(component);
-      vertices += mesh.GetMesh().GetComponents()[mesh.PartsOf(component).front()].Vertices();
-    }
-  }
-  shares.OwnPart = shares.Across.empty()
-    ? 1.0
-    : vertices / std::max<Index>(1, mesh.GetMesh().GetNumberOfVertices());
-  shares.Own.insert(shares.Own.end(), moved.Here().begin(), moved.Here().end());
-  return shares;
-}
-
-/// Solves for a component that is on this process alone, as one process does.
-/// @param section over the vertices of the geometry
-void SolveAlone(const SurfaceGeometry& geometry, std::size_t part, const ComponentGuide& own,
-  const Options& options, const Progress& progress, std::vector<Complex>& section,
-  ComponentReport& report)
-{
-  ComponentStage stage =
-    SetUpComponent(geometry, part, geometry, options, progress.Part(0.0, 0.65));
-  const ComplexVector u = stage.Solve(own, options, progress.Part(0.65, 1.0), report);
-  std::copy(u.begin(), u.end(), section.begin() + geometry.Mesh.GetComponents()[part].FirstVertex);
-  report.Constraints = static_cast<Index>(own.Given.Vertices.size());
-}
-
-/// Solves on each process for the components that it has alone, on all processes at once.
-/// @param goOn says nothing of the other processes
-void SolveOwn(Processes& processes, const Messages& messages, const DistributedMesh& mesh,
-  const MovedComponents& moved, const Shares& shares, const DistributedGuide& guide,
-  const Options& options, const std::function<bool(double)>& goOn, std::vector<Complex>& section,
-  std::vector<ComponentReport>& reports)
-{
-  StopSignal signal(messages);
-  const ProgressFunction goOnOrStop = [&](double done)
-  { return goOn(shares.OwnPart * done) && !signal.IsRaised(); };
-  const Progress progress(goOnOrStop);
-  const auto count = static_cast<double>(shares.Own.size());
-  const std::size_t first = shares.Own.size() - moved.Here().size();
-  std::vector<Complex> movedSection;
-  const auto solveOne = [&](std::size_t k)
-  {
-    const int component = shares.Own[k];
-    const Progress part =
-      progress.Part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
-    if (k >= first)
-    {
-      ComponentGuide own = moved.GuideOf(k - first);
-      own.Share = ShareOf(guide, component);
-      SolveAlone(
-        moved.GetGeometry(), k - first, own, options, part, movedSection, reports[component]);
-      return;
-    }
-    const std::size_t own = mesh.PartsOf(component).front();
-    ComponentGuide guided = GuideOf(mesh.GetMesh(), own,
-      guide.IsDrawn ? guide.Drawn : std::vector<Complex>(), guide.Kind, guide.Value);
-    guided.Share = ShareOf(guide, component);
-    SolveAlone(mesh.GetGeometry(), own, guided, options, part, section, reports[component]);
-  };
-  const auto solve = [&]
-  {
-    try
-    {
-      if (!moved.Here().empty())
-      {
-        movedSection.resize(moved.GetGeometry().Positions.size());
-      }
-      for (std::size_t k = 0; k < shares.Own.size(); ++k)
-      {
-        solveOne(k);
-      }
-    }
-    catch (const Stopped&)
-    {
-      signal.Raise();
-      throw ProcessesError("");
-    }
-    catch (...)
-    {
-      signal.Raise();
-      throw;
-    }
-  };
-  try
-  {
-    processes.Together(solve);
-  }
-  catch (...)
-  {
-    signal.Finish();
-    throw;
-  }
-  signal.Finish();
-  moved.SendBack(processes, messages, movedSection, section);
-}
-
-/// Tells all processes the reports of each about the components that it has alone.
-void ShareReports(
-  const Messages& messages, const Shares& shares, std::vector<ComponentReport>& reports)
-{
-  std::vector<ComponentReport> own;
-  for (const int component : shares.Own)
-  {
-    own.push_back(reports[component]);
-  }
-  const std::vector<int> components = messages.AllGather(shares.Own).Values;
-  const std::vector<ComponentReport> all = messages.AllGather(own).Values;
-  for (std::size_t k = 0; k < components.size(); ++k)
-  {
-    reports[components[k]] = all[k];
-  }
-}
-}
-
-DistributedSolution SolveDistributed(Processes& processes, const Messages& messages,
-  const DistributedMesh& mesh, const PieceWithSurroundings& piece, const DistributedGuide& guide,
-  const Options& options, const std::function<bool(double)>& goOn)
-{
-  DistributedSolution solution;
-  std::vector<Complex>& section = solution.Section;
-  std::vector<ComponentReport>& reports = solution.Reports;
-  std::vector<PetscInt> rowOf;
-  processes.Together(
-    [&]
-    {
-      section.assign(static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices()), 0.0);
-      rowOf.resize(section.size());
-      reports.resize(static_cast<std::size_t>(mesh.CountComponents()));
-    });
-  const MovedComponents moved(processes, messages, mesh, piece, guide);
-  const Shares shares = SharesOf(messages, mesh, moved);
-  SolveOwn(processes, messages, mesh, moved, shares, guide, options, goOn, section, reports);
-  ShareReports(messages, shares, reports);
-  const auto count = static_cast<double>(shares.Across.size());
-  for (std::size_t k = 0; k < shares.Across.size(); ++k)
-  {
-    const auto part = [&](double done)
-    {
-      const double all =
-        shares.OwnPart + (1.0 - shares.OwnPart) * (static_cast<double>(k) + done) / count;
-      return !messages.Any(!goOn(all));
-    };
-    const int component = shares.Across[k];
-    try
-    {
-      const bool isAmbiguous = SolveAcross(processes, messages, mesh, component, guide, options,
-        part, rowOf, section, reports[component]);
-      solution.Ambiguous += isAmbiguous ? 1 : 0;
-    }
-    catch (const std::bad_alloc&)
-    {
-      EndAllForMemory("");
-    }
-  }
-  mesh.Complete(section);
-  return solution;
 }
 }

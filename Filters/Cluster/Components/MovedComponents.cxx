@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Solver/MovedComponents.h"
+#include "Components/MovedComponents.h"
 
 #include <algorithm>
 #include <array>
