@@ -44,4 +44,16 @@ DirectionFieldMenu::DirectionFieldMenu(QObject* parent)
       [call] { RunPythonAction(tr("Direction field preset"), call); });
   }
   this->addAction(menu->menuAction());
+  // The toolbar's actions have none: a shortcut of two actions starts neither.
+  for (QAction* const action : this->actions())
+  {
+    if (action->objectName() == "actionDrawStrokes")
+    {
+      action->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_D);
+    }
+    else if (action->objectName() == "actionEditSingularitiesByHand")
+    {
+      action->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
+    }
+  }
 }

@@ -14,10 +14,11 @@ source, as the button "Show direction field" of ParaView's window, remesh_active
 it, as the button "Remesh to quads", draw_stroke(), select_stroke() and remove_stroke() change the curves
 that a field follows, as the mouse does with "Draw strokes", move_singularity(), merge_singularity() and
 add_singularities() edit its singularities, as it does with "Edit singularities", apply_preset()
-chooses properties for a kind of
-surface, as the menu "Direction field preset", and read() reads a mesh.
+chooses properties for a kind of surface, as the menu "Direction field preset", open_example() opens
+an example, as the menu Help, and read() reads a mesh.
 """
 
+from directionfields.examples import open_example
 from directionfields.files import read
 from directionfields.picture import Picture, show, show_active
 from directionfields.presets import apply_preset
@@ -27,5 +28,5 @@ from directionfields.singularities import (add_singularities, merge_singularity,
 from directionfields.strokes import draw_stroke, remove_stroke, select_stroke
 
 __all__ = ["Picture", "QuadPicture", "add_singularities", "apply_preset", "draw_stroke",
-           "merge_singularity", "move_singularity", "read", "remesh_active", "remove_stroke",
+           "merge_singularity", "move_singularity", "open_example", "read", "remesh_active", "remove_stroke",
            "select_stroke", "show", "show_active"]

@@ -71,6 +71,12 @@ def client(port):
     assert servermanager.Fetch(hand.edit, idx=1).GetNumberOfPoints() == 8
     room.end()
 
+    # The server reads the mesh of an example from beside its own plugin.
+    assert directionfields.open_example("Scan with strokes") is not None
+    strokes = simple.FindSource("Strokes on bunny.ply")
+    assert servermanager.Fetch(strokes).GetNumberOfLines() == 3
+    assert simple.FindSource("bunny.ply").GetDataInformation().GetNumberOfPoints() == 1839
+
 
 if len(sys.argv) == 4:
     serve(*sys.argv[2:])
