@@ -59,6 +59,7 @@ ChosenMesh ReadRemeshOptions(Keywords& keywords)
   keywords("gradation", options.Gradation, 0.0);
   keywords("add_irregular_pairs", options.AddIrregularPairs);
   keywords("pure_quads", options.PureQuads);
+  keywords.Choice("boundary_spacing", options.BoundarySpacing, { "free", "even", "keep" });
   keywords("keep_thin_parts", options.KeepThinParts);
   keywords("keep_features", options.KeepFeatures);
   keywords("feature_angle", options.FeatureAngle, 0.0, 180.0, " degrees");
@@ -195,6 +196,8 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
         all["largest_area_error"] = mesh->RegionsShown.LargestAreaError;
         all["edge_length"] = mesh->EdgeLength;
         all["edges_as_wanted"] = mesh->EdgesAsWanted;
+        all["boundary_unevenness"] = mesh->Boundary.Unevenness;
+        all["boundary_points_kept"] = mesh->Boundary.Kept;
         all["maximum_distance"] = mesh->MaximumDistance;
         all["summary"] = summary;
         all["warnings"] = mesh->Notes;

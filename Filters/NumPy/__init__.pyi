@@ -142,6 +142,8 @@ class Mesh(_Result):
     largest_area_error: float
     edge_length: float
     edges_as_wanted: float
+    boundary_unevenness: float
+    boundary_points_kept: int
     maximum_distance: float
 
 class Guidance(_Result):
@@ -276,6 +278,7 @@ def remesh(
     gradation: float = 0.0,
     add_irregular_pairs: bool = True,
     pure_quads: bool = False,
+    boundary_spacing: Literal['free', 'even', 'keep'] = 'free',
     keep_thin_parts: bool = True,
     keep_features: bool = True,
     feature_angle: float = 40.0,

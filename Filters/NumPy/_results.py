@@ -265,6 +265,11 @@ class Mesh(_Result):
         Wanted edge length, and distance of the faces' middles from the surface.
     edges_as_wanted : float
         The part of the edges, 0 to 1, whose length is within 25 % of what sizing asks for.
+    boundary_unevenness : float
+        With even spacing the standard deviation of the lengths of the boundary's edges between two
+        corners, relative to their mean.
+    boundary_points_kept : int
+        With boundary_spacing 'keep' the points of the boundary that are points of the mesh.
     summary : str
     warnings : list of str
     """

@@ -61,6 +61,7 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         gradation: The factor by which lengths beside each other may differ, 1.3 say; 0 for any.
         add_irregular_pairs: Irregular vertices are added in pairs where sizes that vary need them.
         pure_quads: No triangles between the quads.
+        boundary_spacing: Points on the boundary: free, evenly spaced, or those of the surface.
         keep_thin_parts: Faces are smaller where limbs and tips would be lost.
         keep_features: Sharp edges become edges of the mesh; the boundary always does.
         alignment: The field where none is given: along the shape, or the smoothest.

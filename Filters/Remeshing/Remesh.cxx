@@ -3,6 +3,7 @@
 
 #include "Remesh.h"
 
+#include "Boundary/BoundaryAdvice.h"
 #include "Curves/CurveMapping.h"
 #include "Curves/LinesOnMesh.h"
 #include "Extraction/MeshExtraction.h"
@@ -137,6 +138,7 @@ struct FinishedMesh
   FaceMesh Faces;
   /// Seams whose sides could not be joined.
   Index OpenSeams = 0;
+  BoundaryFigures Boundary;
 };
 
 /// Whether quads only are wanted.
@@ -164,8 +166,10 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
   const RemeshOptions& options = request.Options;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
     sizes.IsEven ? options.Sizing : sizes.AtPoints };
-  FinishFaces(finished.Faces, options.Element == Element::Quads, IsPure(options),
-    options.SmoothingIterations, sizes.EdgeLength, context, progress);
+  finished.Boundary = FinishFaces(finished.Faces,
+    { options.Element == Element::Quads, IsPure(options), options.SmoothingIterations,
+      sizes.EdgeLength, options.BoundarySpacing },
+    context, progress);
   return finished;
 }
 
@@ -189,12 +193,9 @@ void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& 
       " seams between sheets of the surface are open in the mesh, since the faces there are too "
       "few. More faces, or shorter edges, would join them.");
   }
-  if (IsPure(request.Options) && result.Triangles > 0)
-  {
-    result.Notes.push_back(std::to_string(result.Triangles) +
-      " triangles are left among the quads, since the faces between features there are too few to "
-      "be joined. More faces, or a larger Feature Angle, would do.");
-  }
+  const std::vector<std::string> aboutBoundary = BoundaryAdvice(finished.Faces, finished.Boundary,
+    request.Options.BoundarySpacing, IsPure(request.Options) ? result.Triangles : 0);
+  result.Notes.insert(result.Notes.end(), aboutBoundary.begin(), aboutBoundary.end());
   if (request.Field.GetNeedless() > 0)
   {
     result.Notes.push_back("The surface is rough: a field on it has " +
@@ -286,6 +287,7 @@ void Report(const Request& request, const FeatureLines& features,
   result.EulerCharacteristicAfter =
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
   result.Repaired = field.GetSurface().GetRepairs();
+  result.Boundary = finished.Boundary;
   if (!request.Options.Regions.empty() || request.HasCurves())
   {
     const RemeshOptions& options = request.Options;

@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Remesh_h
 #define DirectionFields_Remesh_h
 
+#include "Boundary/BoundarySpacing.h"
 #include "Chains/MeshChain.h"
 #include "MeshError.h"
 #include "Options.h"
@@ -74,6 +75,9 @@ struct RemeshOptions
   /// Only quads: triangles are joined in pairs with the quads between them, also without smoothing;
   /// vertices of other faces stay on the grid then. Notes say where triangles are left.
   bool PureQuads = false;
+  /// Where the vertices on the boundary are. With BoundarySpacing::Keep and PureQuads a triangle is
+  /// left in components whose boundary has an odd number of edges, and a note says so.
+  DirectionFields::BoundarySpacing BoundarySpacing = DirectionFields::BoundarySpacing::Free;
   /// Faces are smaller where limbs and tips are so thin that a mesh of the wanted size would lose
   /// them: the mesh is made anew then, up to three times, and a note says where. The other faces
   /// get larger for it; there may be a quarter more than wanted.
@@ -151,6 +155,7 @@ struct RemeshResult
   /// The region of each face, which FaceSource is in, too; empty where no regions are given.
   std::vector<Index> Regions;
   RegionFigures RegionsShown;
+  BoundaryFigures Boundary;
   /// Boundary, features, borders of regions and curves, by kind, regions and place, and then the
   /// given points that are vertices, in their order.
   std::vector<MeshChain> Chains;

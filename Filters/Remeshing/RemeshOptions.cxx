@@ -4,6 +4,7 @@
 #include "Remesh.h"
 
 #include "Preparation/WantedSizes.h"
+#include "Sizes/BoundarySizes.h"
 #include "Sizes/SizeField.h"
 #include "Support/Sentences.h"
 
@@ -16,6 +17,18 @@
 
 namespace DirectionFields
 {
+namespace
+{
+/// Sizes that are lengths are the same as sizes relative to a length.
+void TakeLengths(RelativeSizes&& sizes, RemeshOptions& options, std::vector<std::string>& notes)
+{
+  options.UseEdgeLength = true;
+  options.EdgeLength = sizes.EdgeLength;
+  options.Sizing = std::move(sizes.Sizes);
+  notes.insert(notes.end(), sizes.Notes.begin(), sizes.Notes.end());
+}
+}
+
 void Check(const RemeshOptions& options, std::size_t points, std::size_t triangles)
 {
   const auto require = [](bool holds, const char* what)
@@ -62,11 +75,11 @@ bool AreSame(const RemeshOptions& a, const RemeshOptions& b)
   {
     // This does not compile where an option is not among them.
     const auto& [element, faces, usesLength, length, sizing, areLengths, gradation, pairs, pure,
-      thin, features, angle, shortest, regions, names, alignment, strength, cost, smoothing,
-      threads] = options;
+      spacing, thin, features, angle, shortest, regions, names, alignment, strength, cost,
+      smoothing, threads] = options;
     return std::tie(element, faces, usesLength, length, sizing, areLengths, gradation, pairs, pure,
-      thin, features, angle, shortest, regions, names, alignment, strength, cost, smoothing,
-      threads);
+      spacing, thin, features, angle, shortest, regions, names, alignment, strength, cost,
+      smoothing, threads);
   };
   return all(a) == all(b);
 }
@@ -87,11 +100,7 @@ RemeshOptions Remesh::InUnitOfInput(
   RemeshOptions options = given;
   if (given.SizingIsLength)
   {
-    RelativeSizes sizes = SizesFor(*this->Input, given.Sizing, this->Unit);
-    options.UseEdgeLength = true;
-    options.EdgeLength = sizes.EdgeLength;
-    options.Sizing = std::move(sizes.Sizes);
-    notes.insert(notes.end(), sizes.Notes.begin(), sizes.Notes.end());
+    TakeLengths(SizesFor(*this->Input, given.Sizing, this->Unit), options, notes);
   }
   else if (const auto outside =
              static_cast<std::size_t>(std::count_if(given.Sizing.begin(), given.Sizing.end(),
@@ -115,6 +124,21 @@ RemeshOptions Remesh::InUnitOfInput(
     LimitGradation(
       *this->Input, given.Gradation, [&](double area) { return EdgeLengthFor(area, options); },
       options.Sizing);
+  }
+  if (given.BoundarySpacing == BoundarySpacing::Keep)
+  {
+    const std::vector<double> sizes = ClampedSizes(options.Sizing, this->Input->Points.size());
+    std::vector<double> lengths = LengthsForBoundary(*this->Input, sizes,
+      EdgeLengthFor(RelativeArea(*this->Input, sizes), options), options.UseEdgeLength);
+    for (double& length : lengths)
+    {
+      length *= this->Unit;
+    }
+    if (!lengths.empty())
+    {
+      TakeLengths(SizesFor(*this->Input, lengths, this->Unit, "Lengths that the boundary asks for"),
+        options, notes);
+    }
   }
   return options;
 }

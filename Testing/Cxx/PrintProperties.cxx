@@ -147,6 +147,7 @@ void PrintRemesh()
   RANGE(NumberOfFaces);
   RANGE(EdgeLength);
   VALUE(AddIrregularPairs);
+  RANGE(BoundarySpacing);
   VALUE(KeepThinParts);
   VALUE(KeepFeatures);
   RANGE(FeatureAngle);

@@ -127,6 +127,18 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "at point 0 is 0"):
             df.remesh(points, triangles, sizing=np.zeros(len(points)), sizing_is_length=True)
 
+    def test_a_boundary_is_kept_or_even(self):
+        x, y = (c.ravel() for c in np.meshgrid(np.linspace(0, 2, 21), np.linspace(0, 1, 11)))
+        plate = np.stack([x, y, 0 * x], axis=1)
+        corner = np.array([21 * j + i for j in range(10) for i in range(20)])
+        squares = np.stack([corner, corner + 1, corner + 22, corner + 21], axis=1)
+        around = {tuple(p) for p in plate[(x == 0) | (x == 2) | (y == 0) | (y == 1)]}
+        mesh = df.remesh(plate, squares, faces=230, boundary_spacing="keep", pure_quads=True)
+        self.assertEqual(mesh.boundary_points_kept, 60)
+        self.assertTrue(around <= {tuple(p) for p in mesh.points})
+        mesh = df.remesh(plate, squares, faces=230, boundary_spacing="even")
+        self.assertLess(mesh.boundary_unevenness, 0.02)
+
     def test_faces_are_judged_by_limits(self):
         with self.assertWarnsRegex(df.DirectionFieldWarning, r"\. passes shows where"):
             mesh = df.remesh(*torus(), faces=300, minimum_scaled_jacobian=0.995,

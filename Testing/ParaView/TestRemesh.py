@@ -17,6 +17,7 @@ AllFigures.switch_on()
 ENUMERATIONS = {
     "Element": ["Quads", "Triangles"],
     "SizeMode": ["Number Of Faces", "Edge Length", "Lengths At Points"],
+    "BoundarySpacing": ["Free", "Even", "Keep"],
     "Alignment": ["Shape", "Smooth"],
 }
 ADVANCED = ("GatherLimit", "Gradation", "AddIrregularPairs", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
@@ -93,6 +94,20 @@ def test_options():
     assert 500 < mesh.GetNumberOfCells() < 800, mesh.GetNumberOfCells()
     assert number(mesh, "EdgesAsWanted") > 0.9
     assert "% of edges within 25 %" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+
+
+def test_boundary():
+    """A boundary is kept to the point, or evenly spaced, and the summary says so."""
+    disk = Disk(InnerRadius=0.3, OuterRadius=1.0, RadialResolution=12, CircumferentialResolution=64)
+    remesh = FieldAlignedRemesh(Input=disk, NumberOfFaces=900, BoundarySpacing="Keep", PureQuads=1)
+    mesh = servermanager.Fetch(remesh)
+    assert number(mesh, "BoundaryPoints") == 128 == number(mesh, "BoundaryPointsKept")
+    assert "128 of 128 points of the boundary kept" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+    remesh.BoundarySpacing = "Even"
+    mesh = servermanager.Fetch(remesh)
+    assert number(mesh, "BoundaryUnevenness") < 0.02
+    assert "edges of the boundary even to" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+    assert mesh.GetFieldData().GetArray("BoundaryPoints") is None
 
 
 def test_quality():
@@ -176,6 +191,7 @@ test_properties()
 test_scan()
 test_field()
 test_options()
+test_boundary()
 test_quality()
 test_data()
 test_regions()

@@ -26,6 +26,8 @@ struct FaceMesh
     int SingularityIndex = 0;
     /// The vertex of the surface's mesh that it is, or None for new ones.
     Index Origin = None;
+    /// The feature of a vertex that is held in its place for a while, whose Line is -1 then, or 0.
+    Index Held = 0;
   };
   /// An edge that is part of a feature, or of the boundary. Line 0: one of a component that could
   /// not be remeshed, all of whose edges stay.

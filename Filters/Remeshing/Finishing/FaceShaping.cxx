@@ -3,81 +3,15 @@
 
 #include "Finishing/FaceShaping.h"
 
+#include "FaceMesh/EditedMesh.h"
 #include "Improvement/FaceSmoothing.h"
 #include "Improvement/QualityRepair.h"
 #include "Improvement/ValenceOptimization.h"
-
-#include <algorithm>
-#include <map>
 
 namespace DirectionFields::Internal
 {
 namespace
 {
-std::array<Index, 2> EndsOf(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
-/// The edges of lines that faces have after changes.
-std::vector<FaceMesh::LineEdge> LineEdgesOf(const VertexStars& stars, const FaceMesh& mesh)
-{
-  std::map<std::array<Index, 2>, Index> lines;
-  for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
-  {
-    lines[EndsOf(edge.Ends[0], edge.Ends[1])] = edge.Line;
-  }
-  for (const VertexStars::Change& change : stars.GetChanges())
-  {
-    if (change.Face == None)
-    {
-      const auto [goes, stays, other, none] = change.Corners;
-      lines[EndsOf(stays, other)] = mesh.Vertices[goes].Line;
-    }
-  }
-  std::vector<FaceMesh::LineEdge> edges;
-  for (const auto& [ends, line] : lines)
-  {
-    if (stars.IsLineEdge(ends[0], ends[1]) && stars.AreJoined(ends[0], ends[1]))
-    {
-      edges.push_back({ ends, line });
-    }
-  }
-  return edges;
-}
-
-/// Takes out the faces and vertices that are no longer used.
-void Compress(const VertexStars& stars, FaceMesh& mesh)
-{
-  mesh.LineEdges = LineEdgesOf(stars, mesh);
-  std::vector<Index> number(mesh.Points.size(), None);
-  Index left = 0;
-  for (std::size_t v = 0; v < number.size(); ++v)
-  {
-    if (!stars.At(static_cast<Index>(v)).empty())
-    {
-      number[v] = left;
-      mesh.Points[left] = mesh.Points[v];
-      mesh.Vertices[left] = mesh.Vertices[v];
-      ++left;
-    }
-  }
-  mesh.Points.resize(left);
-  mesh.Vertices.resize(left);
-  mesh.Cells = stars.Compressed();
-  for (Faces::Face& face : mesh.Cells.Corners)
-  {
-    for (Index& v : face)
-    {
-      v = v == None ? None : number[v];
-    }
-  }
-  for (FaceMesh::LineEdge& edge : mesh.LineEdges)
-  {
-    edge.Ends = { number[edge.Ends[0]], number[edge.Ends[1]] };
-  }
-}
-
 /// The steps before the edits tell which faces can become good.
 void Improve(VertexStars& stars, MovableFaces& movable,
   const std::vector<FaceMesh::Vertex>& vertices, const ShapingSettings& settings,
@@ -123,7 +57,7 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
   }
   if (!stars.GetChanges().empty())
   {
-    Compress(stars, mesh);
+    TakeOver(stars, mesh);
   }
 }
 }

@@ -3,6 +3,8 @@
 
 #include "Finishing/FinishedFaces.h"
 
+#include "Boundary/BoundaryEdits.h"
+#include "Boundary/BoundaryLine.h"
 #include "Finishing/FaceShaping.h"
 #include "Finishing/FaceSources.h"
 #include "Improvement/FoldedQuads.h"
@@ -53,28 +55,27 @@ std::vector<double> WantedLengths(
   }
   return wanted;
 }
-}
 
-void FinishFaces(FaceMesh& mesh, bool areQuads, bool isPure, int steps, double edgeLength,
-  const SurfaceContext& context, const Progress& progress)
+void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContext& context,
+  const Progress& progress)
 {
   const auto shape = [&](const ShapingSettings& settings, const Progress& part)
   {
     ShapeFaces(mesh, settings, context.Triangles, context.Lines,
-      WantedLengths(context, mesh.Points, edgeLength), part);
+      WantedLengths(context, mesh.Points, wanted.EdgeLength), part);
   };
   ShapingSettings settings;
-  settings.Steps = steps;
-  settings.AreQuads = areQuads;
+  settings.Steps = wanted.Steps;
+  settings.AreQuads = wanted.AreQuads;
   settings.RepairsFaces = false;
   settings.MayMakeTriangles = true;
   shape(settings, progress.Part(0.0, 0.4));
-  if (!areQuads)
+  if (!wanted.AreQuads)
   {
     return;
   }
   settings.RepairsFaces = true;
-  if (!isPure)
+  if (!wanted.IsPure)
   {
     settings.Joins = JoinPolicy::Free;
     shape(settings, progress.Part(0.4, 1.0));
@@ -91,7 +92,7 @@ void FinishFaces(FaceMesh& mesh, bool areQuads, bool isPure, int steps, double e
   {
     const Progress part = progress.Part(0.4 + 0.6 * k / Trials, 0.4 + 0.6 * (k + 1) / Trials);
     shape(joining, part.Part(0.0, 0.2));
-    EvenOutTriangles(mesh);
+    EvenOutTriangles(mesh, wanted.Spacing != BoundarySpacing::Keep);
     shape(settings, part.Part(0.2, 1.0));
     const double quality = LeastQuality(mesh);
     if (quality > most)
@@ -102,5 +103,43 @@ void FinishFaces(FaceMesh& mesh, bool areQuads, bool isPure, int steps, double e
     CutFoldedQuads(mesh.Cells, mesh.Points, Good);
   }
   mesh = std::move(best);
+}
+}
+
+BoundaryFigures FinishFaces(FaceMesh& mesh, const FinishedFaces& wanted,
+  const SurfaceContext& context, const Progress& progress)
+{
+  if (wanted.Spacing == BoundarySpacing::Free)
+  {
+    ImproveAll(mesh, wanted, context, progress);
+    return {};
+  }
+  const std::vector<BoundaryLine> lines =
+    BoundaryLinesOf(context.Input, context.Prepared.FindUsed(context.Input.Triangles.size()));
+  BoundaryFigures figures;
+  if (wanted.Spacing == BoundarySpacing::Keep)
+  {
+    TakeBoundary(mesh, context.Input, lines);
+    ImproveAll(mesh, wanted, context, progress);
+    Release(mesh);
+    const BoundaryCount count(mesh, context.Input, lines);
+    figures.Points = count.Points;
+    figures.Kept = count.Kept;
+    figures.Others = count.Others;
+    return figures;
+  }
+  // The faces come near to what they will be first, and then go with the boundary.
+  SpaceBoundary(mesh, context.Input, lines, context.Sizes, false);
+  ImproveAll(mesh, wanted, context, progress.Part(0.0, 0.8));
+  SpaceBoundary(mesh, context.Input, lines, context.Sizes, true);
+  ShapingSettings following;
+  following.Steps = wanted.Steps;
+  following.AreQuads = false;
+  ShapeFaces(mesh, following, context.Triangles, context.Lines,
+    WantedLengths(context, mesh.Points, wanted.EdgeLength), progress.Part(0.8, 1.0));
+  Release(mesh);
+  figures.Points = BoundaryCount(mesh, context.Input, lines).Points;
+  figures.Unevenness = UnevennessOf(mesh, context.Input, lines, context.Sizes);
+  return figures;
 }
 }

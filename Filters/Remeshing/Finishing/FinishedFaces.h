@@ -4,6 +4,7 @@
 #ifndef DirectionFields_FinishedFaces_h
 #define DirectionFields_FinishedFaces_h
 
+#include "Boundary/BoundarySpacing.h"
 #include "FaceMesh/FaceMesh.h"
 #include "Preparation/PreparedSurface.h"
 #include "Progress.h"
@@ -24,12 +25,23 @@ struct SurfaceContext
   const std::vector<double>& Sizes;
 };
 
-/// Makes faces regular, and all of them quads if that is wanted. Throws Stopped.
-/// @param areQuads   the field is of degree 4
-/// @param isPure     no triangles are to be among the quads
-/// @param steps      in which the vertices move
-/// @param edgeLength wanted, where the size is 1
-void FinishFaces(FaceMesh& mesh, bool areQuads, bool isPure, int steps, double edgeLength,
+/// What the faces are to be.
+struct FinishedFaces
+{
+  /// The field is of degree 4.
+  bool AreQuads = true;
+  /// No triangles are to be among the quads.
+  bool IsPure = false;
+  /// Steps in which the vertices move.
+  int Steps = 0;
+  /// Wanted, where the size is 1.
+  double EdgeLength = 0.0;
+  BoundarySpacing Spacing = BoundarySpacing::Free;
+};
+
+/// Makes faces regular, all of them quads if that is wanted, and puts the vertices of the boundary
+/// to their places. Throws Stopped.
+BoundaryFigures FinishFaces(FaceMesh& mesh, const FinishedFaces& wanted,
   const SurfaceContext& context, const Progress& progress);
 }
 

@@ -3,6 +3,8 @@
 
 #include "PureQuads/TriangleParity.h"
 
+#include "FaceMesh/FaceCut.h"
+
 #include <algorithm>
 #include <functional>
 #include <queue>
@@ -41,8 +43,9 @@ struct Wall
 class Parity
 {
 public:
-  explicit Parity(FaceMesh& mesh)
+  Parity(FaceMesh& mesh, bool mayCutBoundary)
     : Mesh(mesh)
+    , MayCutBoundary(mayCutBoundary)
     , Neighbours(mesh.Cells.Corners.size(), { None, None, None, None })
     , UncutEdges(mesh.Cells.Corners.size(), 0)
     , Region(mesh.Cells.Corners.size(), None)
@@ -127,8 +130,9 @@ private:
         {
           wall.Faces.push_back(sides[i].Face);
         }
-        this->AddWall(
-          wall, std::any_of(line, last, [](const FaceMesh::LineEdge& e) { return e.Line == 0; }));
+        this->AddWall(wall,
+          (!this->MayCutBoundary && wall.Faces.size() == 1) ||
+            std::any_of(line, last, [](const FaceMesh::LineEdge& e) { return e.Line == 0; }));
       }
       else if (end - k == 2 &&
         this->Face(one.Face)[one.Corner] != this->Face(sides[k + 1].Face)[sides[k + 1].Corner])
@@ -139,7 +143,7 @@ private:
     }
   }
 
-  /// @param isKept whether it is one of a component that could not be remeshed, and is not cut
+  /// @param isKept whether it is not to be cut, as those of a component that could not be remeshed
   void AddWall(const Wall& wall, bool isKept)
   {
     if (!isKept)
@@ -315,60 +319,12 @@ private:
     for (const Index f : wall.Faces)
     {
       cost += std::max<Index>(this->Distance[f], 0) +
-        (this->BestCut(this->Face(f), wall.Ends, middle).Quality < Good ? PerBadFace : 0.0) +
+        (CutAtEdge(this->Mesh.Points, this->Face(f), wall.Ends, middle).Quality < Good ? PerBadFace
+                                                                                       : 0.0) +
         (this->Size[this->Region[f]] < FewFaces ? PerBadFace : 0.0) +
         (Faces::Size(this->Face(f)) == 3 ? PerTriangle : 0.0);
     }
     return cost;
-  }
-
-  /// The two parts of a face, in which the new vertex is missing.
-  struct Parts
-  {
-    Faces::Face First;
-    Faces::Face Second;
-    double Quality;
-  };
-
-  /// The cut of a face from the middle of an edge whose worse part is as good as possible. The
-  /// middle is vertex number Points.size().
-  Parts BestCut(
-    const Faces::Face& face, const std::array<Index, 2>& ends, const Vector3& middle) const
-  {
-    const auto fresh = static_cast<Index>(this->Mesh.Points.size());
-    const int size = Faces::Size(face);
-    int at = 0;
-    while (EndsOf(face[at], face[(at + 1) % size]) != ends)
-    {
-      ++at;
-    }
-    const Index tail = face[at];
-    const Index head = face[(at + 1) % size];
-    const Index afterHead = face[(at + 2) % size];
-    const Index beforeTail = face[(at + size - 1) % size];
-    const auto quality = [&](const Faces::Face& part)
-    {
-      std::vector<Vector3> points;
-      Faces::Face own = { None, None, None, None };
-      for (int c = 0; c < Faces::Size(part); ++c)
-      {
-        points.push_back(part[c] == fresh ? middle : this->Mesh.Points[part[c]]);
-        own[c] = c;
-      }
-      return ScaledJacobian(points, own);
-    };
-    const auto parts = [&](const Faces::Face& first, const Faces::Face& second) {
-      return Parts{ first, second, std::min(quality(first), quality(second)) };
-    };
-    if (size == 3)
-    {
-      return parts({ fresh, head, afterHead, None }, { tail, fresh, afterHead, None });
-    }
-    const Parts one =
-      parts({ fresh, head, afterHead, None }, { tail, fresh, afterHead, beforeTail });
-    const Parts other =
-      parts({ tail, fresh, beforeTail, None }, { fresh, head, afterHead, beforeTail });
-    return other.Quality > one.Quality ? other : one;
   }
 
   void Cut(const Wall& wall)
@@ -379,7 +335,7 @@ private:
     for (const Index f : wall.Faces)
     {
       const Index part = this->PartWith(f, wall.Ends);
-      const Parts parts = this->BestCut(this->Face(part), wall.Ends, middle);
+      const FaceParts parts = CutAtEdge(this->Mesh.Points, this->Face(part), wall.Ends, middle);
       this->Mesh.Cells.Corners[part] = parts.First;
       this->Mesh.Cells.IsRegular[part] = 0;
       this->PartsOf.emplace_back(f, static_cast<Index>(this->Mesh.Cells.Corners.size()));
@@ -423,6 +379,7 @@ private:
   }
 
   FaceMesh& Mesh;
+  bool MayCutBoundary;
   /// The face over each edge that is part of no line.
   std::vector<std::array<Index, 4>> Neighbours;
   /// The number of edges of each face that are not cut, since they are kept as they are.
@@ -439,8 +396,8 @@ private:
 };
 }
 
-void EvenOutTriangles(FaceMesh& mesh)
+void EvenOutTriangles(FaceMesh& mesh, bool mayCutBoundary)
 {
-  Parity(mesh).EvenOut();
+  Parity(mesh, mayCutBoundary).EvenOut();
 }
 }

@@ -14,7 +14,9 @@ namespace DirectionFields::Internal
 /// over few lines and where the faces are good; if some meet others only in edges of more than two
 /// faces, all these edges are split. Edges with Line 0, those of components that are kept as they
 /// are, are not split.
-void EvenOutTriangles(FaceMesh& mesh);
+/// @param mayCutBoundary whether edges of one face only may be split; a surface whose boundary has
+///                       an odd number of edges keeps a triangle otherwise
+void EvenOutTriangles(FaceMesh& mesh, bool mayCutBoundary = true);
 }
 
 #endif

@@ -90,6 +90,16 @@ std::string AboutSizes(const RemeshResult& mesh)
     : std::string();
 }
 
+std::string AboutBoundary(const RemeshResult& mesh)
+{
+  const BoundaryFigures& boundary = mesh.Boundary;
+  const auto points = static_cast<std::size_t>(boundary.Points);
+  return boundary.Kept + boundary.Others > 0 ? ", " + std::to_string(boundary.Kept) + " of " +
+      Count(points, "point") + " of the boundary kept"
+    : points > 0 ? ", edges of the boundary even to " + Figure(100.0 * boundary.Unevenness) + " %"
+                 : std::string();
+}
+
 std::string AboutLimits(const QualityReport& quality)
 {
   return !quality.IsLimited ? std::string()
@@ -119,8 +129,8 @@ std::string Summary(const RemeshResult& mesh, const QualityReport& quality)
     Count(
       static_cast<std::size_t>(mesh.IrregularVertices), "irregular vertex", "irregular vertices") +
     AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + AboutSizes(mesh) +
-    ", scaled Jacobian " + Figure(quality.LeastScaledJacobian) + " or more, " +
-    Figure(mesh.MaximumDistance) + " or less from the surface, which is " +
+    AboutBoundary(mesh) + ", scaled Jacobian " + Figure(quality.LeastScaledJacobian) +
+    " or more, " + Figure(mesh.MaximumDistance) + " or less from the surface, which is " +
     Figure(mesh.MaximumDistanceToMesh) + " or less from the mesh" + AboutLimits(quality);
 }
 }

@@ -68,7 +68,8 @@ struct Edges
 }
 }
 
-RelativeSizes SizesFor(const Surface& surface, const std::vector<double>& lengths, double unit)
+RelativeSizes SizesFor(
+  const Surface& surface, const std::vector<double>& lengths, double unit, const std::string& name)
 {
   RelativeSizes result;
   result.Sizes = lengths;
@@ -103,7 +104,7 @@ RelativeSizes SizesFor(const Surface& surface, const std::vector<double>& length
   if (outside > 0)
   {
     const double inUnit = unit * result.EdgeLength;
-    result.Notes.push_back("Lengths of the Sizing Array are from " + Figure(unit * least) + " to " +
+    result.Notes.push_back(name + " are from " + Figure(unit * least) + " to " +
       Figure(unit * largest) + ", but edges of one mesh from " + Figure(inUnit / LargestSize) +
       " to " + Figure(inUnit * LargestSize) + " only: " + Count(outside, "point") +
       " cannot have the wanted length.");

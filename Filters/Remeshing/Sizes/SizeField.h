@@ -26,7 +26,9 @@ struct RelativeSizes
 /// number.
 /// @param lengths at the points, in the user's unit
 /// @param unit    of the surface, in the user's
-RelativeSizes SizesFor(const Surface& surface, const std::vector<double>& lengths, double unit);
+/// @param name    of the lengths for the user, at the beginning of a sentence
+RelativeSizes SizesFor(const Surface& surface, const std::vector<double>& lengths, double unit,
+  const std::string& name = "Lengths of the Sizing Array");
 
 /// Makes sizes smaller so that edges beside each other differ by no more than a factor.
 /// @param sizes         at the points, above 0

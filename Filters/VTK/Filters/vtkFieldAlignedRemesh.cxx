@@ -105,6 +105,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->RegionArray = nullptr;
   this->ConservedArray = nullptr;
   this->PureQuads = defaults.PureQuads;
+  this->BoundarySpacing = static_cast<int>(defaults.BoundarySpacing);
   this->KeepThinParts = defaults.KeepThinParts;
   this->KeepFeatures = defaults.KeepFeatures;
   this->FeatureAngle = defaults.FeatureAngle;
@@ -169,6 +170,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConservedArray: " << (this->ConservedArray ? this->ConservedArray : "(none)")
      << "\n";
   os << indent << "PureQuads: " << this->PureQuads << "\n";
+  os << indent << "BoundarySpacing: " << this->BoundarySpacing << "\n";
   os << indent << "KeepThinParts: " << this->KeepThinParts << "\n";
   os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
@@ -202,6 +204,7 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
   options.Regions = std::move(regions.OfFaces);
   options.RegionNames = std::move(regions.Names);
   options.PureQuads = this->PureQuads;
+  options.BoundarySpacing = static_cast<DirectionFields::BoundarySpacing>(this->BoundarySpacing);
   options.KeepThinParts = this->KeepThinParts;
   options.KeepFeatures = this->KeepFeatures;
   options.FeatureAngle = this->FeatureAngle;

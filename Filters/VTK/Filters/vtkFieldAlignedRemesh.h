@@ -54,6 +54,10 @@
  * - with a SizingArray: field data `EdgesAsWanted`, the part of the edges whose length is within 25
  *   % of what it asks for: double, 0 to 1. EdgeLength is that where the size is 1, or, with
  *   lengths, one that faces of even size would have.
+ * - with the BoundarySpacing EVEN: field data `BoundaryUnevenness`, the standard deviation of the
+ *   lengths of the boundary's edges, relative to their mean, between those two corners where it is
+ *   largest: double. With KEEP: `BoundaryPoints`, those of the input's boundary, and
+ *   `BoundaryPointsKept`, those of them that are vertices of the mesh's: int.
  * - with a RegionArray: field data `Regions`, their number, and `RegionsLost`, of those without
  *   faces: int; `BordersKept`, the part of the length of their borders that is on edges between
  *   them, to a tenth of EdgeLength: double, 0 to 1; `CornersMissed`, the places where three meet,
@@ -249,6 +253,26 @@ public:
   vtkBooleanMacro(PureQuads, bool);
   ///@}
 
+  enum BoundarySpacings
+  {
+    FREE = 0,
+    EVEN = 1,
+    KEEP = 2
+  };
+
+  ///@{
+  /**
+   * Where the vertices on the boundary are, that is, on edges of one cell only: where faces are
+   * best (FREE, 0, default), at even distances between two corners, or around (EVEN, 1), or at the
+   * points of the input's boundary and nowhere else, so that the mesh fits to what is beside it
+   * (KEEP, 2).
+   * With KEEP faces beside the boundary are as large as its edges, and PureQuads leaves a triangle
+   * where the boundary of a component has an odd number of edges, with a warning.
+   */
+  vtkSetClampMacro(BoundarySpacing, int, FREE, KEEP);
+  vtkGetMacro(BoundarySpacing, int);
+  ///@}
+
   ///@{
   /**
    * Make faces smaller where limbs and tips are so thin that a mesh of the wanted size would lose
@@ -386,6 +410,7 @@ private:
   char* RegionArray;
   char* ConservedArray;
   bool PureQuads;
+  int BoundarySpacing;
   bool KeepThinParts;
   bool KeepFeatures;
   double FeatureAngle;

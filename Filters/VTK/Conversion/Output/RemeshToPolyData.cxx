@@ -89,6 +89,16 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   {
     AddNumber<vtkDoubleArray>("EdgesAsWanted", mesh.EdgesAsWanted, data);
   }
+  const BoundaryFigures& boundary = mesh.Boundary;
+  if (boundary.Kept + boundary.Others > 0)
+  {
+    AddNumber<vtkIntArray>("BoundaryPoints", boundary.Points, data);
+    AddNumber<vtkIntArray>("BoundaryPointsKept", boundary.Kept, data);
+  }
+  else if (boundary.Points > 0)
+  {
+    AddNumber<vtkDoubleArray>("BoundaryUnevenness", boundary.Unevenness, data);
+  }
   if (!mesh.Regions.empty())
   {
     const RegionFigures& shown = mesh.RegionsShown;
