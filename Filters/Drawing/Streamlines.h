@@ -46,8 +46,9 @@ struct StreamlineOptions
   double Ratio = 0.5;
   /// Greatest length of a line, 0 or more; 0 stands for 20 times the root of the component's area.
   double MaximumLength = 0.0;
-  /// Shorter lines are left out, 0 or more. 0 leaves out evenly spaced lines shorter than 0.9 times
-  /// the spacing (on small components, than a quarter of the root of the area), and no others.
+  /// Shorter lines are left out, 0 to MaximumLength. 0 leaves out evenly spaced lines shorter than
+  /// 0.9 times the spacing or MaximumLength (on small components, than a quarter of the root of the
+  /// area), and no others.
   double MinimumLength = 0.0;
   /// Lines from singularities end where they cross each other: together they are the motorcycle
   /// graph of the field (Eppstein, Goodrich, Kim and Tamstorf 2008).

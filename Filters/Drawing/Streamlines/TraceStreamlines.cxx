@@ -54,6 +54,9 @@ void Check(const StreamlineOptions& options)
     options.Ratio >= 0.1 && options.Ratio <= 0.9, "SeparatingDistanceRatio must be 0.1 to 0.9.");
   require(options.MaximumLength >= 0.0, "MaximumStreamlineLength must be 0 or more.");
   require(options.MinimumLength >= 0.0, "MinimumStreamlineLength must be 0 or more.");
+  require(options.MaximumLength == 0.0 || options.MinimumLength <= options.MaximumLength,
+    "No line is as long as MinimumStreamlineLength where MaximumStreamlineLength is less. Lower the "
+    "one or raise the other.");
   require(options.MaximumNumber >= 1 && options.MaximumNumber <= 10000000,
     "Maximum Number Of Lines must be 1 to 10000000.");
   require(options.Offset >= -1.0 && options.Offset <= 1.0, "Offset must be -1 to 1.");
@@ -177,11 +180,17 @@ private:
       even.MaximumLength = this->MaximumLength(c);
       even.MinimumLength = this->Options.MinimumLength > 0.0
         ? this->Options.MinimumLength
-        : std::min(LeastOfSpacing * even.Spacing, LeastPart * this->Extent(c));
+        : std::min({ LeastOfSpacing * even.Spacing, LeastPart * this->Extent(c),
+            LeastOfSpacing * even.MaximumLength });
       even.MaximumNumber = this->Options.MaximumNumber - static_cast<Index>(lines.size());
       if (even.MaximumNumber <= 0)
       {
         break;
+      }
+      if (even.MinimumLength > even.MaximumLength)
+      {
+        // All of them would be left out.
+        continue;
       }
       std::vector<TracedStreamline> more = TraceEvenStreamlines(this->Field, this->Zeros, c, even,
         ghosts, progress.Part(static_cast<double>(c) / components, (c + 1.0) / components));

@@ -137,7 +137,8 @@ public:
   ///@{
   /**
    * Shorter lines are left out. 0: for evenly spaced lines 0.9 SeparatingDistance, less on
-   * components that are hardly larger; else none is. Range 0 to VTK_DOUBLE_MAX, default 0.
+   * components that are hardly larger and where lines may not be that long; else none is. More than
+   * a MaximumStreamlineLength is an error. Range 0 to VTK_DOUBLE_MAX, default 0.
    */
   vtkSetClampMacro(MinimumStreamlineLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumStreamlineLength, double);

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 using namespace DirectionFields;
@@ -280,4 +282,32 @@ TEST(EvenStreamlines, TurnGrowAndAreRenumberedWithTheSurface)
       EXPECT_EQ(same, static_cast<int>(here.size())) << degree;
     }
   }
+}
+
+TEST(EvenStreamlines, MayBeShorterThanTheirSpacingButNotThanAllowed)
+{
+  StreamlineOptions options = OnSurface(0.4);
+  options.MaximumLength = 0.1;
+  const Streamlines lines = LinesOf(Meshes::Torus(48, 24), 4, options);
+  ASSERT_GT(lines.Length.size(), 4u);
+  for (const double length : lines.Length)
+  {
+    EXPECT_GE(length, 0.9 * options.MaximumLength);
+    // Lines end within the triangle in which they have become long enough.
+    EXPECT_LE(length, 1.5 * options.MaximumLength);
+  }
+  // No line is that long, and to look for one took seconds.
+  options.MinimumLength = 0.11;
+  try
+  {
+    LinesOf(Meshes::Torus(48, 24), 4, options);
+    FAIL();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("MaximumStreamlineLength"), std::string::npos);
+  }
+  options.MaximumLength = 0.0;
+  options.MinimumLength = 1e6;
+  EXPECT_EQ(LinesOf(Meshes::Torus(48, 24), 4, options).Length.size(), 0u);
 }
