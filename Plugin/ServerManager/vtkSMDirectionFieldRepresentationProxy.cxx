@@ -393,6 +393,12 @@ void vtkSMDirectionFieldRepresentationProxy::LeaveVanished(vtkSMProxy* view)
 //------------------------------------------------------------------------------
 void vtkSMDirectionFieldRepresentationProxy::HideEmptyLegend(vtkSMProxy* view)
 {
+  // The data of a hidden display need not be there yet when a state has been loaded: the legend is
+  // that of another one then.
+  if (vtkSMPropertyHelper(this, "Visibility", /*quiet=*/true).GetAsInt() == 0)
+  {
+    return;
+  }
   bool hasLegend = false;
   display_hints::ForDisplay(this,
     [&](vtkPVXMLElement* element)

@@ -16,7 +16,7 @@ import Messages
 plugin, mesh, output_directory = sys.argv[1:4]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 import directionfields
-from directionfields import strokes as room
+from directionfields import laying, strokes as room
 
 SIZE = [800, 600]
 messages = []
@@ -172,7 +172,7 @@ def test_parts():
     lines = points_of(strokes)
     assert len(lines) > 1, len(lines)
     screen = room.Screen(view)
-    surface = room.Surface(source)
+    surface = laying.Surface(source)
     for line in lines:
         steps = np.linalg.norm(np.diff(line, axis=0), axis=1)
         assert steps.max() < 8.0 * np.median(steps) or steps.max() < 0.6, steps
@@ -274,7 +274,7 @@ def test_nearest():
     screen = room.Screen(view)
     for line in points_of(strokes)[1:]:
         for pixel in screen.pixels(line):
-            inside = room.Surface(front).hit(screen.ray(pixel))
+            inside = laying.Surface(front).hit(screen.ray(pixel))
             assert inside is None or np.hypot(*(pixel - [x, y])) > 20.0, (pixel, x, y)
     simple.ResetSession()
 
