@@ -165,7 +165,9 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
     field.GetSurface().LinesOf(field.GetGeometry(), features);
   const RemeshOptions& options = request.Options;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
-    sizes.IsEven ? options.Sizing : sizes.AtPoints };
+    sizes.IsEven ? options.Sizing : sizes.AtPoints,
+    options.BoundarySpacing == BoundarySpacing::Free &&
+      (!options.Regions.empty() || request.HasCurves()) };
   finished.Boundary = FinishFaces(finished.Faces,
     { options.Element == Element::Quads, IsPure(options), options.SmoothingIterations,
       sizes.EdgeLength, options.BoundarySpacing },

@@ -27,9 +27,10 @@ int PlaceOf(const Faces::Face& face, Index v)
 }
 }
 
-FaceEdits::FaceEdits(VertexStars& faces, std::vector<Rule> rules)
+FaceEdits::FaceEdits(VertexStars& faces, std::vector<Rule> rules, const MovableFaces* places)
   : Cells(faces)
   , Rules(std::move(rules))
+  , Places(places)
 {
 }
 
@@ -187,7 +188,8 @@ bool FaceEdits::IsAlongLine(Index goes, Index stays) const
   const std::vector<Index>& ends = this->Cells.LineEnds(goes);
   return this->Rules[goes].MayLeaveLine && ends.size() == 2 &&
     (ends[0] == stays || ends[1] == stays) && !this->Cells.IsLineEdge(ends[0], ends[1]) &&
-    !this->Cells.AreJoined(ends[0], ends[1]);
+    !this->Cells.AreJoined(ends[0], ends[1]) &&
+    (!this->Places || this->Places->MayLeaveLine(goes, ends[0], ends[1]));
 }
 
 bool FaceEdits::Cut(Index f, Index diagonal)

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_FaceEdits_h
 #define DirectionFields_FaceEdits_h
 
-#include "FaceMesh/VertexStars.h"
+#include "FaceMesh/MovableFaces.h"
 
 #include <vector>
 
@@ -34,7 +34,8 @@ public:
     /// The number of its faces must not change.
     bool IsLocked = false;
   };
-  FaceEdits(VertexStars& faces, std::vector<Rule> rules);
+  /// @param places  tell which vertices lines need to stay close; null for none
+  FaceEdits(VertexStars& faces, std::vector<Rule> rules, const MovableFaces* places = nullptr);
 
   /// One edit: two faces with a common edge whose polygon is cut along another diagonal, a vertex
   /// that is merged with another one along an edge or the diagonal of a quad, or a quad that is cut
@@ -75,6 +76,7 @@ private:
 
   VertexStars& Cells;
   std::vector<Rule> Rules;
+  const MovableFaces* Places;
 };
 }
 

@@ -19,6 +19,14 @@ Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
   return middle;
 }
 
+Vector3 AreaVector(const std::vector<Vector3>& points, const Faces::Face& face)
+{
+  const Vector3 u = points[face[2]] - points[face[0]];
+  const Vector3 v =
+    face[3] == None ? points[face[2]] - points[face[1]] : points[face[3]] - points[face[1]];
+  return 0.5 * u.cross(face[3] == None ? Vector3(-(points[face[1]] - points[face[0]])) : v);
+}
+
 double AreaOf(const std::vector<Vector3>& points, const Faces::Face& face)
 {
   const Vector3 a = points[face[2]] - points[face[0]];

@@ -24,6 +24,9 @@ struct Faces
 /// The mean of the corners of a face.
 Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face);
 
+/// Half the product of the diagonals of a quad; of a triangle its area along its normal.
+Vector3 AreaVector(const std::vector<Vector3>& points, const Faces::Face& face);
+
 /// The area of a face; of a quad that of its projection along the product of its diagonals.
 double AreaOf(const std::vector<Vector3>& points, const Faces::Face& face);
 

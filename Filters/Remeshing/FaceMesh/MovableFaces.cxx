@@ -10,14 +10,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-Vector3 AreaVector(const Faces::Face& face, const std::vector<Vector3>& points)
-{
-  const Vector3 u = points[face[2]] - points[face[0]];
-  const Vector3 v =
-    face[3] == None ? points[face[2]] - points[face[1]] : points[face[3]] - points[face[1]];
-  return 0.5 * u.cross(face[3] == None ? Vector3(-(points[face[1]] - points[face[0]])) : v);
-}
-
 /// Of regular polygons with one number of corners: the weights that fit one to given corners, the
 /// corners of the one whose first is 1, and the length of an edge.
 struct Roots
@@ -44,12 +36,24 @@ const Roots& RootsOf(int size)
 }
 }
 
+double Straying(const ClosestPoints& line, const Vector3& a, const Vector3& b)
+{
+  constexpr int samples = 8;
+  double most = 0.0;
+  for (int k = 1; k < samples; ++k)
+  {
+    const double t = static_cast<double>(k) / samples;
+    most = std::max(most, line.Find((1.0 - t) * a + t * b).SquaredDistance);
+  }
+  return std::sqrt(most);
+}
+
 Vector3 MovableFaces::NormalAt(Index v, const std::vector<Vector3>& points) const
 {
   Vector3 sum = Vector3::Zero();
   for (const Index f : this->Cells.At(v))
   {
-    sum += AreaVector(this->Cells.Face(f), points);
+    sum += AreaVector(points, this->Cells.Face(f));
   }
   return sum;
 }
@@ -66,7 +70,7 @@ MovableFaces::Regular MovableFaces::RegularFace(Index f, const std::vector<Vecto
     length += this->Domain.EdgeLength[face[c]] / size;
   }
   Regular regular;
-  regular.Area = AreaVector(face, points);
+  regular.Area = AreaVector(points, face);
   const Vector3 normal = regular.Area.normalized();
   Vector3 x = points[face[0]] - center;
   x -= normal * normal.dot(x);
@@ -98,7 +102,24 @@ Vector3 MovableFaces::Ideal(Index v, const std::vector<Vector3>& points) const
   {
     sum += this->RegularFace(f, points).Corners[this->CornerAt(f, v)];
   }
-  return sum / static_cast<double>(this->Cells.At(v).size());
+  return this->Spaced(v, sum / static_cast<double>(this->Cells.At(v).size()), points);
+}
+
+Vector3 MovableFaces::Spaced(
+  Index v, const Vector3& ideal, const std::vector<Vector3>& points) const
+{
+  const std::vector<Index>& ends = this->Cells.LineEnds(v);
+  if (!this->HasCloseLines() || this->Domain.Line[v] <= 0 || ends.size() != 2)
+  {
+    return ideal;
+  }
+  // An edge from one neighbour to the other would stray four times as far as those to them.
+  const Vector3 middle = 0.5 * (points[ends[0]] + points[ends[1]]);
+  const Vector3 ahead = (points[ends[1]] - points[ends[0]]).normalized();
+  const Vector3 way = points[v] - middle;
+  const double straying = (way - way.dot(ahead) * ahead).norm() / 4.0;
+  const bool isCurved = straying > 0.5 * this->Domain.MostStraying * this->Domain.EdgeLength[v];
+  return isCurved ? Vector3(0.5 * (ideal + middle)) : ideal;
 }
 
 Vector3 MovableFaces::Relaxed(
@@ -111,7 +132,7 @@ Vector3 MovableFaces::Relaxed(
     ideal += regular[f].Corners[this->CornerAt(f, v)];
     normal += regular[f].Area;
   }
-  ideal /= static_cast<double>(this->Cells.At(v).size());
+  ideal = this->Spaced(v, ideal / static_cast<double>(this->Cells.At(v).size()), points);
   return this->Projected(v, 0.5 * (points[v] + ideal), normal, points[v]);
 }
 
@@ -135,7 +156,22 @@ Vector3 MovableFaces::Projected(
   {
     this->Nearest[v] = answer.Place;
   }
-  return answer.Triangle != None ? answer.Position : otherwise;
+  if (answer.Triangle == None)
+  {
+    return otherwise;
+  }
+  if (this->Domain.KeepsSides && line <= 0)
+  {
+    constexpr double most = 0.05;
+    const Vector3 way = answer.Position - place;
+    const double along = std::abs(way.dot(normal.normalized()));
+    const double across = std::sqrt(std::max(0.0, way.squaredNorm() - along * along));
+    if (across > along + most * this->Domain.EdgeLength[v])
+    {
+      return otherwise;
+    }
+  }
+  return answer.Position;
 }
 
 void MovableFaces::Relax(const std::vector<Index>& vertices, int times)
@@ -159,6 +195,28 @@ int MovableFaces::CornerAt(Index f, Index v) const
   return static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
 }
 
+double MovableFaces::Quality(const Faces::Face& face) const
+{
+  constexpr double flat = 0.05;
+  constexpr double leastTurn = 0.64;
+  double quality = ScaledJacobian(this->Points, face);
+  const int size = Faces::Size(face);
+  for (int c = 0; this->HasCloseLines() && quality > flat && c < size; ++c)
+  {
+    const Index v = face[c];
+    const Index before = face[(c + size - 1) % size];
+    const Index after = face[(c + 1) % size];
+    if (this->Domain.Line[v] > 0 && this->Cells.LineEnds(v).size() == 2 &&
+      this->Cells.IsLineEdge(v, before) && this->Cells.IsLineEdge(v, after))
+    {
+      const Vector3 to = this->Points[before] - this->Points[v];
+      const Vector3 from = this->Points[after] - this->Points[v];
+      quality = to.dot(from) < -leastTurn * to.norm() * from.norm() ? flat : quality;
+    }
+  }
+  return quality;
+}
+
 double MovableFaces::LeastQuality(Index v) const
 {
   double least = 1.0;
@@ -167,9 +225,9 @@ double MovableFaces::LeastQuality(Index v) const
   for (const Index f : this->Cells.At(v))
   {
     const Faces::Face& face = this->Cells.Face(f);
-    double quality = ScaledJacobian(this->Points, face);
+    double quality = this->Quality(face);
     // A triangle has no side of its own to be folded to.
-    if (face[3] == None && AreaVector(face, this->Points).dot(normal) < 0.0)
+    if (face[3] == None && AreaVector(this->Points, face).dot(normal) < 0.0)
     {
       quality = -quality;
     }
@@ -190,6 +248,14 @@ double MovableFaces::Distance(const Faces::Face& face) const
   }
   const ClosestPoints::Answer answer = this->Domain.Surface.Find(middle, Vector3::Zero(), length);
   return answer.Triangle != None ? std::sqrt(answer.SquaredDistance) / length : 1.0;
+}
+
+bool MovableFaces::MayLeaveLine(Index v, Index before, Index after) const
+{
+  const Index line = this->Domain.Line[v];
+  return !this->HasCloseLines() || line <= 0 ||
+    Straying(this->Domain.Lines[line - 1], this->Points[before], this->Points[after]) <=
+    this->Domain.MostStraying * this->Domain.EdgeLength[v];
 }
 
 double MovableFaces::LargestDistance(Index v) const

@@ -22,7 +22,15 @@ struct SmoothingDomain
   std::vector<Index> Line;
   /// The wanted length of the edges at each vertex.
   std::vector<double> EdgeLength;
+  /// How far edges of lines may stray from them, in wanted lengths: vertices of lines are spaced
+  /// evenly, and none is taken out that they need for that. 0 for as far as it comes.
+  double MostStraying = 0.0;
+  /// Vertices do not move over lines: their way to the surface is along their normals.
+  bool KeepsSides = false;
 };
+
+/// How far the edge between two places is from a line.
+double Straying(const ClosestPoints& line, const Vector3& a, const Vector3& b);
 
 /// Faces whose vertices move on a surface. All are shared.
 class MovableFaces
@@ -71,16 +79,25 @@ public:
   /// Moves each of these vertices, as far as it may move, half the way to Ideal, projected, one
   /// after the other, in this number of sweeps.
   void Relax(const std::vector<Index>& vertices, int times);
-  /// The least scaled Jacobian of the faces at a vertex. Triangles whose normals oppose the others'
+  /// The scaled Jacobian of a face. Where lines are to stay close, a face in which a line turns
+  /// little counts as flat: it would lie beside the surface, in the hole that the line goes around.
+  double Quality(const Faces::Face& face) const;
+  /// The least one of the faces at a vertex. Triangles whose normals oppose the others'
   /// count as negative.
   double LeastQuality(Index v) const;
   /// The distance of the middle of a face from the surface, in wanted lengths of edges; at most 1.
   double Distance(Index f) const { return this->Distance(this->Cells.Face(f)); }
   double Distance(const Faces::Face& face) const;
+  /// Whether a vertex of a line may be taken out between two others of it.
+  bool MayLeaveLine(Index v, Index before, Index after) const;
   /// The largest one of the faces at a vertex.
   double LargestDistance(Index v) const;
 
 private:
+  bool HasCloseLines() const { return this->Domain.MostStraying > 0.0; }
+  /// Where lines are to stay close: a place on a line that is also drawn to the middle between its
+  /// neighbours there, as an edge strays by the square of its length.
+  Vector3 Spaced(Index v, const Vector3& ideal, const std::vector<Vector3>& points) const;
   Vector3 Projected(
     Index v, const Vector3& place, const Vector3& normal, const Vector3& otherwise) const;
   int CornerAt(Index f, Index v) const;

@@ -41,7 +41,7 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
     return;
   }
   VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
-  SmoothingDomain domain{ surface, lines, {}, edgeLength };
+  SmoothingDomain domain{ surface, lines, {}, edgeLength, settings.MostStraying };
   for (const FaceMesh::Vertex& vertex : mesh.Vertices)
   {
     domain.Line.push_back(vertex.Line);

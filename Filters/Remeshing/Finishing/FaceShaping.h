@@ -24,6 +24,8 @@ struct ShapingSettings
   bool RepairsFaces = true;
   /// Quads may become triangles where faces get better.
   bool MayMakeTriangles = false;
+  /// How far edges of lines may stray from them, in wanted lengths; 0 for as far as it comes.
+  double MostStraying = 0.0;
   /// Triangles are joined in pairs before anything else.
   std::optional<JoinPolicy> Joins;
 };

@@ -7,6 +7,7 @@
 #include "Boundary/BoundaryLine.h"
 #include "Finishing/FaceShaping.h"
 #include "Finishing/FaceSources.h"
+#include "Improvement/CloserLines.h"
 #include "Improvement/FoldedQuads.h"
 #include "PureQuads/TriangleParity.h"
 
@@ -21,6 +22,12 @@ namespace
 /// joined anew, this number of times at most.
 constexpr double Good = 0.2;
 constexpr int Trials = 3;
+/// How often edges of lines are split that stray from them.
+constexpr int LineCutRounds = 3;
+/// How close they come. An edge of the wanted length does at circles with a radius of about three
+/// lengths. Triangles that come of it are joined where quads alone are wanted, which takes room.
+constexpr CloseLines Close = { 0.035, 0.2 };
+constexpr CloseLines CloseOfQuads = { 0.04, 0.25 };
 
 /// The least scaled Jacobian; of triangles, which are to go, -1.
 double LeastQuality(const FaceMesh& mesh)
@@ -56,6 +63,29 @@ std::vector<double> WantedLengths(
   return wanted;
 }
 
+/// Brings the edges of lines closer to them by moves and, this number of times, by cuts.
+void BringLinesCloser(FaceMesh& mesh, int cuts, const CloseLines& close, double edgeLength,
+  const SurfaceContext& context, const Progress& progress)
+{
+  for (int k = 0; k <= cuts; ++k)
+  {
+    const std::vector<double> wanted = WantedLengths(context, mesh.Points, edgeLength);
+    const VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
+    SmoothingDomain domain{ context.Triangles, context.Lines, {}, wanted, close.MostStraying,
+      true };
+    for (const FaceMesh::Vertex& vertex : mesh.Vertices)
+    {
+      domain.Line.push_back(vertex.Line);
+    }
+    MovableFaces places(stars, domain, mesh.Points);
+    SpaceLines(stars, places, domain, progress.Part(k / (cuts + 1.0), (k + 1.0) / (cuts + 1.0)));
+    if (k == cuts || !SplitLines(mesh, context.Lines, wanted, close))
+    {
+      break;
+    }
+  }
+}
+
 void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContext& context,
   const Progress& progress)
 {
@@ -67,11 +97,22 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
   ShapingSettings settings;
   settings.Steps = wanted.Steps;
   settings.AreQuads = wanted.AreQuads;
+  settings.MostStraying = context.HasCloseLines && !wanted.IsPure ? Close.MostStraying : 0.0;
   settings.RepairsFaces = false;
   settings.MayMakeTriangles = true;
   shape(settings, progress.Part(0.0, 0.4));
+  const bool hasCloseLines = wanted.Steps > 0 && context.HasCloseLines;
+  const auto bringLinesCloser = [&](int cuts)
+  {
+    if (hasCloseLines)
+    {
+      BringLinesCloser(mesh, cuts, wanted.IsPure ? CloseOfQuads : Close, wanted.EdgeLength, context,
+        progress.Part(1.0, 1.0));
+    }
+  };
   if (!wanted.AreQuads)
   {
+    bringLinesCloser(LineCutRounds);
     return;
   }
   settings.RepairsFaces = true;
@@ -79,9 +120,11 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
   {
     settings.Joins = JoinPolicy::Free;
     shape(settings, progress.Part(0.4, 1.0));
+    bringLinesCloser(LineCutRounds);
     CutFoldedQuads(mesh.Cells, mesh.Points);
     return;
   }
+  bringLinesCloser(LineCutRounds);
   settings.MayMakeTriangles = false;
   settings.Joins = JoinPolicy::AtAnyPrice;
   ShapingSettings joining;
@@ -103,6 +146,7 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
     CutFoldedQuads(mesh.Cells, mesh.Points, Good);
   }
   mesh = std::move(best);
+  bringLinesCloser(0);
 }
 }
 

@@ -23,6 +23,8 @@ struct SurfaceContext
   /// Wanted length of the edges at each point of the input, relative to elsewhere; empty for the
   /// same everywhere.
   const std::vector<double>& Sizes;
+  /// Edges of lines are to be close to them everywhere, which may cost triangles.
+  bool HasCloseLines = false;
 };
 
 /// What the faces are to be.

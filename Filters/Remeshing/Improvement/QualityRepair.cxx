@@ -41,7 +41,7 @@ public:
     bool mayMakeTriangles)
     : Cells(faces)
     , Places(places)
-    , Edits(faces, std::move(rules))
+    , Edits(faces, std::move(rules), &places)
     , IsNearHub(FindVerticesNearHubs(faces, places))
     , MayMakeTriangles(mayMakeTriangles)
   {
@@ -56,10 +56,7 @@ public:
       { return static_cast<std::size_t>(v) < this->IsNearHub.size() && this->IsNearHub[v] != 0; });
   }
 
-  double Quality(Index f) const
-  {
-    return ScaledJacobian(this->Places.GetPoints(), this->Cells.Face(f));
-  }
+  double Quality(Index f) const { return this->Places.Quality(this->Cells.Face(f)); }
 
   bool Repair(Index f)
   {
@@ -265,7 +262,7 @@ private:
     Figures before;
     for (const Faces::Face& face : facesBefore)
     {
-      before.Add(ScaledJacobian(points, face));
+      before.Add(this->Places.Quality(face));
     }
     if (before.Missing - PerGrowth * grown < least)
     {

@@ -32,7 +32,7 @@ public:
   Cleanup(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules)
     : Cells(faces)
     , Places(places)
-    , Edits(faces, std::move(rules))
+    , Edits(faces, std::move(rules), &places)
     , IsHopeless(faces.GetNumberOfVertices(), 0)
     , IsNearHub(FindVerticesNearHubs(faces, places))
   {

@@ -57,7 +57,7 @@ public:
     VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules, JoinPolicy policy)
     : Cells(faces)
     , Places(places)
-    , Edits(faces, std::move(rules))
+    , Edits(faces, std::move(rules), &places)
     , Cuts(faces, places, this->Edits)
     , Policy(policy)
     , MovesLeft(MostMovedAnyway + MostMovedPerFace * faces.GetNumberOfFaces())

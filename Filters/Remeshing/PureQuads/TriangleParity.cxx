@@ -3,7 +3,7 @@
 
 #include "PureQuads/TriangleParity.h"
 
-#include "FaceMesh/FaceCut.h"
+#include "FaceMesh/LineCuts.h"
 
 #include <algorithm>
 #include <functional>
@@ -32,13 +32,7 @@ std::array<Index, 2> EndsOf(Index a, Index b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// An edge of a line and its faces: one at the boundary, more than two where sheets meet.
-struct Wall
-{
-  std::array<Index, 2> Ends;
-  std::vector<Index> Faces;
-  Index Line;
-};
+using Wall = LineCuts::Wall;
 
 class Parity
 {
@@ -46,6 +40,7 @@ public:
   Parity(FaceMesh& mesh, bool mayCutBoundary)
     : Mesh(mesh)
     , MayCutBoundary(mayCutBoundary)
+    , Cuts(mesh)
     , Neighbours(mesh.Cells.Corners.size(), { None, None, None, None })
     , UncutEdges(mesh.Cells.Corners.size(), 0)
     , Region(mesh.Cells.Corners.size(), None)
@@ -67,7 +62,7 @@ public:
       {
         if (wall.Faces.size() > 2)
         {
-          this->Cut(wall);
+          this->Cuts.Cut(wall, this->MiddleOf(wall));
           for (const Index f : wall.Faces)
           {
             this->IsOdd[this->Region[f]] ^= 1;
@@ -79,7 +74,7 @@ public:
     }
     for (const Index w : chosen)
     {
-      this->Cut(this->Walls[w]);
+      this->Cuts.Cut(this->Walls[w], this->MiddleOf(this->Walls[w]));
     }
   }
 
@@ -306,6 +301,11 @@ private:
     return order;
   }
 
+  Vector3 MiddleOf(const Wall& wall) const
+  {
+    return 0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
+  }
+
   /// The nearer to triangles the better, and where good faces are left.
   double CostOf(const Wall& wall) const
   {
@@ -314,72 +314,20 @@ private:
     {
       cost += this->Mesh.Vertices[v].Line < 0 ? PerCorner : 0.0;
     }
-    const Vector3 middle =
-      0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
+    const Vector3 middle = this->MiddleOf(wall);
     for (const Index f : wall.Faces)
     {
       cost += std::max<Index>(this->Distance[f], 0) +
-        (CutAtEdge(this->Mesh.Points, this->Face(f), wall.Ends, middle).Quality < Good ? PerBadFace
-                                                                                       : 0.0) +
+        (this->Cuts.QualityOf(f, wall.Ends, middle) < Good ? PerBadFace : 0.0) +
         (this->Size[this->Region[f]] < FewFaces ? PerBadFace : 0.0) +
         (Faces::Size(this->Face(f)) == 3 ? PerTriangle : 0.0);
     }
     return cost;
   }
 
-  void Cut(const Wall& wall)
-  {
-    const auto fresh = static_cast<Index>(this->Mesh.Points.size());
-    const Vector3 middle =
-      0.5 * (this->Mesh.Points[wall.Ends[0]] + this->Mesh.Points[wall.Ends[1]]);
-    for (const Index f : wall.Faces)
-    {
-      const Index part = this->PartWith(f, wall.Ends);
-      const FaceParts parts = CutAtEdge(this->Mesh.Points, this->Face(part), wall.Ends, middle);
-      this->Mesh.Cells.Corners[part] = parts.First;
-      this->Mesh.Cells.IsRegular[part] = 0;
-      this->PartsOf.emplace_back(f, static_cast<Index>(this->Mesh.Cells.Corners.size()));
-      this->Mesh.Cells.Corners.push_back(parts.Second);
-      this->Mesh.Cells.IsRegular.push_back(0);
-    }
-    this->Mesh.Points.push_back(middle);
-    FaceMesh::Vertex vertex;
-    vertex.Line = wall.Line;
-    vertex.IsBoundary = wall.Faces.size() != 2;
-    this->Mesh.Vertices.push_back(vertex);
-    std::vector<FaceMesh::LineEdge>& edges = this->Mesh.LineEdges;
-    const auto end = edges.size();
-    for (std::size_t k = 0; k < end; ++k)
-    {
-      if (EndsOf(edges[k].Ends[0], edges[k].Ends[1]) == wall.Ends)
-      {
-        edges.push_back({ { fresh, edges[k].Ends[1] }, edges[k].Line });
-        edges[k].Ends[1] = fresh;
-      }
-    }
-  }
-
-  /// The part of a face, which may have been cut before, that has an edge.
-  Index PartWith(Index f, const std::array<Index, 2>& ends) const
-  {
-    const auto has = [&](Index part)
-    {
-      const Faces::Face& face = this->Face(part);
-      const int size = Faces::Size(face);
-      bool found = false;
-      for (int c = 0; c < size; ++c)
-      {
-        found = found || EndsOf(face[c], face[(c + 1) % size]) == ends;
-      }
-      return found;
-    };
-    const auto part = std::find_if(this->PartsOf.begin(), this->PartsOf.end(),
-      [&](const std::pair<Index, Index>& item) { return item.first == f && has(item.second); });
-    return part != this->PartsOf.end() ? part->second : f;
-  }
-
   FaceMesh& Mesh;
   bool MayCutBoundary;
+  LineCuts Cuts;
   /// The face over each edge that is part of no line.
   std::vector<std::array<Index, 4>> Neighbours;
   /// The number of edges of each face that are not cut, since they are kept as they are.
@@ -391,8 +339,6 @@ private:
   std::vector<char> IsOdd;
   /// The number of each region's faces.
   std::vector<Index> Size;
-  /// Faces that were cut, and the parts cut off them.
-  std::vector<std::pair<Index, Index>> PartsOf;
 };
 }
 

@@ -154,6 +154,38 @@ TEST(Regions, BandsAreClosedRowsOfFaces)
   EXPECT_EQ(mesh.IrregularVertices, 0);
 }
 
+TEST(Regions, EdgesAroundSmallHolesAreAsCloseToThem)
+{
+  // The hole has a radius of about two and a half edges, of which some would be half as long again.
+  constexpr double radius = 0.1;
+  const Surface plate = Meshes::PlateWithHole(96, 24, radius, false);
+  const std::vector<Index> regions =
+    Labelled(plate, [](const Vector3& p) { return p[1] > 0.0 ? 1 : 0; });
+  const RemeshResult mesh = Remeshed(plate, regions, 2400);
+  ASSERT_GT(mesh.EdgeLength, radius / 2.7);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
+  Index around = 0;
+  double most = 0.0;
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const int size = face[3] == None ? 3 : 4;
+    for (int c = 0; c < size; ++c)
+    {
+      const Vector3& a = mesh.Points[face[c]];
+      const Vector3& b = mesh.Points[face[(c + 1) % size]];
+      if (std::max(a.norm(), b.norm()) < 1.0001 * radius)
+      {
+        ++around;
+        most = std::max(most, radius - (0.5 * (a + b)).norm());
+      }
+    }
+  }
+  EXPECT_LE(most, 0.05 * mesh.EdgeLength);
+  // No more than half as many again as even spacing needs.
+  EXPECT_LE(around, 1.5 * Pi / std::acos(1.0 - 0.035 * mesh.EdgeLength / radius));
+}
+
 TEST(Regions, TeesAndIslandsOfASquareAreExact)
 {
   const Surface square = Meshes::Square(40);
