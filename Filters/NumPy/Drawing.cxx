@@ -56,6 +56,9 @@ ChosenMesh ReadRemeshOptions(Keywords& keywords)
   options.UseEdgeLength = options.EdgeLength != 0.0;
   options.EdgeLength = options.UseEdgeLength ? options.EdgeLength : 1.0;
   keywords("sizing_is_length", options.SizingIsLength);
+  keywords.Choice(
+    "size_source", options.SizeSource, { "sizing", "curvature", "second_derivatives" });
+  keywords("maximum_error", options.MaximumError, 0.0);
   keywords("gradation", options.Gradation, 0.0);
   keywords("add_irregular_pairs", options.AddIrregularPairs);
   keywords("pure_quads", options.PureQuads);
@@ -196,6 +199,7 @@ py::object MakeMesh(const SharedSurface& surface, const py::object& directions,
         all["largest_area_error"] = mesh->RegionsShown.LargestAreaError;
         all["edge_length"] = mesh->EdgeLength;
         all["edges_as_wanted"] = mesh->EdgesAsWanted;
+        all["error_of_sizes"] = mesh->ErrorOfSizes;
         all["boundary_unevenness"] = mesh->Boundary.Unevenness;
         all["boundary_points_kept"] = mesh->Boundary.Kept;
         all["maximum_distance"] = mesh->MaximumDistance;

@@ -142,6 +142,7 @@ class Mesh(_Result):
     largest_area_error: float
     edge_length: float
     edges_as_wanted: float
+    error_of_sizes: float
     boundary_unevenness: float
     boundary_points_kept: int
     maximum_distance: float
@@ -275,6 +276,8 @@ def remesh(
     faces: int = 5000,
     edge_length: float = 0.0,
     sizing_is_length: bool = False,
+    size_source: Literal['sizing', 'curvature', 'second_derivatives'] = 'sizing',
+    maximum_error: float = 0.0,
     gradation: float = 0.0,
     add_irregular_pairs: bool = True,
     pure_quads: bool = False,

@@ -265,6 +265,8 @@ class Mesh(_Result):
         Wanted edge length, and distance of the faces' middles from the surface.
     edges_as_wanted : float
         The part of the edges, 0 to 1, whose length is within 25 % of what sizing asks for.
+    error_of_sizes : float
+        With another size_source the error at the middles of faces that the sizes are for, else 0.
     boundary_unevenness : float
         With even spacing the standard deviation of the lengths of the boundary's edges between two
         corners, relative to their mean.

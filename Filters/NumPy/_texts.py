@@ -58,6 +58,8 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         faces: About how many faces there are to be.
         edge_length: Wanted length of the edges, which then counts in place of faces; 0 for faces.
         sizing_is_length: Sizing has the lengths themselves, in place of faces and edge_length.
+        size_source: Sizes, from the curvature, or for the function in sizing to be interpolated.
+        maximum_error: Of faces, or of that function: as many faces as it needs; 0 for faces.
         gradation: The factor by which lengths beside each other may differ, 1.3 say; 0 for any.
         add_irregular_pairs: Irregular vertices are added in pairs where sizes that vary need them.
         pure_quads: No triangles between the quads.

@@ -342,6 +342,8 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
   const Progress progress(progressFunction);
   try
   {
+    double errorOfSizes = 0.0;
+    options = this->WithSizes(given, errorOfSizes);
     this->CutSurface(progress);
     if (this->Cut)
     {
@@ -361,6 +363,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
       result.Notes.insert(result.Notes.end(), this->Cut->Notes.begin(), this->Cut->Notes.end());
     }
     result.Notes.insert(result.Notes.end(), aboutSizes.begin(), aboutSizes.end());
+    result.ErrorOfSizes = errorOfSizes;
     return InUnitOfSurface(std::move(result), this->Origin, this->Unit);
   }
   catch (const Stopped&)

@@ -48,6 +48,18 @@ enum class FieldAlignment
   Smooth = 1
 };
 
+/// What sizes that vary over the surface come from.
+enum class SizeSource
+{
+  /// RemeshOptions::Sizing has them, if it is not empty.
+  Sizing = 0,
+  /// The curvature: all faces are about as far from the surface at their middles.
+  Curvature = 1,
+  /// The second derivatives of the function that Sizing has at the points: interpolated on the
+  /// faces it is off by about as much everywhere.
+  SecondDerivatives = 2
+};
+
 /// The options of a new mesh. The defaults stand here and nowhere else.
 struct RemeshOptions
 {
@@ -65,6 +77,14 @@ struct RemeshOptions
   /// EdgeLength. All lengths have to be finite and above 0. A note says where they differ by more
   /// than a factor of 64, which no mesh reaches.
   bool SizingIsLength = false;
+  /// With other sources than SizeSource::Sizing edges differ by a factor of 32 at most, and by
+  /// Gradation, or 1.3 where that is 0, from one to the next. NumberOfFaces, or that of even faces
+  /// of EdgeLength, is kept, but for MaximumError. SizingIsLength has to be off.
+  DirectionFields::SizeSource SizeSource = DirectionFields::SizeSource::Sizing;
+  /// The distance of faces from the surface, in its unit, or the error of the function at their
+  /// middles, for the other sources: as many faces are made as it needs. At least 0; 0 for what
+  /// NumberOfFaces or EdgeLength allows.
+  double MaximumError = 0.0;
   /// The factor by which lengths of edges beside each other may differ: sizes that grow faster are
   /// made smaller, around the smallest ones. Above 1; 0 for any. No effect without Sizing.
   double Gradation = 0.0;
@@ -181,6 +201,9 @@ struct RemeshResult
   /// Whether there were sizes or lengths, and the part of all edges, from 0 to 1, whose length is
   /// within 25 % of what they ask for.
   bool IsSized = false;
+  /// With SizeSource::Curvature and SecondDerivatives the error at the middles of faces that the
+  /// sizes are for, in the unit of the surface or the function; else 0.
+  double ErrorOfSizes = 0.0;
   double EdgesAsWanted = 1.0;
   Repairs Repaired;
   /// Sentences for the user.
@@ -225,6 +248,9 @@ private:
   static constexpr double AfterFirst = 0.9;
   static constexpr double AfterShrinkings = 0.96;
 
+  /// Options with the lengths that another source of sizes asks for, and the error that these are
+  /// for. Throws MeshError, and std::invalid_argument for values that are no function.
+  RemeshOptions WithSizes(const RemeshOptions& given, double& error) const;
   /// Options for the surface that is computed on, with sizes that are relative and grow as they
   /// may.
   RemeshOptions InUnitOfInput(const RemeshOptions& given, std::vector<std::string>& notes) const;

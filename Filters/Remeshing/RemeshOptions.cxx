@@ -5,6 +5,7 @@
 
 #include "Preparation/WantedSizes.h"
 #include "Sizes/BoundarySizes.h"
+#include "Sizes/ErrorSizes.h"
 #include "Sizes/SizeField.h"
 #include "Support/Sentences.h"
 
@@ -47,6 +48,17 @@ void Check(const RemeshOptions& options, std::size_t points, std::size_t triangl
   require(!options.SizingIsLength || !options.Sizing.empty() || points == 0,
     "Lengths of edges at the points are asked for, but there are none. Choose a Sizing Array that "
     "has them.");
+  require(options.SizeSource == SizeSource::Sizing || !options.SizingIsLength,
+    "Sizes come from Lengths At Points or from Size Source, not from both. Set Size Mode to Number "
+    "Of Faces, or Size Source to Sizing Array.");
+  require(options.SizeSource != SizeSource::Curvature || options.Sizing.empty(),
+    "Sizes come from a Sizing Array or from the curvature, not from both.");
+  require(
+    options.SizeSource != SizeSource::SecondDerivatives || !options.Sizing.empty() || points == 0,
+    "The function whose second derivatives are to give the sizes is missing. Choose it as Sizing "
+    "Array.");
+  require(options.MaximumError >= 0.0 && std::isfinite(options.MaximumError),
+    "Maximum Error has to be at least 0.");
   require(options.Gradation == 0.0 || (options.Gradation > 1.0 && std::isfinite(options.Gradation)),
     "Gradation has to be above 1, or 0 for any.");
   require(options.Regions.empty() || options.Regions.size() == triangles,
@@ -74,12 +86,12 @@ bool AreSame(const RemeshOptions& a, const RemeshOptions& b)
   const auto all = [](const RemeshOptions& options)
   {
     // This does not compile where an option is not among them.
-    const auto& [element, faces, usesLength, length, sizing, areLengths, gradation, pairs, pure,
-      spacing, thin, features, angle, shortest, regions, names, alignment, strength, cost,
-      smoothing, threads] = options;
-    return std::tie(element, faces, usesLength, length, sizing, areLengths, gradation, pairs, pure,
-      spacing, thin, features, angle, shortest, regions, names, alignment, strength, cost,
-      smoothing, threads);
+    const auto& [element, faces, usesLength, length, sizing, areLengths, source, error, gradation,
+      pairs, pure, spacing, thin, features, angle, shortest, regions, names, alignment, strength,
+      cost, smoothing, threads] = options;
+    return std::tie(element, faces, usesLength, length, sizing, areLengths, source, error,
+      gradation, pairs, pure, spacing, thin, features, angle, shortest, regions, names, alignment,
+      strength, cost, smoothing, threads);
   };
   return all(a) == all(b);
 }
@@ -92,6 +104,48 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
   }
   const double face = area / options.NumberOfFaces;
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
+}
+
+RemeshOptions Remesh::WithSizes(const RemeshOptions& given, double& error) const
+{
+  constexpr double usualGradation = 1.3;
+  RemeshOptions options = given;
+  if (given.SizeSource == SizeSource::Sizing || this->Given->Triangles.empty())
+  {
+    return options;
+  }
+  for (std::size_t p = 0; p < given.Sizing.size(); ++p)
+  {
+    if (!std::isfinite(given.Sizing[p]))
+    {
+      throw std::invalid_argument("The function at point " + std::to_string(p) +
+        " is NaN or infinite, and has no second derivatives. All values of the Sizing Array have "
+        "to be finite.");
+    }
+  }
+  const bool isOfShape = given.SizeSource == SizeSource::Curvature;
+  // A length of the user's, and a value of the function.
+  const double unit = isOfShape ? this->Unit : 1.0;
+  const double area =
+    RelativeArea(*this->Given, std::vector<double>(this->Given->Points.size(), 1.0));
+  const double length =
+    given.UseEdgeLength ? given.EdgeLength / this->Unit : EdgeLengthFor(area, given);
+  ErrorWish wish;
+  wish.Error = given.MaximumError / unit;
+  wish.Squares = area / (length * length);
+  wish.Gradation = given.Gradation > 1.0 ? given.Gradation : usualGradation;
+  wish.AreChords = isOfShape;
+  ErrorLengths lengths = LengthsForError(*this->Given,
+    isOfShape ? CurvatureSums(*this->Given) : DerivativeSums(*this->Given, given.Sizing), wish);
+  for (double& each : lengths.Lengths)
+  {
+    each *= this->Unit;
+  }
+  error = lengths.Error * unit;
+  options.Sizing = std::move(lengths.Lengths);
+  options.SizingIsLength = true;
+  options.Gradation = 0.0;
+  return options;
 }
 
 RemeshOptions Remesh::InUnitOfInput(

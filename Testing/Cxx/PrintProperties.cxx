@@ -148,6 +148,8 @@ void PrintRemesh()
   RANGE(EdgeLength);
   VALUE(AddIrregularPairs);
   RANGE(BoundarySpacing);
+  RANGE(SizeSource);
+  RANGE(MaximumError);
   VALUE(KeepThinParts);
   VALUE(KeepFeatures);
   RANGE(FeatureAngle);

@@ -139,6 +139,14 @@ class Meshes(unittest.TestCase):
         mesh = df.remesh(plate, squares, faces=230, boundary_spacing="even")
         self.assertLess(mesh.boundary_unevenness, 0.02)
 
+    def test_sizes_come_from_the_curvature(self):
+        points, triangles = torus()
+        mesh = df.remesh(points, triangles, faces=800, size_source="curvature")
+        self.assertGreater(mesh.error_of_sizes, 0)
+        self.assertIn("sizes for an error of", mesh.summary)
+        with self.assertRaisesRegex(ValueError, "function at point 0 is NaN"):
+            df.remesh(points, triangles, size_source="second_derivatives", sizing=np.full(len(points), np.nan))
+
     def test_faces_are_judged_by_limits(self):
         with self.assertWarnsRegex(df.DirectionFieldWarning, r"\. passes shows where"):
             mesh = df.remesh(*torus(), faces=300, minimum_scaled_jacobian=0.995,

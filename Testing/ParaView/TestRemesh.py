@@ -17,6 +17,7 @@ AllFigures.switch_on()
 ENUMERATIONS = {
     "Element": ["Quads", "Triangles"],
     "SizeMode": ["Number Of Faces", "Edge Length", "Lengths At Points"],
+    "SizeSource": ["Sizing Array", "Curvature", "Second Derivatives"],
     "BoundarySpacing": ["Free", "Even", "Keep"],
     "Alignment": ["Shape", "Smooth"],
 }
@@ -110,6 +111,25 @@ def test_boundary():
     assert mesh.GetFieldData().GetArray("BoundaryPoints") is None
 
 
+def test_size_sources():
+    """Sizes come from the shape, or from a function that is to be interpolated."""
+    egg = Transform(Input=Sphere(ThetaResolution=64, PhiResolution=64))
+    egg.Transform.Scale = [4, 1, 1]
+    remesh = FieldAlignedRemesh(Input=egg, NumberOfFaces=1000)
+    even = servermanager.Fetch(remesh)
+    assert even.GetFieldData().GetArray("ErrorOfSizes") is None
+    remesh.SizeSource = "Curvature"
+    mesh = servermanager.Fetch(remesh)
+    assert 0 < number(mesh, "ErrorOfSizes") < number(even, "MaximumDistance")
+    assert "sizes for an error of" in mesh.GetFieldData().GetAbstractArray("Summary").GetValue(0)
+    front = Calculator(Input=Plane(XResolution=60, YResolution=60), Function="(coordsX+0.5)^6",
+                       ResultArrayName="Front")
+    remesh = FieldAlignedRemesh(Input=front, NumberOfFaces=1000, SizingArray="Front", SizeSource="Second Derivatives")
+    mesh = servermanager.Fetch(remesh)
+    right = sum(mesh.GetPoint(i)[0] > 0 for i in range(mesh.GetNumberOfPoints()))
+    assert right > 0.6 * mesh.GetNumberOfPoints(), right / mesh.GetNumberOfPoints()
+
+
 def test_quality():
     """Faces beyond a limit are marked, counted and said; without limits there is no mark."""
     remesh = FieldAlignedRemesh(Input=Sphere(ThetaResolution=40, PhiResolution=30), NumberOfFaces=200)
@@ -192,6 +212,7 @@ test_scan()
 test_field()
 test_options()
 test_boundary()
+test_size_sources()
 test_quality()
 test_data()
 test_regions()

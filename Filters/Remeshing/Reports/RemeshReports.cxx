@@ -85,9 +85,11 @@ std::string AboutRegions(const RemeshResult& mesh)
 
 std::string AboutSizes(const RemeshResult& mesh)
 {
-  return mesh.IsSized
-    ? ", " + Figure(100.0 * mesh.EdgesAsWanted) + " % of edges within 25 % of their wanted length"
-    : std::string();
+  return !mesh.IsSized
+    ? std::string()
+    : (mesh.ErrorOfSizes > 0.0 ? ", sizes for an error of " + Figure(mesh.ErrorOfSizes)
+                               : std::string()) +
+      ", " + Figure(100.0 * mesh.EdgesAsWanted) + " % of edges within 25 % of their wanted length";
 }
 
 std::string AboutBoundary(const RemeshResult& mesh)

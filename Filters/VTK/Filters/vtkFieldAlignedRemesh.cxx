@@ -100,6 +100,8 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->NumberOfFaces = defaults.NumberOfFaces;
   this->EdgeLength = defaults.EdgeLength;
   this->SizingArray = nullptr;
+  this->SizeSource = static_cast<int>(defaults.SizeSource);
+  this->MaximumError = defaults.MaximumError;
   this->Gradation = defaults.Gradation;
   this->AddIrregularPairs = defaults.AddIrregularPairs;
   this->RegionArray = nullptr;
@@ -164,6 +166,8 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "SizingArray: " << (this->SizingArray ? this->SizingArray : "(none)") << "\n";
+  os << indent << "SizeSource: " << this->SizeSource << "\n";
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "Gradation: " << this->Gradation << "\n";
   os << indent << "AddIrregularPairs: " << this->AddIrregularPairs << "\n";
   os << indent << "RegionArray: " << (this->RegionArray ? this->RegionArray : "(none)") << "\n";
@@ -194,7 +198,12 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
   options.UseEdgeLength = this->SizeMode == EDGE_LENGTH;
   options.NumberOfFaces = this->NumberOfFaces;
   options.EdgeLength = this->EdgeLength;
-  options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
+  if (this->SizeSource != CURVATURE)
+  {
+    options.Sizing = DirectionFields::PointValues(input, this->SizingArray, "Sizing Array");
+  }
+  options.SizeSource = static_cast<DirectionFields::SizeSource>(this->SizeSource);
+  options.MaximumError = this->MaximumError;
   options.SizingIsLength = this->SizeMode == LENGTHS_AT_POINTS;
   options.Gradation = this->Gradation;
   options.AddIrregularPairs = this->AddIrregularPairs;

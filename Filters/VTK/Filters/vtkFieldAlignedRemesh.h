@@ -54,6 +54,7 @@
  * - with a SizingArray: field data `EdgesAsWanted`, the part of the edges whose length is within 25
  *   % of what it asks for: double, 0 to 1. EdgeLength is that where the size is 1, or, with
  *   lengths, one that faces of even size would have.
+ *   With sizes of another SizeSource `ErrorOfSizes`, too, the error that they are for: double.
  * - with the BoundarySpacing EVEN: field data `BoundaryUnevenness`, the standard deviation of the
  *   lengths of the boundary's edges, relative to their mean, between those two corners where it is
  *   largest: double. With KEEP: `BoundaryPoints`, those of the input's boundary, and
@@ -193,11 +194,41 @@ public:
   vtkGetStringMacro(SizingArray);
   ///@}
 
+  enum SizeSources
+  {
+    ARRAY = 0,
+    CURVATURE = 1,
+    SECOND_DERIVATIVES = 2
+  };
+
+  ///@{
+  /**
+   * What sizes that vary come from: the SizingArray, if there is one (ARRAY, 0, default); the
+   * curvature, so that all faces are about as far from the surface (CURVATURE, 1), without regard
+   * to the SizingArray; or the second derivatives of the function that the SizingArray has at the
+   * points, so that it is off by as much everywhere where it is interpolated on the faces
+   * (SECOND_DERIVATIVES, 2). An error with the SizeMode LENGTHS_AT_POINTS, but for ARRAY.
+   */
+  vtkSetClampMacro(SizeSource, int, ARRAY, SECOND_DERIVATIVES);
+  vtkGetMacro(SizeSource, int);
+  ///@}
+
+  ///@{
+  /**
+   * The distance of faces from the surface, in its unit (CURVATURE), or the error of the function
+   * (SECOND_DERIVATIVES), at the middles of faces: as many faces are made as that needs. Range 0 to
+   * VTK_DOUBLE_MAX; 0, the default, for what NumberOfFaces allows. No effect with ARRAY.
+   */
+  vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
   ///@{
   /**
    * The factor by which lengths of edges beside each other may differ: where the SizingArray grows
    * faster, edges are shorter than it asks for, around the shortest ones. A grid cannot follow
-   * jumps. Above 1, 1.3 say; 0, the default, for any. Values above 0 and up to 1 are an error. No
+   * jumps. Above 1, 1.3 say; 0, the default, for any, or 1.3 where the SizeSource
+   * is not ARRAY. Values above 0 and up to 1 are an error. No
    * effect without a SizingArray.
    */
   vtkSetClampMacro(Gradation, double, 0.0, VTK_DOUBLE_MAX);
@@ -411,6 +442,8 @@ private:
   char* ConservedArray;
   bool PureQuads;
   int BoundarySpacing;
+  int SizeSource;
+  double MaximumError;
   bool KeepThinParts;
   bool KeepFeatures;
   double FeatureAngle;

@@ -42,9 +42,9 @@ constexpr const char* ReportNames[] = { "Eigenvalue", "Residual", "Iterations", 
   "IrregularVertices", "KeptVertices", "FlippedTriangles", "EdgeLength", "MaximumDistance",
   "MaximumDistanceToMesh", "Regions", "RegionsLost", "BordersKept", "CornersMissed",
   "LargestAreaError", "LeastScaledJacobian", "MeanScaledJacobian", "LargestAspectRatio",
-  "LargestWarpage", "FailedFaces", "Pass", "EdgesAsWanted", "BoundaryPoints", "BoundaryPointsKept",
-  "BoundaryUnevenness", "MeanAngleDifference", "MaximumAngleDifference", "MatchedSingularities",
-  "MeanMatchDistance", "MaximumMatchDistance" };
+  "LargestWarpage", "FailedFaces", "Pass", "EdgesAsWanted", "ErrorOfSizes", "BoundaryPoints",
+  "BoundaryPointsKept", "BoundaryUnevenness", "MeanAngleDifference", "MaximumAngleDifference",
+  "MatchedSingularities", "MeanMatchDistance", "MaximumMatchDistance" };
 
 /// Adds an array of vectors over the points; where there are none, removes one that an earlier run
 /// left in the input.

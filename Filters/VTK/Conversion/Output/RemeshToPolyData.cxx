@@ -88,6 +88,10 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   if (mesh.IsSized)
   {
     AddNumber<vtkDoubleArray>("EdgesAsWanted", mesh.EdgesAsWanted, data);
+    if (mesh.ErrorOfSizes > 0.0)
+    {
+      AddNumber<vtkDoubleArray>("ErrorOfSizes", mesh.ErrorOfSizes, data);
+    }
   }
   const BoundaryFigures& boundary = mesh.Boundary;
   if (boundary.Kept + boundary.Others > 0)
