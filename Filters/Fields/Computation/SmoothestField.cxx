@@ -16,9 +16,9 @@ namespace
 /// on most surfaces of more rows, and of somewhat fewer, too; but where many eigenvalues are near
 /// the smallest one, as on coarse surfaces of many handles, it takes twice the time down there.
 constexpr Eigen::Index DirectRows = 1600;
-/// The solves that the direct solver needs as a rule, and its work by the row and solve besides
-/// those with the factor (see WorkLimit).
-constexpr int TypicalSolves = 20;
+/// The solves that the direct solver needs where multigrid is slow, as where many eigenvalues
+/// nearly agree, and its work by the row and solve besides those with the factor (see WorkLimit).
+constexpr int TypicalSolves = 60;
 constexpr double WorkOfSolve = 150.0;
 }
 

@@ -50,9 +50,10 @@ constexpr int MostSlowCycles = 100;
 /// others than the smallest, leave residuals above.
 constexpr double TellingResidual = 1e-5;
 /// The work of a step besides its cycles (see WorkLimit), by the row: with the space of all steps
-/// for each of its sections.
+/// that of its products, and of each of its sections.
 constexpr double StepWork = 250.0;
-constexpr double SpaceWork = 30.0;
+constexpr double SpaceWork = 100.0;
+constexpr double SpaceWorkOfSection = 15.0;
 /// That of a hierarchy, by the entry of its matrices.
 constexpr double HierarchyWork = 110.0;
 
@@ -344,8 +345,8 @@ private:
         : std::clamp(InnerPart * this->Relative / this->Before, InnerReduction, InnerPart),
       Margin * this->RequiredResidual() / this->Relative);
     this->Before = this->Relative;
-    this->Cycles.Spend(
-      this->Block.Rows() * (StepWork + (this->Space ? SpaceWork * this->Space->Size() : 0.0)));
+    this->Cycles.Spend(this->Block.Rows() *
+      (StepWork + (this->Space ? SpaceWork + SpaceWorkOfSection * this->Space->Size() : 0.0)));
     const int mostSteps = this->Space ? MostInnerStepsInSpace : MostInnerSteps;
     ComplexVector correction;
     const DeflatedGradients::Outcome outcome = this->Gradients.Solve(this->Residual, -this->Value,
@@ -360,8 +361,11 @@ private:
       return this->StepWithLast(std::move(correction));
     }
     this->Space->Add(std::move(correction));
-    this->U = this->Space->First();
-    this->Space->WriteNext(this->Block);
+    if (this->Space->GetValues().size() == 0)
+    {
+      return false;
+    }
+    this->U = this->Space->First(this->Block);
     const int known = std::min(this->Space->Size(), Width);
     this->Values.head(known) = this->Space->GetValues().head(known);
     return true;

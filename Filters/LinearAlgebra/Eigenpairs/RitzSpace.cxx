@@ -6,6 +6,7 @@
 #include "Matrices/VectorOperations.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -20,66 +21,29 @@ constexpr double LeastNew = 1e-10;
 constexpr double LargePart = 0.5;
 constexpr int Width = SectionBlock::Width;
 
-/// v^* x of the given member v of each section.
-Eigen::VectorXcd InnerProducts(const std::vector<SectionProducts>& sections,
-  ComplexVector SectionProducts::*member, const ComplexVector& x)
-{
-  const auto count = static_cast<Eigen::Index>(sections.size());
-  return ParallelSum<Eigen::VectorXcd>(static_cast<Index>(x.size()), VectorPiece,
-    Eigen::VectorXcd::Zero(count),
-    [&](Index begin, Index end)
-    {
-      Eigen::VectorXcd part(count);
-      for (Eigen::Index k = 0; k < count; ++k)
-      {
-        part[k] =
-          (sections[k].*member).segment(begin, end - begin).dot(x.segment(begin, end - begin));
-      }
-      return part;
-    });
-}
-
-/// The linear combination of the given member of all sections, at the rows begin to end - 1.
-ComplexVector LinearCombination(const std::vector<SectionProducts>& sections,
-  ComplexVector SectionProducts::*member, const Eigen::VectorXcd& coefficients, Index begin,
-  Index end)
-{
-  ComplexVector sum = ComplexVector::Zero(end - begin);
-  for (std::size_t k = 0; k < sections.size(); ++k)
-  {
-    sum += coefficients[static_cast<Eigen::Index>(k)] *
-      (sections[k].*member).segment(begin, end - begin);
-  }
-  return sum;
-}
-
-constexpr auto Members = { &SectionProducts::Vector, &SectionProducts::Energy,
-  &SectionProducts::Mass };
 }
 
 RitzSpace::RitzSpace(const Operators& operators)
   : Matrices(operators)
+  , Basis(operators.Energy.rows(), MostSections)
 {
 }
 
 void RitzSpace::Add(ComplexVector section)
 {
-  if (this->Size() == MostSections)
+  if (this->Count == MostSections)
   {
     this->Forget();
   }
-  const auto count = static_cast<Eigen::Index>(this->Basis.size());
   const double length = Norm(section);
   // Twice is enough (Kahan and Parlett).
-  for (int pass = 0; pass < 2; ++pass)
+  for (int pass = 0; this->Count > 0 && pass < 2; ++pass)
   {
-    const Eigen::VectorXcd along = InnerProducts(this->Basis, &SectionProducts::Mass, section);
+    const ComplexVector mass = Product(this->Matrices.Mass, section);
+    const SmallMatrix along = this->InnerProducts({ &mass });
     ForRows(section,
       [&](Index begin, Index end)
-      {
-        section.segment(begin, end - begin) -=
-          LinearCombination(this->Basis, &SectionProducts::Vector, along, begin, end);
-      });
+      { section.segment(begin, end - begin).noalias() -= this->Rows(begin, end) * along.col(0); });
     if (Norm(section) > LargePart * length)
     {
       break;
@@ -94,90 +58,84 @@ void RitzSpace::Add(ComplexVector section)
   ForRows(added.Vector,
     [&](Index begin, Index end)
     {
-      for (const auto member : Members)
-      {
-        (added.*member).segment(begin, end - begin) *= perLength;
-      }
+      this->Basis.col(this->Count).segment(begin, end - begin) =
+        perLength * added.Vector.segment(begin, end - begin);
     });
-  this->Basis.push_back(std::move(added));
-  const SectionProducts& last = this->Basis.back();
-  const auto extend = [&](SmallMatrix& matrix, const ComplexVector& products)
+  ++this->Count;
+  const SmallMatrix products = perLength * this->InnerProducts({ &added.Energy, &added.Mass });
+  const auto extend = [&](SmallMatrix& matrix, int column)
   {
-    const Eigen::VectorXcd column = InnerProducts(this->Basis, &SectionProducts::Vector, products);
-    matrix.conservativeResize(count + 1, count + 1);
-    matrix.col(count) = column;
-    matrix.row(count) = column.adjoint();
+    matrix.conservativeResize(this->Count, this->Count);
+    matrix.rightCols(1) = products.col(column);
+    matrix.bottomRows(1) = products.col(column).adjoint();
   };
-  extend(this->Energy, last.Energy);
-  extend(this->Mass, last.Mass);
-  this->Pairs = RayleighRitz(this->Energy, this->Mass, this->Size());
+  extend(this->Energy, 0);
+  extend(this->Mass, 1);
+  this->Pairs = RayleighRitz(this->Energy, this->Mass, this->Count);
 }
 
-SectionProducts RitzSpace::First() const
+SmallMatrix RitzSpace::InnerProducts(std::initializer_list<const ComplexVector*> vectors) const
 {
-  SectionProducts first;
-  for (const auto member : Members)
-  {
-    (first.*member).resize(this->Basis.front().Vector.size());
-  }
-  ForRows(first.Vector,
+  const auto columns = static_cast<Eigen::Index>(vectors.size());
+  return ParallelSum<SmallMatrix>(static_cast<Index>(this->Basis.rows()), VectorPiece,
+    SmallMatrix::Zero(this->Count, columns),
     [&](Index begin, Index end)
     {
-      for (const auto member : Members)
+      SmallMatrix part(this->Count, columns);
+      Eigen::Index column = 0;
+      for (const ComplexVector* vector : vectors)
       {
-        (first.*member).segment(begin, end - begin) =
-          LinearCombination(this->Basis, member, this->Pairs.Vectors.col(0), begin, end);
+        part.col(column++).noalias() =
+          this->Rows(begin, end).adjoint() * vector->segment(begin, end - begin);
       }
+      return part;
     });
-  return first;
 }
 
-void RitzSpace::WriteNext(SectionBlock& block) const
+SectionProducts RitzSpace::First(SectionBlock& next) const
 {
   const int count = std::min<int>(Width, static_cast<int>(this->Pairs.Values.size()));
-  ParallelFor(block.Rows(), VectorPiece,
+  std::array<ComplexVector, Width> sections;
+  for (int b = 0; b < count; ++b)
+  {
+    Resize(sections[b], this->Basis.rows());
+  }
+  ForRows(sections[0],
     [&](Index begin, Index end)
     {
-      for (int b = 1; b < count; ++b)
+      const Eigen::MatrixXcd part = this->Rows(begin, end) * this->Pairs.Vectors.leftCols(count);
+      for (int b = 0; b < count; ++b)
       {
-        const auto write = [&](ComplexVector SectionProducts::*member, CompactSections& to)
-        {
-          const ComplexVector part =
-            LinearCombination(this->Basis, member, this->Pairs.Vectors.col(b), begin, end);
-          for (Index v = begin; v < end; ++v)
-          {
-            SetSectionValue(to, v, b, part[v - begin]);
-          }
-        };
-        write(&SectionProducts::Vector, block.Vectors);
-        write(&SectionProducts::Energy, block.Energy);
+        sections[b].segment(begin, end - begin) = part.col(b);
       }
     });
+  for (int b = 1; b < count; ++b)
+  {
+    const ComplexVector energy = Product(this->Matrices.Energy, sections[b]);
+    ForRows(energy,
+      [&](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          SetSectionValue(next.Vectors, v, b, sections[b][v]);
+          SetSectionValue(next.Energy, v, b, energy[v]);
+        }
+      });
+  }
+  return SectionProducts(this->Matrices, std::move(sections[0]));
 }
 
 void RitzSpace::Forget()
 {
-  const SmallMatrix kept =
-    this->Pairs.Vectors.leftCols(std::min<Eigen::Index>(KeptSections, this->Pairs.Vectors.cols()));
-  const auto rows = static_cast<Index>(this->Basis.front().Vector.size());
-  ParallelFor(rows, VectorPiece,
+  const auto kept = std::min<Eigen::Index>(KeptSections, this->Pairs.Vectors.cols());
+  ParallelFor(static_cast<Index>(this->Basis.rows()), VectorPiece,
     [&](Index begin, Index end)
     {
-      for (const auto member : Members)
-      {
-        Eigen::MatrixXcd old(end - begin, this->Size());
-        for (int k = 0; k < this->Size(); ++k)
-        {
-          old.col(k) = (this->Basis[k].*member).segment(begin, end - begin);
-        }
-        for (Eigen::Index k = 0; k < kept.cols(); ++k)
-        {
-          (this->Basis[k].*member).segment(begin, end - begin).noalias() = old * kept.col(k);
-        }
-      }
+      const Eigen::MatrixXcd part = this->Rows(begin, end) * this->Pairs.Vectors.leftCols(kept);
+      this->Basis.block(begin, 0, end - begin, kept) = part;
     });
-  this->Basis.resize(kept.cols());
-  this->Energy = SmallMatrix(this->Pairs.Values.head(kept.cols()).cast<Complex>().asDiagonal());
-  this->Mass = SmallMatrix::Identity(kept.cols(), kept.cols());
+  this->Count = static_cast<int>(kept);
+  this->Energy = SmallMatrix(this->Pairs.Values.head(kept).cast<Complex>().asDiagonal());
+  this->Mass = SmallMatrix::Identity(kept, kept);
 }
 }

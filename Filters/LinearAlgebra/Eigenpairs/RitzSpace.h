@@ -7,7 +7,7 @@
 #include "Eigenpairs/RayleighRitz.h"
 #include "Matrices/OperatorProducts.h"
 
-#include <vector>
+#include <initializer_list>
 
 namespace DirectionFields::Internal
 {
@@ -27,22 +27,30 @@ public:
   /// Adds a section, unless it is in the space already.
   void Add(ComplexVector section);
 
-  int Size() const { return static_cast<int>(this->Basis.size()); }
+  int Size() const { return this->Count; }
   /// The Ritz values, ascending.
   const Eigen::VectorXd& GetValues() const { return this->Pairs.Values; }
-  /// The Ritz vector of the smallest value, of unit length in M.
-  SectionProducts First() const;
-  /// Writes the Ritz vectors of the next values, as far as there are any, and their energy products
-  /// to the sections 1, 2, 3 of a block.
-  void WriteNext(SectionBlock& block) const;
+  /// The Ritz vector of the smallest value, of unit length in M; there has to be one. Those of the
+  /// next values, as far as there are any, and their energy products are written to the sections
+  /// 1, 2, 3 of a block.
+  SectionProducts First(SectionBlock& next) const;
 
 private:
   /// Leaves the Ritz vectors of the smallest KeptSections values as the basis.
   void Forget();
+  /// The rows begin to end - 1 of the sections.
+  auto Rows(Index begin, Index end) const
+  {
+    return this->Basis.block(begin, 0, end - begin, this->Count);
+  }
+  /// V^* x, one column for each vector x.
+  SmallMatrix InnerProducts(std::initializer_list<const ComplexVector*> vectors) const;
 
   const Operators& Matrices;
-  /// The sections are orthonormal in M.
-  std::vector<SectionProducts> Basis;
+  /// Its first Count columns are the sections, orthonormal in M. Their products are not kept: to
+  /// compute those of a sum of sections takes less than to add them up, and a third of the memory.
+  Eigen::MatrixXcd Basis;
+  int Count = 0;
   /// V^* A V and V^* M V of the basis V.
   SmallMatrix Energy;
   SmallMatrix Mass;

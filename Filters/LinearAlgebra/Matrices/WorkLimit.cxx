@@ -23,7 +23,7 @@ constexpr double UnnoticedPerRow = 8000.0;
 /// An iteration is judged by its estimated total work once it has had this part of the limit, and
 /// ends where that is more than MostForeseen limits: forecasts may be wrong.
 constexpr double Trial = 0.3;
-constexpr double MostForeseen = 1.3;
+constexpr double MostForeseen = 3.0;
 
 /// Knows how many entries the columns of a factor have.
 class SymbolicFactor
