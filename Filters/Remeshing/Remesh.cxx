@@ -306,6 +306,21 @@ void Report(const Request& request, const FeatureLines& features,
   ReportQuality(request, finished.Faces, result);
 }
 
+/// The same for progress that does not go back: where a solver did not converge or a map is bad
+/// another one begins anew.
+ProgressFunction Forward(const ProgressFunction& progress)
+{
+  if (!progress)
+  {
+    return progress;
+  }
+  return [&progress, furthest = 0.0](double done) mutable
+  {
+    furthest = std::max(furthest, done);
+    return progress(furthest);
+  };
+}
+
 /// A result whose places and lengths are those of the surface given.
 RemeshResult InUnitOfSurface(RemeshResult&& result, const Vector3& origin, double unit)
 {
@@ -339,7 +354,8 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
   std::vector<Vector3> directions = givenDirections;
   Threads threads(options.NumberOfThreads);
   const Threads::Scope scope(threads);
-  const Progress progress(progressFunction);
+  const ProgressFunction forward = Forward(progressFunction);
+  const Progress progress(forward);
   try
   {
     double errorOfSizes = 0.0;

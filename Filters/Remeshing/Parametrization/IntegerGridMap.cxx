@@ -113,8 +113,9 @@ public:
       const Eigen::VectorXd relaxed =
         factor * this->Relaxed.tail(this->Energy.GetNumberOfIntegers());
       Eigen::VectorXd integers = relaxed;
-      RoundGreedily(this->System->TrailingFactor(), integers, this->Energy.Least());
-      ImproveIntegers(this->System->TrailingFactor(), relaxed, integers, this->Energy.Least());
+      const Eigen::VectorXd least = this->Energy.Least(relaxed);
+      RoundGreedily(this->System->TrailingFactor(), integers, least);
+      ImproveIntegers(this->System->TrailingFactor(), relaxed, integers, least);
       x = this->System->SolveWith(factor * this->Relaxed, integers);
     }
     return x.size() == this->Side.size() ? std::optional(std::move(x)) : std::nullopt;

@@ -13,6 +13,9 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr double LeastWeight = 0.05;
+/// Where a cone is beyond a line by more than this many rows in the map over the reals, that is
+/// folded there, or they were laid flat on another way: to keep them apart would bend it a lot.
+constexpr double LeastRow = -0.5;
 }
 
 ParametrizationEnergy::ParametrizationEnergy(
@@ -20,8 +23,10 @@ ParametrizationEnergy::ParametrizationEnergy(
   : Plane(mesh.Degree)
   , Variables(mesh)
   , IsShort(this->Variables.ShortIsolines(perLength))
+  , Distances(FindConeDistances(mesh, perLength))
 {
   this->Variables.BoundIsolines(this->IsShort);
+  this->Variables.BoundDistances(this->Distances);
   const IntegerElimination& solved = this->Variables.Solved;
   this->Slot.assign(solved.GetNumberOfVariables(), None);
   for (const bool areIntegers : { false, true })
@@ -99,13 +104,21 @@ Eigen::VectorXd ParametrizationEnergy::RightHandSide(const std::vector<double>& 
   return side;
 }
 
-Eigen::VectorXd ParametrizationEnergy::Least() const
+Eigen::VectorXd ParametrizationEnergy::Least(const Eigen::VectorXd& relaxed) const
 {
   Eigen::VectorXd least = Eigen::VectorXd::Constant(
     this->GetNumberOfIntegers(), -std::numeric_limits<double>::infinity());
   for (const Index v : this->Variables.Bounded)
   {
     least[this->Slot[v] - this->Reals] = 1.0;
+  }
+  for (const Index v : this->Variables.BoundedDistances)
+  {
+    const Index k = this->Slot[v] - this->Reals;
+    if (relaxed[k] < LeastRow)
+    {
+      least[k] = -std::numeric_limits<double>::infinity();
+    }
   }
   return least;
 }

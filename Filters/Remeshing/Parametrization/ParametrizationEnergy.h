@@ -14,7 +14,7 @@
 namespace DirectionFields::Internal
 {
 /// The energy of a map as a quadratic function of its free variables, the real ones before the
-/// integers. Only its linear part, and the choice of feature isolines with a bound, depend on the
+/// integers. Only its linear part, and the choice of what has a bound, depend on the
 /// wanted lengths of edges: the factor of its matrix serves other lengths, too.
 class ParametrizationEnergy
 {
@@ -25,10 +25,11 @@ public:
   ParametrizationEnergy(const ParametrizationEnergy&) = delete;
   ParametrizationEnergy& operator=(const ParametrizationEnergy&) = delete;
 
-  /// Whether the same feature isolines have a bound for these lengths.
+  /// Whether the same feature isolines and distances of cones have a bound for these lengths.
   bool IsFor(const std::vector<double>& perLength) const
   {
-    return this->IsShort == this->Variables.ShortIsolines(perLength);
+    return this->IsShort == this->Variables.ShortIsolines(perLength) &&
+      this->Distances == FindConeDistances(this->GetMesh(), perLength);
   }
   const CutMesh& GetMesh() const { return this->Variables.Mesh; }
   ParametrizationVariables& GetVariables() { return this->Variables; }
@@ -36,8 +37,9 @@ public:
 
   /// The linear part of the energy.
   Eigen::VectorXd RightHandSide(const std::vector<double>& perLength) const;
-  /// The least value of each integer.
-  Eigen::VectorXd Least() const;
+  /// The least value of each integer. Distances of cones that are far from it have none.
+  /// @param relaxed where the energy is least over the reals
+  Eigen::VectorXd Least(const Eigen::VectorXd& relaxed) const;
   /// The area of the triangles' images, in parallelograms of the grid.
   double AreaAt(const Eigen::VectorXd& x);
 
@@ -58,6 +60,7 @@ private:
   IntegerGrid Plane;
   ParametrizationVariables Variables;
   std::vector<char> IsShort;
+  std::vector<ConeDistance> Distances;
   /// The place of each free variable in the system.
   std::vector<Index> Slot;
   Index Count = 0;

@@ -112,23 +112,62 @@ void ParametrizationVariables::BoundIsolines(const std::vector<char>& isShort)
     {
       Append(length, this->Along(this->Mesh.Isolines[step.Isoline]).A, 1);
     }
-    length = this->Solved.Resolve(length);
-    const bool isInteger = std::all_of(length.begin(), length.end(),
-      [&](const auto& term) { return this->Solved.IsInteger(term.first); });
-    if (length.empty() || length.size() > MostTerms || !isInteger)
-    {
-      continue;
-    }
-    if (length.size() == 1 && length.front().second == 1)
-    {
-      this->Bounded.push_back(length.front().first);
-      continue;
-    }
-    this->Bounded.push_back(this->Solved.AddFreeInteger());
-    length.emplace_back(this->Bounded.back(), -1);
-    this->Solved.Require(length);
+    this->Bound(std::move(length));
   }
-  // Variables that had to be solved for in the end have no bound.
+  this->DropSolvedBounds();
+}
+
+void ParametrizationVariables::BoundDistances(const std::vector<ConeDistance>& distances)
+{
+  const std::vector<Index> lengths = this->Bounded;
+  for (const ConeDistance& distance : distances)
+  {
+    SymbolicGridPoint row =
+      this->Corner(distance.Triangle, distance.Corner).Turned(distance.ToCone.Turn, this->Degree);
+    row.Add(this->Jumps(distance.ToCone), 1);
+    row.Add(this->Vertex(distance.Cone), -1);
+    this->Bound(row.Turned((this->Degree - distance.Axis) % this->Degree, this->Degree).B);
+  }
+  this->DropSolvedBounds();
+  for (const Index variable : this->Bounded)
+  {
+    if (std::find(lengths.begin(), lengths.end(), variable) == lengths.end())
+    {
+      this->BoundedDistances.push_back(variable);
+    }
+  }
+}
+
+void ParametrizationVariables::Bound(IntegerSum length)
+{
+  length = this->Solved.Resolve(length);
+  const bool isInteger = std::all_of(length.begin(), length.end(),
+    [&](const auto& term) { return this->Solved.IsInteger(term.first); });
+  if (length.empty() || length.size() > MostTerms || !isInteger)
+  {
+    return;
+  }
+  if (length.size() == 1 && std::abs(length.front().second) == 1)
+  {
+    const Index variable = length.front().first;
+    const auto known = std::find(this->Bounded.begin(), this->Bounded.end(), variable);
+    if (length.front().second == 1 && known == this->Bounded.end())
+    {
+      this->Bounded.push_back(variable);
+    }
+    if (length.front().second == 1 || known != this->Bounded.end())
+    {
+      return;
+    }
+  }
+  this->Bounded.push_back(this->Solved.AddFreeInteger());
+  length.emplace_back(this->Bounded.back(), -1);
+  this->Solved.Require(length);
+}
+
+/// Variables that had to be solved for in the end have no bound.
+void ParametrizationVariables::DropSolvedBounds()
+{
   this->Bounded.erase(std::remove_if(this->Bounded.begin(), this->Bounded.end(),
                         [&](Index variable) { return !this->Solved.IsFree(variable); }),
     this->Bounded.end());

@@ -6,6 +6,7 @@
 
 #include "Charts/FeatureIsolines.h"
 #include "Integers/IntegerElimination.h"
+#include "Parametrization/ConeDistances.h"
 
 #include <map>
 #include <vector>
@@ -38,6 +39,8 @@ public:
   /// From now on the lengths of these feature isolines are variables, as far as they can be free,
   /// so that rounding can give each of them at least one edge.
   void BoundIsolines(const std::vector<char>& isShort);
+  /// The same for these distances of cones.
+  void BoundDistances(const std::vector<ConeDistance>& distances);
 
   /// The coordinates of a corner in the chart of its triangle.
   SymbolicGridPoint Corner(Index t, int c) const;
@@ -51,8 +54,9 @@ public:
   std::map<std::pair<Index, int>, Index> AcrossFeature;
   IntegerElimination Solved;
   std::vector<FeatureIsoline> Isolines;
-  /// The variables that are to be at least 1.
+  /// The variables that are to be at least 1; those among them that are distances of cones.
   std::vector<Index> Bounded;
+  std::vector<Index> BoundedDistances;
 
 private:
   SymbolicGridPoint Vertex(Index v) const { return { { { 2 * v, 1 } }, { { 2 * v + 1, 1 } } }; }
@@ -60,6 +64,9 @@ private:
   /// By how much the two coordinates change along an isoline, the first one in its direction.
   SymbolicGridPoint Along(const CutMesh::IsolineEdge& edge) const;
   std::vector<char> Flags();
+  /// Makes a sum a variable with a bound, if it depends on integers only, and on few.
+  void Bound(IntegerSum length);
+  void DropSolvedBounds();
   void FixOrigin();
   void FixCones();
 };

@@ -12,7 +12,7 @@
 namespace DirectionFields::Internal
 {
 /// Around a point with more triangles they are slivers, which the map cannot do with.
-constexpr Index MostValence = 150;
+constexpr Index MostValence = 50;
 
 /// The most triangles that a point has; 0 without any.
 Index LargestValence(const Surface& surface);

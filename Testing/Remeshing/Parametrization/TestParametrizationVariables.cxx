@@ -165,3 +165,51 @@ TEST(ParametrizationVariables, BoundedLengthsAreTheLengthsOfTheirFeatures)
   }
   EXPECT_EQ(lengths, bounded);
 }
+
+TEST(ParametrizationVariables, BoundedDistancesAreTheRowsBetweenConesAndLines)
+{
+  const Surface cube = Meshes::FlatlySubdivided(Meshes::Cube(), 3);
+  for (const Surface& surface : { cube, Meshes::PlateWithHole(32, 9, 0.4, false), Meshes::Disk(6) })
+  {
+    for (const int degree : { 4, 6 })
+    {
+      if (degree == 6 && surface.Points.size() == cube.Points.size())
+      {
+        // Corners of three squares are no cones of a grid of triangles.
+        continue;
+      }
+      const SurfaceGeometry geometry(surface);
+      const CutExample example(
+        surface, degree, [&](const SurfaceGeometry& of) { return Meshes::RandomSection(of, 4); },
+        FindFeatures(geometry, FeatureSettings{ true, 40.0, 0.0, 0.0 }));
+      ParametrizationVariables variables(example.Mesh);
+      const std::vector<ConeDistance> distances =
+        FindConeDistances(example.Mesh, example.Settings(10.0).PerLength);
+      ASSERT_GT(distances.size(), 10U);
+      variables.BoundDistances(distances);
+      ExpectConstraints(variables);
+      const std::vector<std::int64_t> value = RandomValues(variables.Solved, 6);
+      const Constraints constraints(variables, value);
+      std::set<std::int64_t> bounded;
+      for (const Index variable : variables.Bounded)
+      {
+        bounded.insert(value[variable]);
+      }
+      std::size_t found = 0;
+      for (const ConeDistance& distance : distances)
+      {
+        const auto rowOf = [&](int corner)
+        {
+          const GridPoint place =
+            constraints.Apply(distance.ToCone, constraints.Corner(distance.Triangle, corner)) -
+            constraints.Place(distance.Cone);
+          return constraints.GetPlane().Turned(place, -distance.Axis).B;
+        };
+        // The line is one of the grid, in whatever chart it is looked at.
+        EXPECT_EQ(rowOf(distance.Corner), rowOf((distance.Corner + 1) % 3));
+        found += bounded.count(rowOf(distance.Corner));
+      }
+      EXPECT_GT(10 * found, 9 * distances.size());
+    }
+  }
+}

@@ -105,6 +105,43 @@ Surface PlateWithHole(int sides)
   return plate;
 }
 
+/// Squares of length 1, each with a round hole of this number of sides, a multiple of 4, and without
+/// points beside those of the holes and the corners of the squares.
+Surface PlateWithHoles(int across, int along, int sides)
+{
+  Surface plate;
+  for (int j = 0; j <= along; ++j)
+  {
+    for (int i = 0; i <= across; ++i)
+    {
+      plate.Points.emplace_back(i, j, 0.0);
+    }
+  }
+  for (int hole = 0; hole < across * along; ++hole)
+  {
+    const int i = hole % across;
+    const int j = hole / across;
+    const Index corner = j * (across + 1) + i;
+    const std::array<Index, 4> corners = { corner, corner + 1, corner + across + 2,
+      corner + across + 1 };
+    const auto first = static_cast<Index>(plate.Points.size());
+    for (int k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * Pi * k / sides - Pi;
+      plate.Points.emplace_back(
+        i + 0.5 + 0.25 * std::cos(angle), j + 0.5 + 0.25 * std::sin(angle), 0.0);
+      const Index quarter = 4 * k / sides;
+      const Index next = first + (k + 1) % sides;
+      plate.Triangles.push_back({ corners[quarter], next, first + k });
+      if (4 * (k + 1) % sides == 0)
+      {
+        plate.Triangles.push_back({ corners[quarter], corners[(quarter + 1) % 4], next });
+      }
+    }
+  }
+  return plate;
+}
+
 /// The mouth and the bottom of the keyway of a hub.
 const std::array<Eigen::Vector2d, 4> Keyway = { Eigen::Vector2d(std::sqrt(0.1125), -0.1),
   Eigen::Vector2d(0.5, -0.1), Eigen::Vector2d(0.5, 0.1), Eigen::Vector2d(std::sqrt(0.1125), 0.1) };
@@ -182,7 +219,25 @@ TEST(LongTriangles, FacesOfAPlateWithAHoleAreEven)
   EXPECT_GT(Meshes::LeastQuality(mesh), 0.5);
 }
 
-TEST(LongTriangles, FansOfHundredsAndThousandsAreRemeshedAsOthers)
+TEST(LongTriangles, RimsHaveTheirIrregularVerticesAnEdgeAway)
+{
+  // The field has four singularities at each hole, some of them closer to the rim than an edge, and
+  // none where they could be spared: all valences add up to four times Euler's number.
+  const auto plate = std::make_shared<Surface>(PlateWithHoles(4, 3, 24));
+  for (const Index faces : { 600, 1500 })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = faces;
+    const RemeshResult mesh = Remesh(plate).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.Triangles, 0) << faces;
+    EXPECT_EQ(mesh.IrregularVertices, 4 * 12) << faces;
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.5) << faces;
+    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), faces, 0.1 * faces);
+  }
+}
+
+TEST(LongTriangles, FansOfDozensAndThousandsAreRemeshedAsOthers)
 {
   struct Case
   {
@@ -191,7 +246,8 @@ TEST(LongTriangles, FansOfHundredsAndThousandsAreRemeshedAsOthers)
     int MostIrregular;
   };
   // A disk has four irregular vertices, where the field says so.
-  for (const Case& one : { Case{ 300, 0.0, 4 }, { 3000, 0.0, 4 }, { 1000, 1.0, 40 } })
+  for (const Case& one :
+    { Case{ 60, 2.0, 6 }, { 300, 0.0, 4 }, { 3000, 0.0, 4 }, { 1000, 1.0, 40 } })
   {
     RemeshOptions options;
     options.NumberOfFaces = 2000;
@@ -334,4 +390,20 @@ TEST(LongTriangles, MeshesWithFacesOfNoUseAreMadeAnew)
   EXPECT_EQ(Meshes::FlawOf(mesh), "");
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_LE(progress.back(), 1.0);
+}
+
+TEST(LongTriangles, ProgressGoesOnWhereAFieldIsComputedAgain)
+{
+  // The first solver of the prism's field gives up.
+  RemeshOptions options;
+  options.NumberOfFaces = 1000;
+  std::vector<double> progress;
+  Remesh(std::make_shared<Surface>(Prism(200, 4.0)))
+    .Compute(options, {},
+      [&](double done)
+      {
+        progress.push_back(done);
+        return true;
+      });
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
 }
