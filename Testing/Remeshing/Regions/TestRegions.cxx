@@ -156,34 +156,44 @@ TEST(Regions, BandsAreClosedRowsOfFaces)
 
 TEST(Regions, EdgesAroundSmallHolesAreAsCloseToThem)
 {
-  // The hole has a radius of about two and a half edges, of which some would be half as long again.
-  constexpr double radius = 0.1;
-  const Surface plate = Meshes::PlateWithHole(96, 24, radius, false);
-  const std::vector<Index> regions =
-    Labelled(plate, [](const Vector3& p) { return p[1] > 0.0 ? 1 : 0; });
-  const RemeshResult mesh = Remeshed(plate, regions, 2400);
-  ASSERT_GT(mesh.EdgeLength, radius / 2.7);
-  EXPECT_EQ(Meshes::FlawOf(mesh), "");
-  EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
-  Index around = 0;
-  double most = 0.0;
-  for (const std::array<Index, 4>& face : mesh.Faces)
+  struct Case
   {
-    const int size = face[3] == None ? 3 : 4;
-    for (int c = 0; c < size; ++c)
+    double Radius;
+    Index Sides;
+    Index Faces;
+  };
+  // Radii of two to eight edges.
+  for (const Case& hole :
+    { Case{ 0.1, 24, 1200 }, Case{ 0.1, 48, 2400 }, Case{ 0.2, 48, 800 }, Case{ 0.3, 24, 2400 } })
+  {
+    const double radius = hole.Radius;
+    const Surface plate = Meshes::PlateWithHole(96, hole.Sides, radius, false);
+    const std::vector<Index> regions =
+      Labelled(plate, [](const Vector3& p) { return p[1] > 0.0 ? 1 : 0; });
+    const RemeshResult mesh = Remeshed(plate, regions, hole.Faces);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
+    Index around = 0;
+    double most = 0.0;
+    for (const std::array<Index, 4>& face : mesh.Faces)
     {
-      const Vector3& a = mesh.Points[face[c]];
-      const Vector3& b = mesh.Points[face[(c + 1) % size]];
-      if (std::max(a.norm(), b.norm()) < 1.0001 * radius)
+      const int size = face[3] == None ? 3 : 4;
+      for (int c = 0; c < size; ++c)
       {
-        ++around;
-        most = std::max(most, radius - (0.5 * (a + b)).norm());
+        const Vector3& a = mesh.Points[face[c]];
+        const Vector3& b = mesh.Points[face[(c + 1) % size]];
+        if (std::max(a.norm(), b.norm()) < 1.0001 * radius)
+        {
+          ++around;
+          most = std::max(most, radius - (0.5 * (a + b)).norm());
+        }
       }
     }
+    EXPECT_LE(most, 0.05 * mesh.EdgeLength) << radius;
+    // No more than half as many again as even spacing needs, or edges of the wanted length.
+    const double needed = Pi / std::acos(1.0 - 0.035 * mesh.EdgeLength / radius);
+    EXPECT_LE(around, 1.5 * std::max(needed, 2.0 * Pi * radius / mesh.EdgeLength)) << radius;
   }
-  EXPECT_LE(most, 0.05 * mesh.EdgeLength);
-  // No more than half as many again as even spacing needs.
-  EXPECT_LE(around, 1.5 * Pi / std::acos(1.0 - 0.035 * mesh.EdgeLength / radius));
 }
 
 TEST(Regions, TeesAndIslandsOfASquareAreExact)
