@@ -14,8 +14,8 @@
 namespace DirectionFields::Internal
 {
 /// The energy of a map as a quadratic function of its free variables, the real ones before the
-/// integers. Only its linear part, and the choice of what has a bound, depend on the
-/// wanted lengths of edges: the factor of its matrix serves other lengths, too.
+/// integers. Only its linear part, and which integers have a least value, depend on the wanted
+/// lengths of edges: the factor of its matrix serves other lengths, too.
 class ParametrizationEnergy
 {
 public:

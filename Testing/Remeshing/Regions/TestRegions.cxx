@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -162,9 +163,10 @@ TEST(Regions, EdgesAroundSmallHolesAreAsCloseToThem)
     Index Sides;
     Index Faces;
   };
-  // Radii of two to eight edges.
-  for (const Case& hole :
-    { Case{ 0.1, 24, 1200 }, Case{ 0.1, 48, 2400 }, Case{ 0.2, 48, 800 }, Case{ 0.3, 24, 2400 } })
+  // Radii of one to eight edges.
+  const std::array<Case, 6> holes = { Case{ 0.05, 24, 2400 }, Case{ 0.1, 24, 800 },
+    Case{ 0.1, 24, 1200 }, Case{ 0.1, 48, 2400 }, Case{ 0.2, 48, 800 }, Case{ 0.3, 24, 2400 } };
+  for (const Case& hole : holes)
   {
     const double radius = hole.Radius;
     const Surface plate = Meshes::PlateWithHole(96, hole.Sides, radius, false);
