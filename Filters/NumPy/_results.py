@@ -248,9 +248,10 @@ class Mesh(_Result):
     source_faces : (faces,) int32
         The triangle of the surface given that the middle of each face is closest to.
     chains : dict of str to (points,) int32
-        The points of each part of the boundary, the features and the borders of regions, between
-        places where these end, meet or turn, in their order: ``chains["Boundary 1"]``. Of a closed
-        one the first point is the last one, too.
+        The points of each part of the boundary, of features, of borders of regions and of curves,
+        between places where these end, meet or turn, in their order: ``chains["Boundary 1"]``,
+        ``chains["Border steel/glass 1"]``, ``chains["Curve 0 1"]``. Of a closed one the first point
+        is the last one, too. ``chains["Point 3"]`` is the vertex of the given point 3 alone.
     regions : (faces,) array
         The region of each face, as it was given; empty without regions.
     regions_lost : (lost,) array

@@ -17,8 +17,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkStringArray.h"
 
+#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -190,6 +193,33 @@ void TestLines()
     CHECK(std::count(nodes.begin(), nodes.end(), ',') == 6);
   }
   CHECK(text.find("*DISTRIBUTION") != std::string::npos);
+
+  // A point that is kept is a set, too, with the number that it was given by.
+  vtkNew<vtkPolyData> kept;
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  places->InsertNextPoint(0.5, 0.5, 0.4);
+  places->InsertNextPoint(0.43, 0.61, 0.0);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  vertices->InsertNextCell({ 1 });
+  kept->SetPoints(places);
+  kept->SetVerts(vertices);
+  remesh->SetCurvesData(kept);
+  remesh->Update();
+  vtkPolyData* const withPoint = remesh->GetOutput();
+  CHECK(Writer(withPoint)->Write() == 1);
+  vtkIdType vertex = 0;
+  for (vtkIdType p = 0; p < withPoint->GetNumberOfPoints(); ++p)
+  {
+    vertex = withPoint->GetPointData()->GetArray("GivenPoint")->GetTuple1(p) == 1.0 ? p : vertex;
+  }
+  const std::array<double, 3> at = { 0.43, 0.61, 0.0 };
+  CHECK(vtkMath::Distance2BetweenPoints(withPoint->GetPoint(vertex), at.data()) < 1e-30);
+  text = ReadFile(Path);
+  CHECK(text.find("** POINT_1: Point 1\n*NSET, NSET=POINT_1\n" + std::to_string(vertex + 1) +
+          "\n") != std::string::npos);
+  CHECK(text.find("POINT_0") == std::string::npos);
 
   vtkNew<vtkPolyData> other;
   other->DeepCopy(PolyMeshes::QuadTorus(12, 8));

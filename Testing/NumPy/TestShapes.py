@@ -203,6 +203,26 @@ class Meshes(unittest.TestCase):
         with self.assertWarnsRegex(df.DirectionFieldWarning, "Parts of curve 0"):
             df.remesh(points, triangles, faces=300, curves=[2 * curve])
 
+    def test_given_points_become_vertices(self):
+        x, y = (k.ravel() for k in np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 21)))
+        points = np.stack([x, y, 0 * x], -1)
+        a = np.add.outer(21 * np.arange(20), np.arange(20)).ravel()
+        quads = np.stack([a, a + 1, a + 22, a + 21], -1)
+        given = np.array([[0.313, 0.777, 0], [0.5, 0.5, 0.4], [0.123, 0, 0], [0.6, 0.25, 0]])
+        with self.assertWarnsRegex(df.DirectionFieldWarning, "Point 1 is no vertex of the mesh: farther"):
+            mesh = df.remesh(points, quads, faces=300, given_points=given)
+        self.assertEqual([name for name in mesh.chains if name.startswith("Point")],
+                         ["Point 0", "Point 2", "Point 3"])
+        for k in (0, 2, 3):
+            ids = mesh.chains[f"Point {k}"]
+            self.assertEqual(ids.shape, (1,))
+            np.testing.assert_allclose(mesh.points[ids[0]], given[k], rtol=0, atol=1e-15)
+            self.assertEqual(mesh.kinds[ids[0]], 3)
+        self.assertEqual(len(df.remesh(points, quads, faces=300, given_points=given[:0]).chains), 4)
+        for wrong in (given[:, :2], given[0], np.full((1, 3), np.nan)):
+            with self.assertRaises(ValueError):
+                df.remesh(points, quads, given_points=wrong)
+
     def test_regions_of_polygons(self):
         points = np.array([[x, y, 0] for y in range(9) for x in range(9)], float)
         a = np.array([9 * y + x for y in range(8) for x in range(8)])

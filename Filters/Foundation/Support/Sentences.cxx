@@ -19,6 +19,12 @@ std::string Count(std::size_t number, const std::string& noun, const std::string
     (number == 1 ? noun : (several.empty() ? noun + 's' : several));
 }
 
+std::string Numbered(const std::string& noun, const std::vector<Index>& numbers)
+{
+  return noun + (numbers.size() == 1 ? " " : "s ") + std::to_string(numbers.front()) +
+    (numbers.size() == 1 ? "" : " and " + std::to_string(numbers.size() - 1) + " more");
+}
+
 std::string Figure(double value)
 {
   Sentence text;

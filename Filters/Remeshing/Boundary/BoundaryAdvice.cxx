@@ -4,6 +4,7 @@
 #include "Boundary/BoundaryAdvice.h"
 
 #include "Support/Sentences.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <map>
@@ -59,7 +60,7 @@ Index CountOdd(const FaceMesh& mesh)
     {
       const Index a = face[c];
       const Index b = face[(c + 1) % size];
-      ++times[{ std::min(a, b), std::max(a, b) }];
+      ++times[SortedEnds(a, b)];
     }
   }
   Components components(mesh);

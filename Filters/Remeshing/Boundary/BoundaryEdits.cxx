@@ -8,6 +8,7 @@
 #include "FaceMesh/FaceCut.h"
 #include "FaceMesh/FaceEdits.h"
 #include "FaceMesh/VertexStars.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <array>
@@ -22,11 +23,6 @@ namespace
 {
 using Ends = std::array<Index, 2>;
 using Place = std::array<double, 3>;
-
-Ends EndsOf(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
 
 Place PlaceOf(const Vector3& p)
 {
@@ -147,14 +143,14 @@ public:
     for (std::size_t k = 0; k < mesh.LineEdges.size(); ++k)
     {
       const Ends& ends = mesh.LineEdges[k].Ends;
-      this->LineAt.emplace(EndsOf(ends[0], ends[1]), k);
+      this->LineAt.emplace(SortedEnds(ends[0], ends[1]), k);
     }
   }
 
   /// Returns the new vertex, or None where the edge is no edge of one face.
   Index Split(Index a, Index b, const Vector3& place)
   {
-    const Ends ends = EndsOf(a, b);
+    const Ends ends = SortedEnds(a, b);
     const auto at = this->FaceAt.find(ends);
     const auto line = this->LineAt.find(ends);
     if (at == this->FaceAt.end() || at->second == None || line == this->LineAt.end())
@@ -191,8 +187,8 @@ public:
     const std::size_t number = line->second;
     this->LineAt.erase(line);
     this->Mesh.LineEdges[number].Ends = { a, fresh };
-    this->LineAt.emplace(EndsOf(a, fresh), number);
-    this->LineAt.emplace(EndsOf(fresh, b), this->Mesh.LineEdges.size());
+    this->LineAt.emplace(SortedEnds(a, fresh), number);
+    this->LineAt.emplace(SortedEnds(fresh, b), this->Mesh.LineEdges.size());
     this->Mesh.LineEdges.push_back({ { fresh, b }, vertex.Line });
     return fresh;
   }
@@ -205,7 +201,7 @@ private:
     const int size = Faces::Size(face);
     for (int c = 0; c < size; ++c)
     {
-      body(EndsOf(face[c], face[(c + 1) % size]));
+      body(SortedEnds(face[c], face[(c + 1) % size]));
     }
   }
 
@@ -389,7 +385,7 @@ BoundaryCount::BoundaryCount(
     const int size = Faces::Size(face);
     for (int c = 0; c < size; ++c)
     {
-      ++times[EndsOf(face[c], face[(c + 1) % size])];
+      ++times[SortedEnds(face[c], face[(c + 1) % size])];
     }
   }
   std::set<Place> vertices;

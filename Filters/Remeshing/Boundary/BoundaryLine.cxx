@@ -4,6 +4,7 @@
 #include "Boundary/BoundaryLine.h"
 
 #include "Mesh/MergePoints.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,7 +199,7 @@ std::vector<BoundaryLine> BoundaryLinesOf(const Surface& surface, const std::vec
     {
       const Index a = first[corners[c]];
       const Index b = first[corners[(c + 1) % 3]];
-      edges.push_back({ std::min(a, b), std::max(a, b) });
+      edges.push_back(SortedEnds(a, b));
     }
   }
   std::vector<BoundaryLine> lines;

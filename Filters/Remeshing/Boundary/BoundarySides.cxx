@@ -3,6 +3,8 @@
 
 #include "Boundary/BoundarySides.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -145,7 +147,7 @@ std::vector<BoundarySide> BoundarySidesOf(
     {
       const Index a = face[c];
       const Index b = face[(c + 1) % size];
-      edges.push_back({ std::min(a, b), std::max(a, b) });
+      edges.push_back(SortedEnds(a, b));
     }
   }
   // Paths end where lines do.

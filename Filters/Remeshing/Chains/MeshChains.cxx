@@ -3,6 +3,8 @@
 
 #include "Chains/MeshChains.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -42,11 +44,6 @@ struct Mark
 
 using Ends = std::array<Index, 2>;
 
-Ends Sorted(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 /// An edge of a face, which is left of the way to the higher vertex or to the lower one.
 struct FaceEdge
 {
@@ -72,7 +69,7 @@ std::vector<FaceEdge> EdgesOfFaces(const Faces& faces)
     {
       const Index v = face[c];
       const Index w = face[(c + 1) % size];
-      edges.push_back({ Sorted(v, w), static_cast<Index>(f), v > w });
+      edges.push_back({ SortedEnds(v, w), static_cast<Index>(f), v > w });
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -89,7 +86,7 @@ std::map<Ends, Index> LinesOf(
     const FaceMesh::LineEdge& edge = mesh.LineEdges[k];
     if (edge.Line > 0 && isSeam[edge.Line] == 0)
     {
-      lines.emplace(Sorted(edge.Ends[0], edge.Ends[1]), curves.empty() ? None : curves[k]);
+      lines.emplace(SortedEnds(edge.Ends[0], edge.Ends[1]), curves.empty() ? None : curves[k]);
     }
   }
   return lines;
@@ -161,7 +158,7 @@ struct MarkedEdges
     }
   }
 
-  const Mark& At(Index v, Index w) const { return this->Marks.at(Sorted(v, w)); }
+  const Mark& At(Index v, Index w) const { return this->Marks.at(SortedEnds(v, w)); }
 
   /// Whether chains end at a vertex. Not all that do not move turn: of components that could not be
   /// remeshed none moves.
@@ -185,13 +182,13 @@ MeshChain Follow(
   const Mark& mark = edges.At(from, to);
   MeshChain chain{ mark.Kind, { from, to }, mark.Regions, {}, mark.Curve };
   const bool isAgainst = mark.IsDown == (from < to);
-  left.erase(Sorted(from, to));
+  left.erase(SortedEnds(from, to));
   while (!edges.IsEnd(mesh, to) && to != chain.Points.front())
   {
     const std::vector<Index>& next = edges.Next[to];
     const Index beyond = next[0] == from ? next[1] : next[0];
     from = std::exchange(to, beyond);
-    left.erase(Sorted(from, to));
+    left.erase(SortedEnds(from, to));
     chain.Points.push_back(to);
   }
   if (isAgainst)
@@ -304,7 +301,7 @@ std::vector<MeshChain> FindChains(const FaceMesh& mesh, const std::vector<char>&
     {
       for (const Index w : edges.Next[v])
       {
-        if (edges.IsEnd(mesh, v) == atEnds && left.count(Sorted(v, w)) > 0)
+        if (edges.IsEnd(mesh, v) == atEnds && left.count(SortedEnds(v, w)) > 0)
         {
           chains.push_back(Follow(mesh, edges, v, w, left));
         }

@@ -8,6 +8,7 @@
 #include "Mesh/MergePoints.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Support/Sentences.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +37,6 @@ constexpr int StepsBetweenAsking = 256;
 constexpr double MostDistance = 0.01;
 
 using Ends = std::array<Index, 2>;
-
-Ends Sorted(Index p, Index q)
-{
-  return { std::min(p, q), std::max(p, q) };
-}
 
 /// The surface without triangles that have a corner twice, which can be no part of a cut: their
 /// corners become ids of no point, so that the others keep their numbers.
@@ -140,12 +136,12 @@ private:
   Index SplitEdge(Index p, Index q, const Vector3& place)
   {
     const Index middle = this->Mesh.SplitEdge(p, q, place);
-    const auto hard = this->Hard.find(Sorted(p, q));
+    const auto hard = this->Hard.find(SortedEnds(p, q));
     if (hard != this->Hard.end())
     {
-      this->Hard.emplace(Sorted(p, middle), hard->second);
-      this->Hard.emplace(Sorted(middle, q), hard->second);
-      this->Hard.erase(Sorted(p, q));
+      this->Hard.emplace(SortedEnds(p, middle), hard->second);
+      this->Hard.emplace(SortedEnds(middle, q), hard->second);
+      this->Hard.erase(SortedEnds(p, q));
     }
     return middle;
   }
@@ -341,7 +337,7 @@ private:
           return false;
         }
       }
-      this->Hard.emplace(Sorted(from, next), this->Curve);
+      this->Hard.emplace(SortedEnds(from, next), this->Curve);
       from = next;
     }
     return from == to;
@@ -380,16 +376,9 @@ private:
   std::map<Index, Index> LastPart;
 };
 
-/// The first of those with these numbers, and how many more there are.
-std::string Listed(const std::vector<std::size_t>& numbers, const char* others)
-{
-  return std::to_string(numbers.front()) +
-    (numbers.size() > 1 ? others + std::to_string(numbers.size() - 1) + " more" : "");
-}
-
 void AddPoints(const std::vector<Vector3>& points, Cutter& cutter, CurveCut& result)
 {
-  std::vector<std::size_t> left;
+  std::vector<Index> left;
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     Vector3 place = points[k];
@@ -397,12 +386,12 @@ void AddPoints(const std::vector<Vector3>& points, Cutter& cutter, CurveCut& res
     result.Places.push_back(place);
     if (result.Points.back() == None)
     {
-      left.push_back(k);
+      left.push_back(static_cast<Index>(k));
     }
   }
   if (!left.empty())
   {
-    result.Notes.push_back((left.size() > 1 ? "Points " : "Point ") + Listed(left, " and ") +
+    result.Notes.push_back(Numbered("Point", left) +
       (left.size() > 1 ? " are no vertices" : " is no vertex") +
       " of the mesh: farther from the surface than a hundredth of its diagonal. Points have to lie "
       "on it.");
@@ -417,17 +406,17 @@ CurveCut CutAlong(const Surface& surface, const GivenLines& given, const Progres
   Cutter cutter(first.empty() ? surface : Merged(surface, first), progress);
   CurveCut result;
   AddPoints(given.Points, cutter, result);
-  std::vector<std::size_t> left;
+  std::vector<Index> left;
   for (std::size_t k = 0; k < given.Curves.size(); ++k)
   {
     if (!cutter.Add(static_cast<Index>(k), given.Curves[k]))
     {
-      left.push_back(k);
+      left.push_back(static_cast<Index>(k));
     }
   }
   if (!left.empty())
   {
-    result.Notes.push_back("Parts of curve " + Listed(left, " and of ") +
+    result.Notes.push_back("Parts of " + Numbered("curve", left) +
       " are no lines of the mesh: they are farther from the surface than a hundredth of its "
       "diagonal, or the surface ends between two of their points. Curves have to lie on it.");
   }

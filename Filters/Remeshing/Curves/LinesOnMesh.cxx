@@ -5,6 +5,7 @@
 
 #include "Chains/MeshChains.h"
 #include "Preparation/SurfaceUnit.h"
+#include "Support/Sentences.h"
 
 #include <algorithm>
 #include <array>
@@ -35,11 +36,15 @@ std::array<double, 3> CellOf(const Vector3& place, double size)
     std::floor(place.z() / size) };
 }
 
-std::string Listed(const std::vector<Index>& numbers, const char* plural, const char* single)
+/// Adds a sentence on points that are no vertices, if there are any.
+void Say(std::vector<Index> numbers, const char* why, std::vector<std::string>& sentences)
 {
-  return numbers.size() == 1 ? "Point " + std::to_string(numbers[0]) + single
-                             : "Points " + std::to_string(numbers[0]) + " and " +
-      std::to_string(numbers.size() - 1) + " more" + plural;
+  if (!numbers.empty())
+  {
+    std::sort(numbers.begin(), numbers.end());
+    sentences.push_back(Numbered("Point", numbers) +
+      (numbers.size() == 1 ? " is no vertex" : " are no vertices") + " of the mesh" + why);
+  }
 }
 
 std::vector<Index> CurvesOfLines(const FaceMesh& mesh, const PreparedSurface& surface,
@@ -78,11 +83,17 @@ ChosenPoints::ChosenPoints(const CurveCut& cut, const std::vector<double>& sizes
     most = std::max(most, p == None ? 0.0 : LeastDistance * edgeLength * sizes[p]);
   }
   std::map<std::array<double, 3>, std::vector<Index>> grid;
-  std::vector<std::array<Index, 2>> chosen;
+  std::map<Index, Index> chosen;
   for (std::size_t k = 0; k < cut.Points.size(); ++k)
   {
     if (cut.Points[k] == None)
     {
+      continue;
+    }
+    const auto number = static_cast<Index>(k);
+    if (chosen.count(cut.Points[k]) > 0)
+    {
+      this->AtOthers.push_back(number);
       continue;
     }
     const Vector3& place = cut.Places[k];
@@ -96,32 +107,21 @@ ChosenPoints::ChosenPoints(const CurveCut& cut, const std::vector<double>& sizes
       isClose = isClose ||
         (near != grid.end() &&
           std::any_of(near->second.begin(), near->second.end(),
-            [&](Index other) {
-              return cut.Points[other] == cut.Points[k] ||
-                (cut.Places[other] - place).norm() < least;
-            }));
+            [&](Index other) { return (cut.Places[other] - place).norm() < least; }));
     }
     if (isClose)
     {
-      this->TooClose.push_back(static_cast<Index>(k));
+      this->TooClose.push_back(number);
       continue;
     }
-    grid[cell].push_back(static_cast<Index>(k));
-    chosen.push_back({ cut.Points[k], static_cast<Index>(k) });
+    grid[cell].push_back(number);
+    chosen.emplace(cut.Points[k], number);
   }
-  std::sort(chosen.begin(), chosen.end());
-  for (const std::array<Index, 2>& point : chosen)
+  for (const auto& [point, number] : chosen)
   {
-    // Two that are not that close may have taken the same point of a coarse surface.
-    if (!this->Surface.empty() && this->Surface.back() == point[0])
-    {
-      this->TooClose.push_back(point[1]);
-      continue;
-    }
-    this->Surface.push_back(point[0]);
-    this->Numbers.push_back(point[1]);
+    this->Surface.push_back(point);
+    this->Numbers.push_back(number);
   }
-  std::sort(this->TooClose.begin(), this->TooClose.end());
 }
 
 Index ChosenPoints::NumberOf(Index point) const
@@ -167,21 +167,21 @@ std::vector<MeshChain> ChosenPoints::Find(const PreparedSurface& surface, const 
     chains.push_back(
       { ChainKind::Point, { v }, { None, None }, "Point " + std::to_string(number), number });
   }
-  if (!this->TooClose.empty())
-  {
-    sentences.push_back(Listed(this->TooClose, " are no vertices", " is no vertex") +
-      " of the mesh: closer than a tenth of an edge to one before. Shorter edges would keep both.");
-  }
+  Say(this->AtOthers,
+    ", since others before in the list stand for the same places: points closer than a hundredth of "
+    "the surface's edges there are one.",
+    sentences);
+  Say(this->TooClose,
+    ": closer than a tenth of an edge to others before in the list. Shorter edges there would keep "
+    "all.",
+    sentences);
   std::vector<Index> missed;
   std::copy_if(this->Numbers.begin(), this->Numbers.end(), std::back_inserter(missed),
     [&](Index number) { return vertexOf.count(number) == 0; });
-  std::sort(missed.begin(), missed.end());
-  if (!missed.empty())
-  {
-    sentences.push_back(Listed(missed, " are no vertices", " is no vertex") +
-      " of the mesh, since there is no room for edges beside other points and lines. Shorter edges "
-      "would keep them.");
-  }
+  Say(missed,
+    ", since there is no room for edges beside other points and lines. Shorter edges would keep "
+    "them.",
+    sentences);
   return chains;
 }
 

@@ -41,7 +41,9 @@ private:
   std::vector<Index> Surface;
   /// Of the same place in the list.
   std::vector<Index> Numbers;
-  /// Points too close to others.
+  /// Points that have taken the same one of the surface as others before them, and points too close
+  /// to others.
+  std::vector<Index> AtOthers;
   std::vector<Index> TooClose;
 };
 

@@ -3,6 +3,8 @@
 
 #include "Extraction/BoundaryVertices.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 
 namespace DirectionFields::Internal
@@ -55,20 +57,17 @@ bool HasEdge(const Faces::Face& face, Index tail, Index head)
 
 void InsertBoundaryVertices(ExtractedMesh& cells, std::vector<BoundaryVertices>& all)
 {
-  const auto ends = [](Index a, Index b) {
-    return std::array<Index, 2>{ std::min(a, b), std::max(a, b) };
-  };
   std::sort(all.begin(), all.end(),
     [&](const BoundaryVertices& a, const BoundaryVertices& b)
-    { return ends(a.Tail, a.Head) < ends(b.Tail, b.Head); });
+    { return SortedEnds(a.Tail, a.Head) < SortedEnds(b.Tail, b.Head); });
   std::vector<ExtractedMesh::LineEdge> others;
   for (const ExtractedMesh::LineEdge& edge : cells.LineEdges)
   {
-    const std::array<Index, 2> key = ends(edge.Ends[0], edge.Ends[1]);
+    const std::array<Index, 2> key = SortedEnds(edge.Ends[0], edge.Ends[1]);
     const auto found = std::lower_bound(all.begin(), all.end(), key,
       [&](const BoundaryVertices& i, const std::array<Index, 2>& k)
-      { return ends(i.Tail, i.Head) < k; });
-    if (found != all.end() && ends(found->Tail, found->Head) == key)
+      { return SortedEnds(i.Tail, i.Head) < k; });
+    if (found != all.end() && SortedEnds(found->Tail, found->Head) == key)
     {
       found->Line = edge.Line;
     }

@@ -3,6 +3,8 @@
 
 #include "FaceMesh/EditedMesh.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -11,25 +13,20 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-std::array<Index, 2> EndsOf(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 /// The edges of lines that faces have after changes.
 std::vector<FaceMesh::LineEdge> LineEdgesOf(const VertexStars& stars, const FaceMesh& mesh)
 {
   std::map<std::array<Index, 2>, Index> lines;
   for (const FaceMesh::LineEdge& edge : mesh.LineEdges)
   {
-    lines[EndsOf(edge.Ends[0], edge.Ends[1])] = edge.Line;
+    lines[SortedEnds(edge.Ends[0], edge.Ends[1])] = edge.Line;
   }
   for (const VertexStars::Change& change : stars.GetChanges())
   {
     if (change.Face == None)
     {
       const auto [goes, stays, other, none] = change.Corners;
-      lines[EndsOf(stays, other)] = mesh.Vertices[goes].Line;
+      lines[SortedEnds(stays, other)] = mesh.Vertices[goes].Line;
     }
   }
   std::vector<FaceMesh::LineEdge> edges;

@@ -3,6 +3,8 @@
 
 #include "FaceMesh/Faces.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -74,7 +76,7 @@ std::vector<std::array<Index, 2>> EdgesOf(const Faces& faces)
     {
       const Index a = face[c];
       const Index b = face[(c + 1) % size];
-      edges.push_back({ std::min(a, b), std::max(a, b) });
+      edges.push_back(SortedEnds(a, b));
     }
   }
   std::sort(edges.begin(), edges.end());

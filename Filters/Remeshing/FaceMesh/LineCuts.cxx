@@ -4,6 +4,7 @@
 #include "FaceMesh/LineCuts.h"
 
 #include "FaceMesh/FaceCut.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <iterator>
@@ -12,17 +13,12 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-std::array<Index, 2> EndsOf(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 /// The corner from which a face has an edge; its number of corners if it has it not.
 int CornerBefore(const Faces::Face& face, const std::array<Index, 2>& ends)
 {
   const int size = Faces::Size(face);
   int at = 0;
-  while (at < size && EndsOf(face[at], face[(at + 1) % size]) != ends)
+  while (at < size && SortedEnds(face[at], face[(at + 1) % size]) != ends)
   {
     ++at;
   }
@@ -36,7 +32,7 @@ LineCuts::LineCuts(FaceMesh& mesh)
   for (std::size_t k = 0; k < mesh.LineEdges.size(); ++k)
   {
     const std::array<Index, 2>& ends = mesh.LineEdges[k].Ends;
-    this->Edges.emplace(EndsOf(ends[0], ends[1]), k);
+    this->Edges.emplace(SortedEnds(ends[0], ends[1]), k);
   }
 }
 
@@ -74,8 +70,8 @@ void LineCuts::Cut(const Wall& wall, const Vector3& middle)
   for (const std::size_t k : there)
   {
     const Index second = edges[k].Ends[1];
-    this->Edges.emplace(EndsOf(edges[k].Ends[0], fresh), k);
-    this->Edges.emplace(EndsOf(fresh, second), edges.size());
+    this->Edges.emplace(SortedEnds(edges[k].Ends[0], fresh), k);
+    this->Edges.emplace(SortedEnds(fresh, second), edges.size());
     edges[k].Ends[1] = fresh;
     edges.push_back({ { fresh, second }, edges[k].Line });
   }

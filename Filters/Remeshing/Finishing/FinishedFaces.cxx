@@ -102,29 +102,33 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
   settings.MayMakeTriangles = true;
   shape(settings, progress.Part(0.0, 0.4));
   const bool hasCloseLines = wanted.Steps > 0 && context.HasCloseLines;
-  const auto bringLinesCloser = [&](int cuts)
+  const auto bringLinesCloser = [&](int cuts, const Progress& part)
   {
     if (hasCloseLines)
     {
-      BringLinesCloser(mesh, cuts, wanted.IsPure ? CloseOfQuads : Close, wanted.EdgeLength, context,
-        progress.Part(1.0, 1.0));
+      BringLinesCloser(
+        mesh, cuts, wanted.IsPure ? CloseOfQuads : Close, wanted.EdgeLength, context, part);
     }
   };
   if (!wanted.AreQuads)
   {
-    bringLinesCloser(LineCutRounds);
+    bringLinesCloser(LineCutRounds, progress.Part(0.4, 1.0));
     return;
   }
   settings.RepairsFaces = true;
   if (!wanted.IsPure)
   {
+    const double beforeLines = hasCloseLines ? 0.7 : 1.0;
     settings.Joins = JoinPolicy::Free;
-    shape(settings, progress.Part(0.4, 1.0));
-    bringLinesCloser(LineCutRounds);
+    shape(settings, progress.Part(0.4, beforeLines));
+    bringLinesCloser(LineCutRounds, progress.Part(beforeLines, 1.0));
     CutFoldedQuads(mesh.Cells, mesh.Points);
     return;
   }
-  bringLinesCloser(LineCutRounds);
+  const double first = hasCloseLines ? 0.5 : 0.4;
+  const double last = hasCloseLines ? 0.95 : 1.0;
+  bringLinesCloser(LineCutRounds, progress.Part(0.4, first));
+  const Progress trials = progress.Part(first, last);
   settings.MayMakeTriangles = false;
   settings.Joins = JoinPolicy::AtAnyPrice;
   ShapingSettings joining;
@@ -133,7 +137,8 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
   double most = -2.0;
   for (int k = 0; k < Trials && most < Good; ++k)
   {
-    const Progress part = progress.Part(0.4 + 0.6 * k / Trials, 0.4 + 0.6 * (k + 1) / Trials);
+    const Progress part =
+      trials.Part(static_cast<double>(k) / Trials, static_cast<double>(k + 1) / Trials);
     shape(joining, part.Part(0.0, 0.2));
     EvenOutTriangles(mesh, wanted.Spacing != BoundarySpacing::Keep);
     shape(settings, part.Part(0.2, 1.0));
@@ -146,7 +151,7 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
     CutFoldedQuads(mesh.Cells, mesh.Points, Good);
   }
   mesh = std::move(best);
-  bringLinesCloser(0);
+  bringLinesCloser(0, progress.Part(last, 1.0));
 }
 }
 

@@ -4,6 +4,7 @@
 #include "Improvement/CloserLines.h"
 
 #include "FaceMesh/LineCuts.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -225,7 +226,7 @@ private:
     std::vector<std::array<Index, 2>> chain;
     while (true)
     {
-      const std::array<Index, 2> ends = { std::min(v, next), std::max(v, next) };
+      const std::array<Index, 2> ends = SortedEnds(v, next);
       if (!this->Seen.emplace(ends, true).second)
       {
         break;
@@ -262,7 +263,7 @@ std::map<std::array<Index, 2>, std::vector<Index>> FacesAtLines(
     {
       const Index a = face[c];
       const Index b = face[(c + 1) % size];
-      const std::array<Index, 2> ends = { std::min(a, b), std::max(a, b) };
+      const std::array<Index, 2> ends = SortedEnds(a, b);
       if (lines.Line.count(ends) > 0)
       {
         faces[ends].push_back(static_cast<Index>(f));

@@ -3,6 +3,8 @@
 
 #include "Improvement/FoldedQuads.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 #include <set>
 
@@ -10,11 +12,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-std::array<Index, 2> EdgeOf(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 /// The two triangles that the diagonal from corner c on makes.
 std::array<Faces::Face, 2> Halves(const Faces::Face& quad, int c)
 {
@@ -64,7 +61,7 @@ Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points, double qu
     double bestQuality = -1.0;
     for (int c = 0; c < 2; ++c)
     {
-      const std::array<Index, 2> diagonal = EdgeOf(quad[c], quad[c + 2]);
+      const std::array<Index, 2> diagonal = SortedEnds(quad[c], quad[c + 2]);
       const double both = QualityOf(Halves(quad, c), points);
       if (both > bestQuality && !std::binary_search(edges.begin(), edges.end(), diagonal) &&
         diagonals.count(diagonal) == 0)
@@ -76,7 +73,7 @@ Index CutFoldedQuads(Faces& faces, const std::vector<Vector3>& points, double qu
     if (best >= 0)
     {
       const std::array<Faces::Face, 2> halves = Halves(quad, best);
-      diagonals.insert(EdgeOf(quad[best], quad[best + 2]));
+      diagonals.insert(SortedEnds(quad[best], quad[best + 2]));
       faces.Corners[f] = halves[0];
       faces.IsRegular[f] = 0;
       faces.Corners.push_back(halves[1]);

@@ -3,6 +3,8 @@
 
 #include "Preparation/FeaturePaths.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 
 namespace DirectionFields::Internal
@@ -15,7 +17,7 @@ FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& is
     {
       const Index a = mesh.Point(mesh.Tail(mesh.HalfEdge(e)));
       const Index b = mesh.Point(mesh.Head(mesh.HalfEdge(e)));
-      const std::array<Index, 2> ends = { std::min(a, b), std::max(a, b) };
+      const std::array<Index, 2> ends = SortedEnds(a, b);
       this->Paths.push_back({ ends, { ends[0], ends[1] }, true });
     }
   }
@@ -86,7 +88,7 @@ void FeaturePaths::Sort()
 
 const FeaturePaths::Path* FeaturePaths::Find(Index p, Index q) const
 {
-  const std::array<Index, 2> ends = { std::min(p, q), std::max(p, q) };
+  const std::array<Index, 2> ends = SortedEnds(p, q);
   const auto found = std::lower_bound(this->Paths.begin(), this->Paths.end(), ends,
     [](const Path& path, const std::array<Index, 2>& wanted) { return path.Ends < wanted; });
   return found != this->Paths.end() && found->Ends == ends ? &*found : nullptr;

@@ -12,6 +12,7 @@
 #include "Refinement/SmoothedPoints.h"
 #include "Refinement/SplitTriangle.h"
 #include "Refinement/Thinning.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <map>
@@ -329,10 +330,7 @@ std::vector<Index> PreparedSurface::GetOriginals() const
     const Index a = original[this->Middles[k][0]];
     const Index b = original[this->Middles[k][1]];
     const auto point = static_cast<Index>(first + k);
-    original[point] = a == b
-      ? a
-      : firstOf.emplace(std::array<Index, 2>{ std::min(a, b), std::max(a, b) }, point)
-          .first->second;
+    original[point] = a == b ? a : firstOf.emplace(SortedEnds(a, b), point).first->second;
   }
   return original;
 }

@@ -4,6 +4,7 @@
 #include "PureQuads/TriangleParity.h"
 
 #include "FaceMesh/LineCuts.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,11 +27,6 @@ constexpr double PerBadFace = 20.0;
 constexpr double PerTriangle = 60.0;
 /// Corners of lines leave the faces no room to move.
 constexpr double PerCorner = 20.0;
-
-std::array<Index, 2> EndsOf(Index a, Index b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
 
 using Wall = LineCuts::Wall;
 
@@ -99,14 +95,14 @@ private:
       const int size = Faces::Size(this->Face(f));
       for (int c = 0; c < size; ++c)
       {
-        sides.push_back({ EndsOf(this->Face(f)[c], this->Face(f)[(c + 1) % size]), f, c });
+        sides.push_back({ SortedEnds(this->Face(f)[c], this->Face(f)[(c + 1) % size]), f, c });
       }
     }
     std::stable_sort(sides.begin(), sides.end(), isLess);
     std::vector<FaceMesh::LineEdge> lines = this->Mesh.LineEdges;
     for (FaceMesh::LineEdge& edge : lines)
     {
-      edge.Ends = EndsOf(edge.Ends[0], edge.Ends[1]);
+      edge.Ends = SortedEnds(edge.Ends[0], edge.Ends[1]);
     }
     std::stable_sort(lines.begin(), lines.end(), isLess);
     for (std::size_t k = 0, end = 0; k < sides.size(); k = end)

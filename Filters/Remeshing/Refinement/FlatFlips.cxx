@@ -3,6 +3,8 @@
 
 #include "Refinement/FlatFlips.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -89,9 +91,7 @@ private:
   /// The points at the ends of an edge: sheets that meet there must not share two edges.
   std::array<Index, 2> Ends(Index a, Index b) const
   {
-    const Index p = this->Mesh.Point(a);
-    const Index q = this->Mesh.Point(b);
-    return { std::min(p, q), std::max(p, q) };
+    return SortedEnds(this->Mesh.Point(a), this->Mesh.Point(b));
   }
 
   Vector3 Normal(Index a, Index b, Index c) const

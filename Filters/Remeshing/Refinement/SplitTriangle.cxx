@@ -3,15 +3,15 @@
 
 #include "Refinement/SplitTriangle.h"
 
+#include "Support/SortedEnds.h"
+
 #include <algorithm>
 
 namespace DirectionFields::Internal
 {
 std::array<Index, 2> EndsOf(const TriangleMesh& mesh, Index h)
 {
-  const Index p = mesh.Point(mesh.Tail(h));
-  const Index q = mesh.Point(mesh.Head(h));
-  return { std::min(p, q), std::max(p, q) };
+  return SortedEnds(mesh.Point(mesh.Tail(h)), mesh.Point(mesh.Head(h)));
 }
 
 SplitTriangle::SplitTriangle(

@@ -5,6 +5,7 @@
 
 #include "Regions/FaceRegions.h"
 #include "Support/Sentences.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ struct BorderEdges
       {
         const Index a = face[c];
         const Index b = face[(c + 1) % size];
-        regionsAt[{ std::min(a, b), std::max(a, b) }].push_back(ofFaces[f]);
+        regionsAt[SortedEnds(a, b)].push_back(ofFaces[f]);
       }
     }
     for (const auto& [ends, regions] : regionsAt)

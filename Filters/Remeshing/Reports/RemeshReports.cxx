@@ -4,6 +4,7 @@
 #include "Reports/RemeshReports.h"
 
 #include "Support/Sentences.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,7 @@ struct Valences
       {
         const Index a = face[c];
         const Index b = face[(c + 1) % SizeOf(face)];
-        edges.push_back({ std::min(a, b), std::max(a, b) });
+        edges.push_back(SortedEnds(a, b));
       }
     }
     std::sort(edges.begin(), edges.end());

@@ -100,6 +100,35 @@ TEST(GivenPoints, OnARoundBodyAreAtTheClosestPlaces)
   }
 }
 
+// The point of 300 triangles, which lose most of theirs beside it, and points in some of these.
+TEST(GivenPoints, BecomeVerticesWhereHundredsOfTrianglesMeet)
+{
+  Surface fan = { { Vector3::Zero() }, {} };
+  constexpr Index sides = 300;
+  for (Index k = 0; k < sides; ++k)
+  {
+    const double angle = 2.0 * Pi * k / sides;
+    fan.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    fan.Triangles.push_back({ 0, k + 1, (k + 1) % sides + 1 });
+  }
+  const Curve points = { { 0.0, 0.0, 0.0 }, { 0.31, 0.4, 0.0 }, { -0.25, 0.55, 0.0 },
+    { 0.13, -0.12, 0.0 } };
+  for (const Index faces : { 300, 1500 })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = faces;
+    const RemeshResult mesh = Remesh(std::make_shared<Surface>(fan), {}, points).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
+    const std::map<Index, Vector3> found = PointsOf(mesh);
+    ASSERT_EQ(found.size(), points.size());
+    for (const auto& [number, place] : found)
+    {
+      EXPECT_LT((place - points[number]).norm(), 1e-12) << number;
+    }
+  }
+}
+
 TEST(GivenPoints, ThatCannotBeVerticesAreSaid)
 {
   const Curve points = { { 0.5, 0.5, 0.0 }, { 0.501, 0.5, 0.0 }, { 0.5, 0.5, 0.4 },
@@ -113,7 +142,9 @@ TEST(GivenPoints, ThatCannotBeVerticesAreSaid)
   EXPECT_EQ(found.count(0), 1U);
   EXPECT_EQ(found.count(3), 1U);
   EXPECT_TRUE(IsSaid(mesh, "Point 2 is no vertex of the mesh: farther from the surface"));
-  EXPECT_TRUE(IsSaid(mesh, "Points 1 and 1 more are no vertices of the mesh: closer than a tenth"));
+  EXPECT_TRUE(IsSaid(mesh, "Point 1 is no vertex of the mesh: closer than a tenth of an edge"));
+  EXPECT_TRUE(
+    IsSaid(mesh, "Point 4 is no vertex of the mesh, since others before in the list stand"));
 }
 
 // The number of each curve stays with its edges, also where one goes on from the other.

@@ -112,6 +112,30 @@ void ExpectAllKept(const RemeshResult& mesh, const Surface& surface,
 }
 }
 
+TEST(Regions, ProgressGoesOnWhileLinesAreBroughtCloser)
+{
+  const Surface square = Meshes::Square(30);
+  RemeshOptions options;
+  options.NumberOfFaces = 500;
+  options.Regions = Labelled(square,
+    [](const Vector3& middle) { return (middle - Vector3(0.5, 0.5, 0.0)).norm() < 0.2 ? 1 : 0; });
+  for (const bool isPure : { false, true })
+  {
+    options.PureQuads = isPure;
+    std::map<double, int> reports;
+    Remesh(std::make_shared<Surface>(square))
+      .Compute(options, {},
+        [&reports](double done)
+        {
+          ++reports[done];
+          return true;
+        });
+    const auto most = std::max_element(reports.begin(), reports.end(),
+      [](const auto& a, const auto& b) { return a.second < b.second; });
+    EXPECT_LT(most->second, 10) << most->first;
+  }
+}
+
 TEST(Regions, CurvedBordersAreEdgesAndTheirMeetingsVertices)
 {
   // Great circles divide the sphere into the faces of an icosahedron, five of which meet at a point.

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <sstream>
 
 using namespace DirectionFields;
@@ -202,6 +203,53 @@ TEST(Calculix, ScordelisLoRoofIsBentAsPublished)
     "EALL, GRAV, 360., 0., 0., -1.\n*NODE PRINT, NSET=EDGE\nU\n");
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_NEAR(-moved[0].z() / 0.3024, 1.0, 0.02);
+}
+
+// A plate with simply supported sides, by Navier's series of sines; the load and what is looked at
+// are at given points, whose sets the mesh names.
+TEST(Calculix, PlateIsBentByALoadAtAGivenPointAsTheSeriesSays)
+{
+  const std::vector<Vector3> given = { { 0.37, 0.58, 0.0 }, { 0.71, 0.33, 0.0 } };
+  const auto plate =
+    Triangles(24, 24, false, [](double u, double v) { return Vector3(u, v, 0.0); });
+  RemeshOptions wanted;
+  wanted.NumberOfFaces = 900;
+  wanted.PureQuads = true;
+  const RemeshResult result = Remesh(std::make_shared<Surface>(plate), {}, given).Compute(wanted);
+  ShellMesh mesh;
+  mesh.Points = result.Points;
+  mesh.Faces = result.Faces;
+  mesh.FaceSets.push_back({ "Part 0", std::vector<Index>(mesh.Faces.size()) });
+  std::iota(mesh.FaceSets[0].Members.begin(), mesh.FaceSets[0].Members.end(), 0);
+  for (const MeshChain& chain : result.Chains)
+  {
+    mesh.PointSets.push_back({ chain.Name, chain.Points });
+  }
+  ASSERT_EQ(mesh.PointSets.size(), 6U);
+  AbaqusOptions options;
+  options.SecondOrder = true;
+  options.Thickness = 0.005;
+  const std::vector<Vector3> moved = Displacements("Plate", mesh, options, "\n1e6, .3",
+    "*BOUNDARY\nBOUNDARY_1, 3\nBOUNDARY_2, 3\nBOUNDARY_3, 3\nBOUNDARY_4, 3\nPOINT_0, 1, 2\n"
+    "POINT_1, 2\n*STEP\n*STATIC\n*CLOAD\nPOINT_0, 3, 1e-3\n*NODE PRINT, NSET=POINT_0\nU\n"
+    "*NODE PRINT, NSET=POINT_1\nU\n");
+  ASSERT_EQ(moved.size(), 2U);
+  const double stiffness = 1e6 * std::pow(options.Thickness, 3) / (12.0 * (1.0 - 0.3 * 0.3));
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    double series = 0.0;
+    for (int m = 1; m < 200; ++m)
+    {
+      for (int n = 1; n < 200; ++n)
+      {
+        series += std::sin(m * Pi * given[0].x()) * std::sin(n * Pi * given[0].y()) *
+          std::sin(m * Pi * given[k].x()) * std::sin(n * Pi * given[k].y()) /
+          std::pow(m * m + n * n, 2);
+      }
+    }
+    const double bent = 4.0 * 1e-3 / (std::pow(Pi, 4) * stiffness) * series;
+    EXPECT_NEAR(moved[k].z() / bent, 1.0, 0.02) << k;
+  }
 }
 
 // A strip in tension gets longer by length * stress / E of the axis along it.
