@@ -13,8 +13,9 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr double LeastWeight = 0.05;
-/// Where a cone is beyond a line by more than this many rows in the map over the reals, that is
-/// folded there, or they were laid flat on another way: to keep them apart would bend it a lot.
+/// Where a cone or line is beyond a line by more than this many rows in the map over the reals,
+/// that is folded there, or they were laid flat on another way: to keep them apart would bend it a
+/// lot.
 constexpr double LeastRow = -0.5;
 }
 
@@ -23,7 +24,7 @@ ParametrizationEnergy::ParametrizationEnergy(
   : Plane(mesh.Degree)
   , Variables(mesh)
   , IsShort(this->Variables.ShortIsolines(perLength))
-  , Distances(FindConeDistances(mesh, perLength))
+  , Distances(FindRowDistances(mesh, perLength))
 {
   this->Variables.BoundIsolines(this->IsShort);
   this->Variables.BoundDistances(this->Distances);

@@ -25,11 +25,12 @@ public:
   ParametrizationEnergy(const ParametrizationEnergy&) = delete;
   ParametrizationEnergy& operator=(const ParametrizationEnergy&) = delete;
 
-  /// Whether the same feature isolines and distances of cones have a bound for these lengths.
+  /// Whether the same feature isolines and distances of cones and lines have a bound for these
+  /// lengths.
   bool IsFor(const std::vector<double>& perLength) const
   {
     return this->IsShort == this->Variables.ShortIsolines(perLength) &&
-      this->Distances == FindConeDistances(this->GetMesh(), perLength);
+      this->Distances == FindRowDistances(this->GetMesh(), perLength);
   }
   const CutMesh& GetMesh() const { return this->Variables.Mesh; }
   ParametrizationVariables& GetVariables() { return this->Variables; }
@@ -37,7 +38,7 @@ public:
 
   /// The linear part of the energy.
   Eigen::VectorXd RightHandSide(const std::vector<double>& perLength) const;
-  /// The least value of each integer. Distances of cones that are far from it have none.
+  /// The least value of each integer. Distances that are far from it have none.
   /// @param relaxed where the energy is least over the reals
   Eigen::VectorXd Least(const Eigen::VectorXd& relaxed) const;
   /// The area of the triangles' images, in parallelograms of the grid.
@@ -60,7 +61,7 @@ private:
   IntegerGrid Plane;
   ParametrizationVariables Variables;
   std::vector<char> IsShort;
-  std::vector<ConeDistance> Distances;
+  std::vector<RowDistance> Distances;
   /// The place of each free variable in the system.
   std::vector<Index> Slot;
   Index Count = 0;

@@ -117,15 +117,15 @@ void ParametrizationVariables::BoundIsolines(const std::vector<char>& isShort)
   this->DropSolvedBounds();
 }
 
-void ParametrizationVariables::BoundDistances(const std::vector<ConeDistance>& distances)
+void ParametrizationVariables::BoundDistances(const std::vector<RowDistance>& distances)
 {
   const std::vector<Index> lengths = this->Bounded;
-  for (const ConeDistance& distance : distances)
+  for (const RowDistance& distance : distances)
   {
     SymbolicGridPoint row =
-      this->Corner(distance.Triangle, distance.Corner).Turned(distance.ToCone.Turn, this->Degree);
-    row.Add(this->Jumps(distance.ToCone), 1);
-    row.Add(this->Vertex(distance.Cone), -1);
+      this->Corner(distance.Triangle, distance.Corner).Turned(distance.ToFirst.Turn, this->Degree);
+    row.Add(this->Jumps(distance.ToFirst), 1);
+    row.Add(this->Corner(distance.From / 3, distance.From % 3), -1);
     this->Bound(row.Turned((this->Degree - distance.Axis) % this->Degree, this->Degree).B);
   }
   this->DropSolvedBounds();

@@ -6,7 +6,7 @@
 
 #include "Charts/FeatureIsolines.h"
 #include "Integers/IntegerElimination.h"
-#include "Parametrization/ConeDistances.h"
+#include "Parametrization/RowDistances.h"
 
 #include <map>
 #include <vector>
@@ -39,8 +39,8 @@ public:
   /// From now on the lengths of these feature isolines are variables, as far as they can be free,
   /// so that rounding can give each of them at least one edge.
   void BoundIsolines(const std::vector<char>& isShort);
-  /// The same for these distances of cones.
-  void BoundDistances(const std::vector<ConeDistance>& distances);
+  /// The same for these distances of cones and lines.
+  void BoundDistances(const std::vector<RowDistance>& distances);
 
   /// The coordinates of a corner in the chart of its triangle.
   SymbolicGridPoint Corner(Index t, int c) const;
@@ -54,7 +54,7 @@ public:
   std::map<std::pair<Index, int>, Index> AcrossFeature;
   IntegerElimination Solved;
   std::vector<FeatureIsoline> Isolines;
-  /// The variables that are to be at least 1; those among them that are distances of cones.
+  /// The variables that are to be at least 1; those among them that are distances.
   std::vector<Index> Bounded;
   std::vector<Index> BoundedDistances;
 

@@ -166,7 +166,7 @@ TEST(ParametrizationVariables, BoundedLengthsAreTheLengthsOfTheirFeatures)
   EXPECT_EQ(lengths, bounded);
 }
 
-TEST(ParametrizationVariables, BoundedDistancesAreTheRowsBetweenConesAndLines)
+TEST(ParametrizationVariables, BoundedDistancesAreTheRowsBetweenConesOrLinesAndLines)
 {
   const Surface cube = Meshes::FlatlySubdivided(Meshes::Cube(), 3);
   for (const Surface& surface : { cube, Meshes::PlateWithHole(32, 9, 0.4, false), Meshes::Disk(6) })
@@ -183,8 +183,8 @@ TEST(ParametrizationVariables, BoundedDistancesAreTheRowsBetweenConesAndLines)
         surface, degree, [&](const SurfaceGeometry& of) { return Meshes::RandomSection(of, 4); },
         FindFeatures(geometry, FeatureSettings{ true, 40.0, 0.0, 0.0 }));
       ParametrizationVariables variables(example.Mesh);
-      const std::vector<ConeDistance> distances =
-        FindConeDistances(example.Mesh, example.Settings(10.0).PerLength);
+      const std::vector<RowDistance> distances =
+        FindRowDistances(example.Mesh, example.Settings(10.0).PerLength);
       ASSERT_GT(distances.size(), 10U);
       variables.BoundDistances(distances);
       ExpectConstraints(variables);
@@ -196,13 +196,13 @@ TEST(ParametrizationVariables, BoundedDistancesAreTheRowsBetweenConesAndLines)
         bounded.insert(value[variable]);
       }
       std::size_t found = 0;
-      for (const ConeDistance& distance : distances)
+      for (const RowDistance& distance : distances)
       {
         const auto rowOf = [&](int corner)
         {
           const GridPoint place =
-            constraints.Apply(distance.ToCone, constraints.Corner(distance.Triangle, corner)) -
-            constraints.Place(distance.Cone);
+            constraints.Apply(distance.ToFirst, constraints.Corner(distance.Triangle, corner)) -
+            constraints.Corner(distance.From / 3, distance.From % 3);
           return constraints.GetPlane().Turned(place, -distance.Axis).B;
         };
         // The line is one of the grid, in whatever chart it is looked at.

@@ -237,6 +237,43 @@ TEST(LongTriangles, RimsHaveTheirIrregularVerticesAnEdgeAway)
   }
 }
 
+TEST(LongTriangles, WallsThinnerThanAnEdgeHaveOneRow)
+{
+  // Between rims that are a quarter of an edge apart, and an eighth, rounding left no row at all.
+  const double thickness = 0.02;
+  const auto disk = std::make_shared<Surface>(Prism(100, thickness));
+  for (const Index faces : { 1000, 300 })
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = faces;
+    const RemeshResult mesh = Remesh(disk).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_TRUE(mesh.Notes.empty());
+    EXPECT_EQ(mesh.Triangles, 0) << faces;
+    EXPECT_EQ(mesh.IrregularVertices, 8) << faces;
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.5) << faces;
+    // All vertices are on the two sides, and the faces between are as many as the edges of a rim.
+    std::size_t between = 0;
+    for (const Vector3& point : mesh.Points)
+    {
+      EXPECT_LT(std::min(std::abs(point[2]), std::abs(point[2] - thickness)), 1e-9);
+    }
+    for (const std::array<Index, 4>& face : mesh.Faces)
+    {
+      std::size_t above = 0;
+      for (const Index v : face)
+      {
+        above += mesh.Points[v][2] > 0.5 * thickness ? 1 : 0;
+      }
+      EXPECT_EQ(above % 2, 0U);
+      between += above == 2 ? 1 : 0;
+    }
+    const auto isOnRim = [&](const Vector3& point)
+    { return point[2] < 0.5 * thickness && std::hypot(point[0], point[1]) > 0.999; };
+    EXPECT_EQ(between, std::count_if(mesh.Points.begin(), mesh.Points.end(), isOnRim));
+  }
+}
+
 TEST(LongTriangles, FansOfDozensAndThousandsAreRemeshedAsOthers)
 {
   struct Case

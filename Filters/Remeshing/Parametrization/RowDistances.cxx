@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/ConeDistances.h"
+#include "Parametrization/RowDistances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,12 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Rounding puts no line onto a cone that is farther than this many edges.
-constexpr double Near = 2.0;
-/// Triangles that are looked at around each cone, nearest first: many more are within reach where
-/// faces are to be far larger than triangles.
+/// Rounding puts no line onto a cone that is farther than this many edges, and none onto a line
+/// that is farther than that many.
+constexpr double NearCone = 2.0;
+constexpr double NearLine = 0.75;
+/// Triangles that are looked at around each cone or edge, nearest first: many more are within reach
+/// where faces are to be far larger than triangles.
 constexpr std::size_t MostTriangles = 400;
 /// The cosine of the angle between triangles of one plane.
 const double InPlane = std::cos(1.0 * Pi / 180.0);
@@ -52,8 +54,9 @@ bool IsMostlyFlat(const CutMesh& mesh)
   return flat > 0.5 * all;
 }
 
-/// Lays the triangles around a cone flat, by the coordinates that their edges should have, in the
-/// cone's chart and with the cone in the origin.
+/// Lays the triangles around a cone, or on one side of an edge of a line, flat, by the coordinates
+/// that their edges should have: in the chart of the triangle where that begins, with the cone or
+/// the middle of the edge in the origin.
 class Surroundings
 {
 public:
@@ -84,34 +87,36 @@ public:
     }
   }
 
-  void Search(Index cone)
+  void SearchAround(Index cone)
   {
-    this->Cone = cone;
-    this->Queue = {};
-    this->Patches.clear();
-    const Index first = this->FirstAt[cone];
-    this->Begin(first);
-    while (!this->Queue.empty() && this->Visited.size() < MostTriangles)
-    {
-      const Entry entry = this->Queue.top();
-      this->Queue.pop();
-      this->Visit(this->Patches[static_cast<std::size_t>(std::get<1>(entry))]);
-    }
-    for (const Index t : this->Visited)
-    {
-      this->IsSeen[t] = 0;
-    }
-    this->Visited.clear();
+    this->Reach = NearCone;
+    this->FromAxis = None;
+    this->Search(this->FirstAt[cone], 0.0);
   }
 
-  std::vector<ConeDistance> TakeFound() { return std::move(this->Found); }
+  /// Finds lines that run along an edge, if that is one of a line.
+  void SearchBeside(Index halfEdge)
+  {
+    const Index t = halfEdge / 3;
+    const int c = halfEdge % 3;
+    const Index twin = this->Mesh.Triangles[t].Twin[c];
+    const Index isoline = this->LineAt(halfEdge, twin);
+    if (isoline != None)
+    {
+      this->Reach = NearLine;
+      this->FromAxis = this->AxisOf(isoline, t, c, twin) % this->Mesh.Degree;
+      this->Search(halfEdge, 0.5 * this->Target(t, c));
+    }
+  }
+
+  std::vector<RowDistance> TakeFound() { return std::move(this->Found); }
 
 private:
   /// A triangle laid flat.
   struct Patch
   {
     Index Triangle;
-    SymbolicTransition ToCone;
+    SymbolicTransition ToFirst;
     std::array<Complex, 3> Corner;
   };
   /// The distance of a patch, and its number.
@@ -126,16 +131,29 @@ private:
   }
   Complex Root(int turn) const { return std::polar(1.0, 2.0 * Pi * turn / this->Mesh.Degree); }
 
-  void Begin(Index corner)
+  void Search(Index corner, const Complex& origin)
   {
+    this->From = corner;
     const Index t = corner / 3;
     const int c = corner % 3;
-    Patch patch{ t, this->Mesh.Triangles[t].Corner[c].Inverse(this->Mesh.Degree), {} };
-    const Complex turn = this->Root(patch.ToCone.Turn);
-    patch.Corner[c] = 0.0;
-    patch.Corner[(c + 1) % 3] = turn * this->Target(t, c);
-    patch.Corner[(c + 2) % 3] = -turn * this->Target(t, (c + 2) % 3);
+    Patch patch{ t, {}, {} };
+    patch.Corner[c] = -origin;
+    patch.Corner[(c + 1) % 3] = this->Target(t, c) - origin;
+    patch.Corner[(c + 2) % 3] = -this->Target(t, (c + 2) % 3) - origin;
     this->Add(std::move(patch), 0.0);
+    while (!this->Queue.empty() && this->Visited.size() < MostTriangles)
+    {
+      const Entry entry = this->Queue.top();
+      this->Queue.pop();
+      this->Visit(this->Patches[static_cast<std::size_t>(std::get<1>(entry))]);
+    }
+    for (const Index visited : this->Visited)
+    {
+      this->IsSeen[visited] = 0;
+    }
+    this->Visited.clear();
+    this->Queue = {};
+    this->Patches.clear();
   }
 
   void Add(Patch&& patch, double distance)
@@ -163,7 +181,7 @@ private:
       {
         this->TakeLine(patch, c, isoline, twin);
       }
-      else if (twin != None && distance < Near && this->IsSeen[twin / 3] == 0)
+      else if (twin != None && distance < this->Reach && this->IsSeen[twin / 3] == 0)
       {
         this->Cross(patch, c, twin, distance);
       }
@@ -200,10 +218,10 @@ private:
   {
     Patch next{ twin / 3,
       SymbolicTransition::Composed(
-        patch.ToCone, this->Across(patch.Triangle, c, twin), this->Mesh.Degree),
+        patch.ToFirst, this->Across(patch.Triangle, c, twin), this->Mesh.Degree),
       {} };
     const auto k = static_cast<int>(twin % 3);
-    const Complex turn = this->Root(next.ToCone.Turn);
+    const Complex turn = this->Root(next.ToFirst.Turn);
     const Complex& tail = patch.Corner[(c + 1) % 3];
     const Complex& head = patch.Corner[c];
     next.Corner[k] = tail;
@@ -214,16 +232,24 @@ private:
     this->Add(std::move(next), distance);
   }
 
-  /// Where the foot of the cone's perpendicular is on the line.
-  void TakeLine(const Patch& patch, int c, Index isoline, Index twin)
+  /// The axis of a line in the chart of a triangle with an edge of it.
+  int AxisOf(Index isoline, Index t, int c, Index twin) const
   {
     const CutMesh::IsolineEdge& edge = this->Mesh.Isolines[isoline];
-    int axis = edge.Axis;
-    if (edge.Triangle != patch.Triangle)
+    return edge.Axis + (edge.Triangle != t ? this->Across(t, c, twin).Turn : 0);
+  }
+
+  /// Where the foot of the perpendicular is on the line, and the line is none that crosses the one
+  /// that is begun from.
+  void TakeLine(const Patch& patch, int c, Index isoline, Index twin)
+  {
+    const int degree = this->Mesh.Degree;
+    int axis = (this->AxisOf(isoline, patch.Triangle, c, twin) + patch.ToFirst.Turn) % degree;
+    const bool isOwn = 3 * patch.Triangle + c == this->From;
+    if (this->FromAxis != None && (isOwn || (axis - this->FromAxis) % (degree / 2) != 0))
     {
-      axis += this->Across(patch.Triangle, c, twin).Turn;
+      return;
     }
-    axis = (axis + patch.ToCone.Turn) % this->Mesh.Degree;
     const Complex back = std::conj(this->Root(axis));
     const Complex p = back * patch.Corner[c];
     const Complex q = back * patch.Corner[(c + 1) % 3];
@@ -235,10 +261,10 @@ private:
     const double along = q.real() - p.real();
     const double part = along != 0.0 ? -p.real() / along : 0.5;
     const double row = (1.0 - part) * p.imag() + part * q.imag();
-    if (std::abs(row) < Near)
+    if (std::abs(row) < this->Reach)
     {
-      axis = (row > 0.0 ? axis : axis + this->Mesh.Degree / 2) % this->Mesh.Degree;
-      this->Found.push_back({ this->Cone, patch.Triangle, c, axis, patch.ToCone });
+      axis = (row > 0.0 ? axis : axis + degree / 2) % degree;
+      this->Found.push_back({ this->From, patch.Triangle, c, axis, patch.ToFirst });
     }
   }
 
@@ -250,22 +276,25 @@ private:
   std::vector<char> IsSeen;
   /// The isoline of each half-edge, or None.
   std::vector<Index> IsolineAt;
-  Index Cone = None;
+  /// The corner at the cone, or where the edge begins; how far is looked from there, and the axis
+  /// of the line that is begun from, or None.
+  Index From = None;
+  double Reach = NearCone;
+  int FromAxis = None;
   std::vector<Patch> Patches;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Queue;
   std::vector<Index> Visited;
-  std::vector<ConeDistance> Found;
+  std::vector<RowDistance> Found;
 };
 }
 
-bool operator==(const ConeDistance& a, const ConeDistance& b)
+bool operator==(const RowDistance& a, const RowDistance& b)
 {
   // The transition is that of the way there, which these determine.
-  return a.Cone == b.Cone && a.Triangle == b.Triangle && a.Corner == b.Corner && a.Axis == b.Axis;
+  return a.From == b.From && a.Triangle == b.Triangle && a.Corner == b.Corner && a.Axis == b.Axis;
 }
 
-std::vector<ConeDistance> FindConeDistances(
-  const CutMesh& mesh, const std::vector<double>& perLength)
+std::vector<RowDistance> FindRowDistances(const CutMesh& mesh, const std::vector<double>& perLength)
 {
   if (!IsMostlyFlat(mesh))
   {
@@ -276,8 +305,12 @@ std::vector<ConeDistance> FindConeDistances(
   {
     if (mesh.IsCorner[cone.Vertex] == 0 && mesh.ConeIndex[cone.Vertex] != 0)
     {
-      surroundings.Search(cone.Vertex);
+      surroundings.SearchAround(cone.Vertex);
     }
+  }
+  for (Index h = 0; h < 3 * static_cast<Index>(mesh.Triangles.size()); ++h)
+  {
+    surroundings.SearchBeside(h);
   }
   return surroundings.TakeFound();
 }
