@@ -23,7 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 #if defined(DIRECTIONFIELDS_FUZZ_POLYDATA)
   const std::string flaw = FuzzedPolyData(data, size);
 #elif defined(DIRECTIONFIELDS_FUZZ_FILTERS)
-  const std::string flaw = FuzzedFilters(FilterGroup::DIRECTIONFIELDS_FUZZ_FILTERS, data, size);
+  const std::string flaw =
+    FuzzedFilters(FilterGroup::DIRECTIONFIELDS_FUZZ_FILTERS, data, size, true);
 #elif defined(DIRECTIONFIELDS_FUZZ_FILE)
   const std::string flaw = FuzzedFile(data, size);
 #elif defined(DIRECTIONFIELDS_FUZZ_REMESH)

@@ -20,6 +20,10 @@ namespace
 {
 /// The most samples; curves that ask for more are sampled less densely.
 constexpr double MostSamples = 2e6;
+/// The most samples of a segment, or six for each triangle where that is more: no segment within
+/// the box of a connected surface has as many, since the box is no longer than all edges together.
+/// One that goes far beyond, as to a point out of place, costs no more than the surface does.
+constexpr double MostInSegment = 1e4;
 /// Corners that are about opposite of an edge that a curve runs along are not on it.
 constexpr double LeastWeight = 1e-3;
 constexpr double LeastTangential = 1e-6;
@@ -50,8 +54,9 @@ void ForEachSegment(const std::vector<std::vector<Vector3>>& curves, const Body&
   }
 }
 
-/// The middles of pieces that are no longer than a step.
-std::vector<Sample> SamplesOf(const std::vector<std::vector<Vector3>>& curves, double step)
+/// The middles of pieces that are no longer than a step, unless a segment would have too many.
+std::vector<Sample> SamplesOf(
+  const std::vector<std::vector<Vector3>>& curves, double step, double mostInSegment)
 {
   double total = 0.0;
   ForEachSegment(curves, [&](const Vector3&, const Vector3&, double length) { total += length; });
@@ -60,7 +65,8 @@ std::vector<Sample> SamplesOf(const std::vector<std::vector<Vector3>>& curves, d
   ForEachSegment(curves,
     [&](const Vector3& start, const Vector3& end, double length)
     {
-      const auto pieces = static_cast<Index>(std::max(1.0, std::ceil(length / longest)));
+      const auto pieces =
+        static_cast<Index>(std::clamp(std::ceil(length / longest), 1.0, mostInSegment));
       const Vector3 tangent = (end - start) / pieces;
       for (Index k = 0; k < pieces; ++k)
       {
@@ -311,7 +317,9 @@ CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curv
   const double most = options.MaximumDistance > 0.0 ? options.MaximumDistance
                                                     : std::numeric_limits<double>::infinity();
   Strokes strokes(given, options.Degree);
-  const std::vector<Sample> samples = SamplesOf(curves, 0.5 * MeanEdge(geometry));
+  const double mostInSegment =
+    std::max(MostInSegment, 6.0 * static_cast<double>(surface.Triangles.size()));
+  const std::vector<Sample> samples = SamplesOf(curves, 0.5 * MeanEdge(geometry), mostInSegment);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     if (i % SamplesPerReport == 0)

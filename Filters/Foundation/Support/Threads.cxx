@@ -57,9 +57,10 @@ public:
         this->Workers.emplace_back([this] { this->Work(); });
       }
     }
-    catch (const std::system_error&)
+    catch (const std::exception&)
     {
-      // Fewer threads do as well.
+      // Without room or leave for one more, fewer threads do as well. An exception would find those
+      // at work that have begun already, and end the program.
     }
   }
 

@@ -327,12 +327,13 @@ typename SupernodalCholesky<Scalar>::Vector SupernodalCholesky<Scalar>::Solve(
   {
     x[k] = rightHandSide[this->Structure.GetOrder()[k]];
   }
-  Vector below;
+  Vector room(this->Structure.GetMostRows());
   for (const Supernode& node : this->Structure.GetNodes())
   {
     const Eigen::Map<const Dense> block = this->Block(node);
     auto own = x.segment(node.First, node.Width());
     block.topRows(node.Width()).template triangularView<Eigen::Lower>().solveInPlace(own);
+    auto below = room.head(static_cast<Index>(node.Rows.size()));
     below.noalias() = block.bottomRows(static_cast<Index>(node.Rows.size())) * own;
     for (std::size_t i = 0; i < node.Rows.size(); ++i)
     {
@@ -356,14 +357,14 @@ typename SupernodalCholesky<Scalar>::Vector SupernodalCholesky<Scalar>::Continue
 template <typename Scalar>
 void SupernodalCholesky<Scalar>::SubstituteBackward(Vector& x, std::size_t nodes) const
 {
-  Vector below;
+  Vector room(this->Structure.GetMostRows());
   for (std::size_t s = nodes; s-- > 0;)
   {
     const Supernode& node = this->Structure.GetNodes()[s];
     const Eigen::Map<const Dense> block = this->Block(node);
     const auto rows = static_cast<Index>(node.Rows.size());
     auto own = x.segment(node.First, node.Width());
-    below.resize(rows);
+    auto below = room.head(rows);
     for (Index i = 0; i < rows; ++i)
     {
       below[i] = x[node.Rows[i]];

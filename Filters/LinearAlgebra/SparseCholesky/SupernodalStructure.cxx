@@ -353,6 +353,16 @@ void SupernodalStructure::FindBranches()
   std::reverse(this->Trunk.begin(), this->Trunk.end());
 }
 
+Index SupernodalStructure::GetMostRows() const
+{
+  std::size_t most = 0;
+  for (const Supernode& node : this->Nodes)
+  {
+    most = std::max(most, node.Rows.size());
+  }
+  return static_cast<Index>(most);
+}
+
 std::size_t SupernodalStructure::GetNumberOfValues() const
 {
   if (this->Nodes.empty())

@@ -51,6 +51,8 @@ public:
   const std::vector<Supernode>& GetNodes() const { return this->Nodes; }
   /// Of all blocks together.
   std::size_t GetNumberOfValues() const;
+  /// The most rows that a supernode has below its own.
+  Index GetMostRows() const;
 
   /// Supernodes from First to Last, which is the root of their part of the tree.
   struct Branch

@@ -27,6 +27,8 @@
 
 namespace
 {
+constexpr const char* TooLittleMemory = ": there is too little memory.";
+
 /// Calls visit with an output, and with each of its blocks where it is composite.
 void ForEachPart(vtkDataObject* output, const std::function<void(vtkDataObject*)>& visit)
 {
@@ -141,28 +143,40 @@ vtkTypeBool vtkDirectionFieldAlgorithm::ProcessRequest(
 int vtkDirectionFieldAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  Ports inputs;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    inputs.push_back(vtkDataObject::GetData(inputVector[port]));
-    if (!inputs.back() && !this->GetInputPortInformation(port)->Has(INPUT_IS_OPTIONAL()))
-    {
-      return 0;
-    }
-  }
-  Ports outputs;
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    outputs.push_back(vtkDataObject::GetData(outputVector, port));
-    if (!outputs.back())
-    {
-      return 0;
-    }
-  }
   std::string error;
-  if (this->Compute(inputs, outputs, error) || error.empty())
+  try
   {
-    return 1;
+    Ports inputs;
+    for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+    {
+      inputs.push_back(vtkDataObject::GetData(inputVector[port]));
+      if (!inputs.back() && !this->GetInputPortInformation(port)->Has(INPUT_IS_OPTIONAL()))
+      {
+        return 0;
+      }
+    }
+    Ports outputs;
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      outputs.push_back(vtkDataObject::GetData(outputVector, port));
+      if (!outputs.back())
+      {
+        return 0;
+      }
+    }
+    if (this->Compute(inputs, outputs, error) || error.empty())
+    {
+      return 1;
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    // Even the lists of inputs and outputs had no room.
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+    error = std::string(this->MemoryAdvice()) + TooLittleMemory;
   }
   vtkErrorMacro(<< error);
   return 0;
@@ -174,13 +188,13 @@ bool vtkDirectionFieldAlgorithm::Compute(
 {
   bool isComplete = false;
   error.clear();
-  for (vtkDataObject* const output : outputs)
-  {
-    // The pipeline has passed the field data of the first input on.
-    DirectionFields::RemoveReports(output->GetFieldData());
-  }
   try
   {
+    for (vtkDataObject* const output : outputs)
+    {
+      // The pipeline has passed the field data of the first input on.
+      DirectionFields::RemoveReports(output->GetFieldData());
+    }
     DirectionFields::Threads threads(this->ThreadsToUse());
     const DirectionFields::Threads::Scope scope(threads);
     const DirectionFields::ProgressFunction report = DirectionFields::ReportTo(this);
@@ -219,7 +233,7 @@ bool vtkDirectionFieldAlgorithm::Compute(
   }
   catch (const std::bad_alloc&)
   {
-    error = std::string(this->MemoryAdvice()) + ": there is too little memory.";
+    error = std::string(this->MemoryAdvice()) + TooLittleMemory;
   }
   catch (const std::exception& exception)
   {

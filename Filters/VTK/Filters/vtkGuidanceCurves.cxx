@@ -64,6 +64,13 @@ void AddStrokes(const DirectionFields::Surface& surface, const Curves& curves,
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> kind;
   kind->SetName("Kind");
+  // A stroke has three points at most.
+  std::size_t places = 3 * guidance.Vectors.size();
+  for (const std::vector<DirectionFields::Vector3>& curve : curves)
+  {
+    places += curve.size();
+  }
+  DirectionFields::RequireMemoryToGrow((sizeof(double[3]) + 2 * sizeof(vtkIdType) + 1) * places);
   const auto add = [&](const std::vector<DirectionFields::Vector3>& line, unsigned char isStroke)
   {
     cells->InsertNextCell(static_cast<int>(line.size()));

@@ -258,6 +258,34 @@ TEST(CurveGuidance, WhatIsNoCurveGuidesNothing)
   EXPECT_THROW(GuideByCurves(surface, far, { 4, 1.0, 0.0 }), std::invalid_argument);
 }
 
+// A point far out of place, as in a broken file, once made two million samples of a curve beside twenty triangles.
+TEST(CurveGuidance, SegmentsBeyondTheSurfaceCostNoMoreThanItsTriangles)
+{
+  const Surface small = Octahedron();
+  const Curves far = { { Vector3(-1e9, 0.1, 1.0), Vector3(1e9, 0.1, 1.0) } };
+  EXPECT_LE(GuideByCurves(small, far, { 4 }).Samples, 10000);
+  // Along a strip of long and short triangles, whose box is as long as it can be, none is left out.
+  const Surface strip = Cylinder(3, 30000, 30000.0);
+  double edges = 0.0;
+  for (const Triangle& t : strip.Triangles)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      edges += (strip.Points[t[c]] - strip.Points[t[(c + 1) % 3]]).norm();
+    }
+  }
+  const Vector3 low = strip.Points.front();
+  Vector3 high = low;
+  for (const Vector3& p : strip.Points)
+  {
+    high = (p - low).norm() > (high - low).norm() ? p : high;
+  }
+  const double mean = edges / (3.0 * strip.Triangles.size());
+  const Index samples = GuideByCurves(strip, { { low, high } }, { 4 }).Samples;
+  EXPECT_GT(samples, 20000);
+  EXPECT_NEAR(samples, 2.0 * (high - low).norm() / mean, 0.01 * samples);
+}
+
 TEST(CurveGuidance, OfCurvesThatChangeIsThatOfEachAlone)
 {
   const auto surface = std::make_shared<const Surface>(Potato(3));

@@ -11,6 +11,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cstdlib>
+#include <new>
 #include <numeric>
 
 namespace DirectionFields
@@ -36,6 +38,17 @@ bool IsOfTheField(const char* name, int degree)
     wanted == ConstraintDirection || wanted == ConstraintKind || wanted == PrincipalDirection0 ||
     wanted == PrincipalDirection1;
 }
+}
+
+void RequireMemory(std::size_t bytes)
+{
+  // Volatile, since the compiler may leave out what is asked for and given back.
+  void* volatile room = std::malloc(bytes);
+  if (!room && bytes > 0)
+  {
+    throw std::bad_alloc();
+  }
+  std::free(room);
 }
 
 vtkNew<vtkPoints> MakePoints(const std::vector<Vector3>& positions, int pointDataType)
@@ -90,6 +103,7 @@ void SetVertices(const std::vector<Vector3>& positions, int pointDataType, vtkPo
 {
   output->SetPoints(MakePoints(positions, pointDataType));
   vtkNew<vtkCellArray> cells;
+  RequireMemoryToGrow(2 * sizeof(vtkIdType) * positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     cells->InsertNextCell({ static_cast<vtkIdType>(i) });

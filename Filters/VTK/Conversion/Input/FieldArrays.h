@@ -65,6 +65,16 @@ void ForEachPieceOfTuples(std::size_t tuples, const Body& body)
     [&](Index begin, Index end) { body(begin * perPiece, std::min(end * perPiece, tuples)); });
 }
 
+/// Throws std::bad_alloc if there is no room for an array. Some builds of VTK, Debian's among them,
+/// end the program where an array of theirs finds none.
+void RequireMemory(std::size_t bytes);
+/// The same before arrays grow to some bytes: what an array has grown to stands beside what it is
+/// moved to, which is twice as large.
+inline void RequireMemoryToGrow(std::size_t bytes)
+{
+  RequireMemory(3 * bytes);
+}
+
 /// An array whose values are not set yet.
 template <typename ArrayT>
 vtkNew<ArrayT> MakeArray(const char* name, int components, std::size_t tuples)
@@ -72,6 +82,7 @@ vtkNew<ArrayT> MakeArray(const char* name, int components, std::size_t tuples)
   vtkNew<ArrayT> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
+  RequireMemory(sizeof(typename ArrayT::ValueType) * components * tuples);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   PreferLargePages(array->GetPointer(0), array->GetDataTypeSize() * components * tuples);
   return array;

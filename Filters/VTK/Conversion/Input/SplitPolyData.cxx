@@ -26,6 +26,9 @@ void SplitPoints(const std::vector<Index>& originalPoint, vtkPolyData* output)
   const auto points = static_cast<vtkIdType>(originalPoint.size());
   vtkNew<vtkPoints> splitPoints;
   splitPoints->SetDataType(output->GetPoints()->GetDataType());
+  // VTK gives its sizes in KiB.
+  RequireMemory(1024 *
+    (output->GetPointData()->GetActualMemorySize() + output->GetPoints()->GetActualMemorySize()));
   splitPoints->SetNumberOfPoints(points);
   vtkNew<vtkPointData> splitData;
   // Nothing is to be left out, whatever the input's flags say.

@@ -85,6 +85,7 @@ void AddMatches(const TriangulatedPolyData& surface,
   auto match = MakeArray<vtkIdTypeArray>("Match", 1, size);
   auto distance = MakeArray<vtkDoubleArray>("MatchDistance", 1, size);
   auto cell = MakeArray<vtkIdTypeArray>("CellId", 1, size);
+  RequireMemoryToGrow((sizeof(double[3]) + 5 * sizeof(vtkIdType)) * size);
   int matched = 0;
   int alone[2] = { 0, 0 };
   double sum = 0.0;

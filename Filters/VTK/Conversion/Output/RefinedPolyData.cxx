@@ -14,6 +14,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -71,6 +73,9 @@ void CopyPoints(vtkPolyData* input, const GivenField& field, const SurfaceRefine
   points->SetDataType(input->GetPoints()->GetDataType());
   const vtkIdType first = input->GetNumberOfPoints();
   const auto count = static_cast<vtkIdType>(refinement.Refined.Points.size());
+  // VTK gives its sizes in KiB, of fewer points.
+  RequireMemory(static_cast<std::size_t>(1024.0 * count / std::max<vtkIdType>(first, 1) *
+    (input->GetPointData()->GetActualMemorySize() + input->GetPoints()->GetActualMemorySize())));
   points->SetNumberOfPoints(count);
   vtkPointData* const from = input->GetPointData();
   vtkPointData* const to = output->GetPointData();

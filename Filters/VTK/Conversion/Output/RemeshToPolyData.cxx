@@ -55,6 +55,7 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
   output->SetPoints(MakePoints(mesh.Points, type));
   vtkNew<vtkCellArray> cells;
+  RequireMemoryToGrow(5 * sizeof(vtkIdType) * mesh.Faces.size());
   for (const std::array<Index, 4>& face : mesh.Faces)
   {
     const std::array<vtkIdType, 4> ids = { face[0], face[1], face[2], face[3] };

@@ -91,6 +91,8 @@ void MakeSingularPoints(const TriangulatedPolyData& input, const Result& field,
       singular.push_back(t);
     }
   }
+  // Of all arrays above.
+  RequireMemoryToGrow(128 * singular.size());
   const double ballSize = BallSize(figures);
   for (const Index t : singular)
   {

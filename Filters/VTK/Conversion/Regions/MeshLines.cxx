@@ -172,6 +172,7 @@ void AddChains(const std::vector<MeshChain>& given, vtkPoints* points,
   used.erase(std::unique(used.begin(), used.end()), used.end());
   vtkNew<vtkPoints> own;
   own->SetDataType(points->GetDataType());
+  RequireMemoryToGrow((sizeof(double[3]) + 2 * sizeof(vtkIdType)) * used.size());
   for (const Index p : used)
   {
     own->InsertNextPoint(points->GetPoint(p));
