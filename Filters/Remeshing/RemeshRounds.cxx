@@ -26,10 +26,13 @@ constexpr std::array<double, 2> OtherLengths = { 0.98, 1.02 };
 
 MeshStanding StandingOf(const RemeshResult& mesh)
 {
+  const auto points = std::count_if(mesh.Chains.begin(), mesh.Chains.end(),
+    [](const MeshChain& chain) { return chain.Kind == ChainKind::Point; });
+  const auto lost = static_cast<Index>(mesh.RegionsShown.Lost.size());
   return { std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh),
     LeastQuality(mesh.Points, mesh.Faces),
     std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore),
-    Negligible * mesh.EdgeLength };
+    Negligible * mesh.EdgeLength, mesh.RegionsShown.Regions - lost + static_cast<Index>(points) };
 }
 }
 

@@ -3,10 +3,13 @@
 
 #include "Curves/CurveCut.h"
 
+#include "Curves/CoarseFirst.h"
+#include "Curves/PartRefinement.h"
 #include "Curves/SplittableMesh.h"
 #include "Distance/ClosestPoints.h"
 #include "Mesh/MergePoints.h"
 #include "Preparation/SurfaceUnit.h"
+#include "Support/MortonCurve.h"
 #include "Support/Sentences.h"
 #include "Support/SortedEnds.h"
 
@@ -105,17 +108,29 @@ public:
     const double least = SamePoint / MostDistance * this->Limit;
     const std::vector<Vector3> curve = Apart(given, least);
     this->Curve = number;
-    bool isWhole = true;
-    Index last = None;
-    for (std::size_t i = 0; i < curve.size(); ++i)
+    std::vector<Index> points(curve.size(), None);
+    for (const std::size_t i : CoarseFirst(curve.size()))
     {
-      const double room = std::max(CloseOnWay * RoomAt(curve, i), least);
-      const Index next = this->Insert(curve[i], Close, room);
-      const bool isStart = i == 0;
-      isWhole = next != None && (isStart || (last != None && this->Join(last, next))) && isWhole;
-      last = next;
+      points[i] = this->Insert(curve[i], Close, std::max(CloseOnWay * RoomAt(curve, i), least));
+    }
+    bool isWhole = points.empty() || points[0] != None;
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      isWhole = points[i - 1] != None && points[i] != None &&
+        this->Join(points[i - 1], points[i]) && isWhole;
     }
     return isWhole;
+  }
+
+  void Refine()
+  {
+    RefineParts(this->Mesh,
+      { [this](Index a, Index b) { return this->Hard.count(SortedEnds(a, b)) > 0; },
+        [this](Index a, Index b, const Vector3& place)
+        {
+          this->Ask();
+          return this->SplitEdge(a, b, place);
+        } });
   }
 
   SplittableMesh Mesh;
@@ -143,7 +158,15 @@ private:
       this->Hard.emplace(SortedEnds(middle, q), hard->second);
       this->Hard.erase(SortedEnds(p, q));
     }
-    return middle;
+    return this->WithoutSlivers(middle);
+  }
+
+  /// A point that was put in, after the edges around have been turned; those along curves stay.
+  Index WithoutSlivers(Index p)
+  {
+    this->Mesh.TurnEdges(
+      p, [this](Index a, Index b) { return this->Hard.count(SortedEnds(a, b)) > 0; });
+    return p;
   }
 
   /// The corner of a triangle across from which a place lies outside, the farthest if there are
@@ -270,20 +293,33 @@ private:
         return p;
       }
     }
-    for (int c = 0; c < 3; ++c)
+    // The closest edge: points along an edge of the surface are to be on that one, and not on those
+    // of its parts beside it, from where others would go on.
+    double least = within;
+    std::size_t closest = 3;
+    std::array<Vector3, 3> onEdge;
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      const Index p = corners[(c + 1) % 3];
-      const Index q = corners[(c + 2) % 3];
-      const Vector3 edge = this->PlaceOf(q) - this->PlaceOf(p);
+      const Vector3& from = this->PlaceOf(corners[(c + 1) % 3]);
+      const Vector3 edge = this->PlaceOf(corners[(c + 2) % 3]) - from;
       const double along =
-        std::clamp(edge.dot(answer.Position - this->PlaceOf(p)) / edge.squaredNorm(), 0.0, 1.0);
-      const Vector3 onEdge = this->PlaceOf(p) + along * edge;
-      if ((onEdge - answer.Position).norm() <= within)
+        std::clamp(edge.dot(answer.Position - from) / edge.squaredNorm(), 0.0, 1.0);
+      onEdge[c] = from + along * edge;
+      const double distance = (onEdge[c] - answer.Position).norm();
+      if (distance <= least)
       {
-        return this->SplitEdge(p, q, onEdge);
+        least = distance;
+        closest = c;
       }
     }
-    return this->Mesh.SplitInside(t, answer.Position);
+    if (closest < 3)
+    {
+      return this->SplitEdge(
+        corners[(closest + 1) % 3], corners[(closest + 2) % 3], onEdge[closest]);
+    }
+    const Index p = this->WithoutSlivers(this->Mesh.SplitInside(t, answer.Position));
+    this->LastPart[answer.Triangle] = this->Mesh.FirstAt(p);
+    return p;
   }
 
   /// Where a direction from a point leaves the triangles there.
@@ -378,13 +414,29 @@ private:
 
 void AddPoints(const std::vector<Vector3>& points, Cutter& cutter, CurveCut& result)
 {
+  // Along a curve through all of them the next one is close to the last one.
+  std::vector<Index> finite;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    if (points[k].allFinite())
+    {
+      finite.push_back(static_cast<Index>(k));
+    }
+  }
+  LargeArray<Index> members(finite.size());
+  std::copy(finite.begin(), finite.end(), members.begin());
+  result.Places = points;
+  result.Points.assign(points.size(), None);
+  const LargeArray<Index> sorted = MortonCurve::Sorted(points, members);
+  for (const std::size_t i : CoarseFirst(sorted.size()))
+  {
+    const Index k = sorted[i];
+    result.Points[k] = cutter.AddPoint(points[k], result.Places[k]);
+  }
   std::vector<Index> left;
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    Vector3 place = points[k];
-    result.Points.push_back(cutter.AddPoint(points[k], place));
-    result.Places.push_back(place);
-    if (result.Points.back() == None)
+    if (result.Points[k] == None)
     {
       left.push_back(static_cast<Index>(k));
     }
@@ -420,6 +472,7 @@ CurveCut CutAlong(const Surface& surface, const GivenLines& given, const Progres
       " are no lines of the mesh: they are farther from the surface than a hundredth of its "
       "diagonal, or the surface ends between two of their points. Curves have to lie on it.");
   }
+  cutter.Refine();
   result.Cut.Points = cutter.Mesh.GetPoints();
   result.Cut.Triangles = cutter.Mesh.GetTriangles();
   for (std::size_t t = 0; t < result.Cut.Triangles.size(); ++t)

@@ -148,4 +148,81 @@ Index SplittableMesh::SplitInside(Index t, const Vector3& place)
   this->AddPart(t, { corners[2], corners[0], middle });
   return middle;
 }
+
+Index SplittableMesh::WorseAcross(Index t, Index p, Index q) const
+{
+  constexpr double rounding = 1e-9;
+  const std::vector<Index> between = this->Between(p, q);
+  if (between.size() != 2)
+  {
+    return None;
+  }
+  const Index other = between[between[0] == t ? 1 : 0];
+  if (this->Parents[other] != this->Parents[t])
+  {
+    return None;
+  }
+  const auto apex = [&](Index triangle)
+  {
+    const Triangle& c = this->Triangles[triangle];
+    return this->Points[*std::find_if(
+      c.begin(), c.end(), [&](Index corner) { return corner != p && corner != q; })];
+  };
+  const Vector3& from = this->Points[p];
+  const Vector3& to = this->Points[q];
+  const Vector3 a = apex(t);
+  const Vector3 b = apex(other);
+  const Vector3 atA = (from - a).cross(to - a);
+  const Vector3 atB = (to - b).cross(from - b);
+  const Vector3 normal = atA + atB;
+  const double least = rounding * normal.squaredNorm();
+  // The angles across from the edge are more than 180 degrees together.
+  const double sine =
+    atA.dot(normal) * (to - b).dot(from - b) + atB.dot(normal) * (from - a).dot(to - a);
+  const bool isWorse = sine < -least * (to - from).squaredNorm();
+  const bool isConvex =
+    normal.dot((b - from).cross(a - from)) > least && normal.dot((a - to).cross(b - to)) > least;
+  return isWorse && isConvex ? other : None;
+}
+
+void SplittableMesh::Turn(Index t, Index other, Index p, Index q)
+{
+  const auto replace = [this](Index triangle, Index old, Index fresh)
+  {
+    const Index corner = this->CornerAt(triangle, old);
+    this->Remove(corner);
+    this->Triangles[triangle][corner % 3] = fresh;
+    this->Append(corner);
+  };
+  const auto apex = [&](Index triangle)
+  {
+    const Triangle& c = this->Triangles[triangle];
+    return *std::find_if(
+      c.begin(), c.end(), [&](Index corner) { return corner != p && corner != q; });
+  };
+  const Index a = apex(t);
+  const Index b = apex(other);
+  replace(t, q, b);
+  replace(other, p, a);
+}
+
+void SplittableMesh::TurnEdges(Index p, const std::function<bool(Index, Index)>& isFixed)
+{
+  std::vector<Index> triangles = this->At(p);
+  while (!triangles.empty())
+  {
+    const Index t = triangles.back();
+    triangles.pop_back();
+    const Triangle corners = this->Triangles[t];
+    const auto c = std::find(corners.begin(), corners.end(), p) - corners.begin();
+    const Index from = corners[(c + 1) % 3];
+    const Index to = corners[(c + 2) % 3];
+    const Index other = isFixed(from, to) ? None : this->WorseAcross(t, from, to);
+    if (other != None)
+    {
+      this->Turn(t, other, from, to);
+      triangles.insert(triangles.end(), { t, other });
+    }
+  }
+}
 }

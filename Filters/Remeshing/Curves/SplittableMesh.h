@@ -7,6 +7,7 @@
 #include "Surface.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -37,7 +38,18 @@ public:
   /// Puts a point into a triangle, and joins it with the corners. Returns its number.
   Index SplitInside(Index t, const Vector3& place);
 
+  /// Turns edges across from a point that was put in, and from there on, until the parts of each
+  /// triangle of the surface are Delaunay there again (C. L. Lawson: Software for C1 surface
+  /// interpolation, 1977): else they became slivers, and walks through them long. None that starts
+  /// at the point is turned. Takes time by how many are, which are few in the mean.
+  /// @param isFixed whether an edge between two parts of one triangle stays all the same
+  void TurnEdges(Index p, const std::function<bool(Index, Index)>& isFixed);
+
 private:
+  /// The triangle beside another one at an edge whose turn makes them better; None for none.
+  Index WorseAcross(Index t, Index p, Index q) const;
+  void Turn(Index t, Index other, Index p, Index q);
+
   bool Has(Index t, Index p) const;
   /// Puts corners of triangles into the lists of their points, and takes them out.
   void Append(Index corner);

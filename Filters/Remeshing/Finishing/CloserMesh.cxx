@@ -38,7 +38,8 @@ bool IsCloser(const MeshStanding& mesh, const MeshStanding& other)
   const double before = std::max(other.Farthest, other.LeastDistance);
   const bool isBetter = quality > former + LeastGain &&
     (quality > Better * former || (former < LeastUsable && quality >= LeastUsable));
-  return mesh.MissedHoles <= other.MissedHoles && quality >= former &&
+  return mesh.MissedHoles <= other.MissedHoles && mesh.KeptParts >= other.KeptParts &&
+    quality >= former &&
     (farthest < Closer * before || (farthest < AboutAsClose * before && isBetter));
 }
 }

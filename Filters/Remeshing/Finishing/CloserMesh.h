@@ -24,6 +24,8 @@ struct MeshStanding
   int MissedHoles = 0;
   /// Distances below this one are the same, such as those of planes, which are rounding errors.
   double LeastDistance = 0.0;
+  /// Regions that have faces, and given points that are vertices.
+  Index KeptParts = 0;
 };
 
 /// The least scaled Jacobian of a face; 1 without faces.
@@ -31,7 +33,7 @@ double LeastQuality(const std::vector<Vector3>& points, const std::vector<Faces:
 
 /// Whether a mesh is much closer to the surface than another one of it, or has a much better worst
 /// face and is about as close. It has neither a worse face nor more holes or handles that the
-/// surface has not.
+/// surface has not, and no less of the parts that are to be kept.
 bool IsCloser(const MeshStanding& mesh, const MeshStanding& other);
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <string>
@@ -172,6 +173,55 @@ TEST(GivenPoints, CurvesAreFoundOnTheMesh)
   EXPECT_NEAR(length[2], 1.0, 1e-9);
 }
 
+// Parts are Delaunay, so that they are no slivers: the time per point grows by less than the
+// logarithm of their number.
+TEST(GivenPoints, ManyScatteredInOneTriangleAreCutIntoItInTimeByTheirNumber)
+{
+  const Surface triangle = { { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } },
+    { { 0, 1, 2 } } };
+  // Fractions of the golden ratio and of another one, of which none comes twice.
+  const auto scattered = [](int count)
+  {
+    Curve points;
+    for (int k = 0; k < count; ++k)
+    {
+      const double x = std::fmod(0.6180339887 * k, 1.0);
+      const double y = std::fmod(0.7548776662 * k, 1.0);
+      points.emplace_back(0.02 + 0.4 * x, 0.02 + 0.4 * y, 0.0);
+    }
+    return points;
+  };
+  const auto partsOf = [&](int count)
+  {
+    const Curve points = scattered(count);
+    const auto start = std::clock();
+    const CurveCut cut = CutAlong(triangle, { {}, points });
+    const double time = static_cast<double>(std::clock() - start);
+    EXPECT_EQ(std::count(cut.Points.begin(), cut.Points.end(), None), 0);
+    std::map<Index, Index> valence;
+    double area = 0.0;
+    for (const Triangle& t : cut.Cut.Triangles)
+    {
+      const Vector3& a = cut.Cut.Points[t[0]];
+      const double twice = (cut.Cut.Points[t[1]] - a).cross(cut.Cut.Points[t[2]] - a).z();
+      EXPECT_GT(twice, 0.0);
+      area += 0.5 * twice;
+      for (const Index p : t)
+      {
+        ++valence[p];
+      }
+    }
+    EXPECT_NEAR(area, 0.5, 1e-12);
+    for (const auto& [point, triangles] : valence)
+    {
+      EXPECT_LT(triangles, point < 3 ? 100 : 30) << point;
+    }
+    return time;
+  };
+  const double few = partsOf(4000);
+  EXPECT_LT(partsOf(32000), 24.0 * few);
+}
+
 // Of which each is searched for from the last one on.
 TEST(GivenPoints, ManyInOneTriangleAreCutIntoIt)
 {
@@ -197,9 +247,24 @@ TEST(GivenPoints, ManyInOneTriangleAreCutIntoIt)
   {
     length += (cut.Cut.Points[edge[1]] - cut.Cut.Points[edge[0]]).norm();
   }
-  // No zigzag, and only few more triangles than points need.
+  // No zigzag, and only few more triangles than points need, of which none is a sliver that leads
+  // far away.
   EXPECT_NEAR(length, 0.4 * Pi, 0.01 * 0.4 * Pi);
-  EXPECT_LT(cut.Cut.Triangles.size(), 9000U);
+  EXPECT_LT(cut.Cut.Triangles.size(), 24000U);
+  int slivers = 0;
+  for (const Triangle& t : cut.Cut.Triangles)
+  {
+    double longest = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const Vector3 edge = cut.Cut.Points[t[(c + 1) % 3]] - cut.Cut.Points[t[c]];
+      longest = std::max(longest, edge.squaredNorm());
+    }
+    const Vector3& a = cut.Cut.Points[t[0]];
+    const double twice = (cut.Cut.Points[t[1]] - a).cross(cut.Cut.Points[t[2]] - a).z();
+    slivers += longest > 0.05 * 0.05 && twice < 0.1 * longest ? 1 : 0;
+  }
+  EXPECT_LT(slivers, 5);
   // Points at the same place are one, and change nothing.
   Curve twice;
   for (const Vector3& point : curve)

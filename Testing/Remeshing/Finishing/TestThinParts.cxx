@@ -175,6 +175,10 @@ TEST(ThinParts, AnotherMeshIsTakenIfItIsBetterAndInNothingWorse)
   EXPECT_TRUE(IsCloser(meshOf(1.1, 0.15, 1), former));
   EXPECT_FALSE(IsCloser(meshOf(1.1, -0.5, 1), meshOf(1.0, -0.51, 1)));
   EXPECT_FALSE(IsCloser(meshOf(1.1, 1e-17, 1), meshOf(1.0, 0.0, 1)));
+  // A region or a given point that it loses is worse than any distance.
+  const MeshStanding withParts{ 1.0, 0.05, 0, 0.0, 3 };
+  EXPECT_TRUE(IsCloser(MeshStanding{ 0.5, 0.3, 0, 0.0, 3 }, withParts));
+  EXPECT_FALSE(IsCloser(MeshStanding{ 0.5, 0.3, 0, 0.0, 2 }, withParts));
   // On planes distances are rounding errors.
   const auto flat = [](double distance, double quality) {
     return MeshStanding{ distance, quality, 0, 1e-3 };
