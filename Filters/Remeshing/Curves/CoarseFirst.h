@@ -10,8 +10,8 @@
 namespace DirectionFields::Internal
 {
 /// Numbers from 0 to one less than a count: those that a high power of two divides first, then
-/// those halfway between, and so on, each time from the lowest to the highest. Points of a row that are
-/// put into triangles in this order have few triangles each, and lie close to the last one
+/// those halfway between, and so on, each time from the lowest to the highest. Points of a row that
+/// are put into triangles in this order have few triangles each, and lie close to the last one
 /// (N. Amenta et al.: Incremental constructions con BRIO, 2003).
 inline std::vector<std::size_t> CoarseFirst(std::size_t count)
 {
