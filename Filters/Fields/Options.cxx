@@ -80,5 +80,7 @@ void Check(const Guidance& guidance, const Options& options, std::size_t points)
     "Guidance need a vector at each point.");
   Require(!needed || guidance.Weights.empty() || guidance.Weights.size() == points,
     "Choose other Guidance Weights: they must be one number a point.");
+  Require(!needed || guidance.Strengths.empty() || guidance.Strengths.size() == points,
+    "Choose other Guidance Strengths: they must be one number a point.");
 }
 }

@@ -158,7 +158,8 @@ struct Options
   double ConsistencyAngle = 30.0;
   /// Drop the curvature constraints of triangles around which the constraints wind (POC14).
   bool DropConstraintsAtSingularities = false;
-  /// Constrain the vertices where Guidance has positive weight to its vectors.
+  /// Constrain the vertices where Guidance has positive weight to its vectors, as strongly as
+  /// Guidance::Strengths says.
   bool ConstrainGuidance = false;
   DirectionFields::ConstraintSolver ConstraintSolver = DirectionFields::ConstraintSolver::Energy;
 };
@@ -196,6 +197,13 @@ struct Guidance
   std::vector<Vector3> Vectors;
   /// Further weights, or empty for 1. Negative and non-finite ones count as 0.
   std::vector<double> Weights;
+  /// How strongly Options::ConstrainGuidance holds each vector, or empty for 1. At 1 it is the
+  /// direction there, exactly. With less, tau, the vertex is free, and the energy has a term that
+  /// draws it there: w tau / (1 - tau) sqrt(sigma A) |u - g|^2, with the weight w relative to the
+  /// largest one, a third A of the area around the vertex, sigma of AlignmentStrength and the
+  /// direction's representation vector g of modulus 1. 0 draws nothing. Values outside of 0 to 1
+  /// count as the nearer end, non-finite ones as 0.
+  std::vector<double> Strengths;
 };
 
 /// Throw std::invalid_argument, its text a sentence for the user, for options out of range, for

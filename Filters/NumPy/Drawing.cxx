@@ -345,10 +345,11 @@ py::object DrawStripes(const SharedGiven& field, const py::object& spacings,
 }
 
 py::object GuideAlongCurves(const SharedSurface& surface, const std::vector<py::array>& lines,
-  const py::object& progress, const py::dict& given)
+  const py::object& strengths, const py::object& progress, const py::dict& given)
 {
   Keywords keywords("guide_by_curves", given);
-  const Chosen<CurveGuidanceOptions> chosen = ReadCurveOptions(keywords);
+  Chosen<CurveGuidanceOptions> chosen = ReadCurveOptions(keywords);
+  chosen.Options.Strengths = NumbersOrNone(strengths);
   std::vector<std::vector<Vector3>> curves;
   std::transform(lines.begin(), lines.end(), std::back_inserter(curves), &Vectors);
   return Run(progress, chosen.Threads,
@@ -362,6 +363,9 @@ py::object GuideAlongCurves(const SharedSurface& surface, const std::vector<py::
         py::dict all;
         all["vectors"] = Own<double>(std::move(guidance->Vectors), { 3 });
         all["weights"] = Own<double>(std::move(guidance->Weights));
+        all["strengths"] = guidance->Strengths.empty()
+          ? py::object(py::none())
+          : py::object(Own<double>(std::move(guidance->Strengths)));
         all["samples"] = guidance->Samples;
         all["far_samples"] = guidance->FarSamples;
         all["summary"] = summary;

@@ -230,8 +230,8 @@ Finish Finished(const std::shared_ptr<FieldOutput>& output)
 }
 
 py::object ComputeField(const SharedSurface& surface, const py::object& vectors,
-  const py::object& weights, const py::object& given, const py::object& progress,
-  const py::dict& chosen)
+  const py::object& weights, const py::object& strengths, const py::object& given,
+  const py::object& progress, const py::dict& chosen)
 {
   Keywords keywords("field", chosen);
   const FieldChoices choices = ReadOptions(keywords);
@@ -240,7 +240,8 @@ py::object ComputeField(const SharedSurface& surface, const py::object& vectors,
     throw py::value_error(choices.FollowsTensors ? "Give tensors: alignment='tensor' needs them."
                                                  : "Set alignment='tensor' to follow tensors.");
   }
-  const Guidance guidance{ VectorsOrNone(vectors), NumbersOrNone(weights) };
+  const Guidance guidance{ VectorsOrNone(vectors), NumbersOrNone(weights),
+    NumbersOrNone(strengths) };
   SurfaceTensors tensors;
   if (choices.FollowsTensors)
   {

@@ -64,7 +64,8 @@ def options(function="field"):
 
 @_keyword_options("field")
 def field(
-        points, triangles, *, vectors=None, weights=None, tensors=None, progress=None, **options):
+        points, triangles, *, vectors=None, weights=None, strengths=None, tensors=None,
+        progress=None, **options):
     """The smoothest, an aligned or a constrained direction field of a mesh.
 
     Other threads of Python go on meanwhile, and Ctrl-C in the main thread returns at once.
@@ -81,6 +82,9 @@ def field(
         the tangent plane; the length that remains is a weight.
     weights : (n,) array of numbers, optional
         Further weights of the guidance; 1 by default.
+    strengths : (n,) array of numbers, optional
+        How strongly ``constrain_guidance=True`` holds each vector, 0 to 1: exactly at 1, the
+        default; with less by a term of the energy, so that the field may deviate; at 0 not at all.
     tensors : (n, 6) or (n, 9) array of numbers, optional
         For ``alignment="tensor"``: XX, YY, ZZ, XY, YZ, XZ, or rows of three, in the axes of space.
         With ``tensors_at="triangles"``, of the polygons, where these were given.
@@ -113,8 +117,8 @@ def field(
         tensors = _tensors(tensors, options.get("tensors_at") == "triangles", surface, polygons)
     return _result(Field, _call(
         _core.field, surface, _optional("vectors", vectors, size, 3),
-        _optional("weights", weights, size), tensors, _listener(progress), options),
-        polygons=polygons)
+        _optional("weights", weights, size), _optional("strengths", strengths, size), tensors,
+        _listener(progress), options), polygons=polygons)
 
 
 def curvature(points, triangles, *, scale=0.0):
@@ -134,7 +138,7 @@ def curvature(points, triangles, *, scale=0.0):
         `gaussian_curvature`.
     """
     surface, polygons = _surface(points, triangles)
-    made = _call(_core.field, surface, None, None, None, None, {
+    made = _call(_core.field, surface, None, None, None, None, None, {
         "alignment": "curvature", "alignment_strength": 1.0, "curvature_scale": scale})
     # Nobody has asked for an alignment, which changes nothing on spheres and planes.
     made["warnings"] = [text for text in made["warnings"] if "another Alignment" not in text]
@@ -317,7 +321,8 @@ def remesh(points, triangles=None, *, sizing=None, regions=None, curves=(), give
 
 
 @_keyword_options("guide_by_curves")
-def guide_by_curves(points, triangles, curves, *, progress=None, **options):
+def guide_by_curves(
+        points, triangles, curves, *, strengths=None, progress=None, **options):
     """Guidance for a field along curves on a surface.
 
     Parameters
@@ -326,18 +331,22 @@ def guide_by_curves(points, triangles, curves, *, progress=None, **options):
         As for `field`.
     curves : list of (n, 3) arrays of numbers
         Poly lines, near the surface.
+    strengths : array of a number for each curve, optional
+        How strongly `field` is to hold each curve, 0 to 1; 1 by default, exactly.
     progress : callable, optional
     **options
 
     Returns
     -------
     Guidance
-        `vectors`, `weights`; `samples` of the curves, and `far_samples` of them.
+        `vectors`, `weights`, and `strengths`, or None where none are given; `samples` of the
+        curves, and `far_samples` of them.
     """
     surface, _ = _surface(points, triangles)
     curves = [_numbers("curves", curve, None, 3) for curve in curves]
     return _result(Guidance, _call(
-        _core.guide_by_curves, surface, curves, _listener(progress), options))
+        _core.guide_by_curves, surface, curves,
+        _optional("strengths", strengths, len(curves)), _listener(progress), options))
 
 
 @_keyword_options("guide_by_tensors")

@@ -150,6 +150,7 @@ class Mesh(_Result):
 class Guidance(_Result):
     vectors: ndarray
     weights: ndarray
+    strengths: Optional[ndarray]
     major_values: ndarray
     minor_values: ndarray
     anisotropy: ndarray
@@ -170,6 +171,7 @@ def field(
     *,
     vectors: Optional[ArrayLike] = None,
     weights: Optional[ArrayLike] = None,
+    strengths: Optional[ArrayLike] = None,
     tensors: Optional[ArrayLike] = None,
     progress: Progress = None,
     degree: int = 4,
@@ -301,6 +303,7 @@ def guide_by_curves(
     triangles: Polygons,
     curves: Iterable[ArrayLike],
     *,
+    strengths: Optional[ArrayLike] = None,
     progress: Progress = None,
     degree: int = 4,
     radius: float = 0.0,

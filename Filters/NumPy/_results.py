@@ -279,7 +279,8 @@ class Mesh(_Result):
 
 
 class Guidance(_Result):
-    """Vectors, and weights from 0 to 1, at the points, for `field`; see its maker for the rest."""
+    """Vectors and weights from 0 to 1 at the points, and strengths if any, for `field`; see its
+    maker for the rest."""
 
 
 class Comparison(_Result):

@@ -114,8 +114,10 @@ _OTHERS = {
     r"Directions Per Point( \(Degree\))?|Degree": "degree",
     r"Choose a point array of three components as Guidance Vectors: Point Vectors and "
     r"Constrain Guidance need": "Give vectors: alignment='vectors' and constrain_guidance=True need",
+    r"Guidance Vectors, Weights or Strengths": "vectors, weights or strengths",
     r"Guidance Vectors": "vectors",
     r"Guidance Weights": "weights",
+    r"Guidance Strengths": "strengths",
     r"align to Point Vectors": "set alignment='vectors'",
     r"Constraint Solver to Energy: Least Squares": "constraint_solver='energy': 'least_squares'",
     r"Solver to Automatic": "solver='automatic'",

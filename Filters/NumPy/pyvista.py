@@ -101,8 +101,9 @@ class Directions:
     def _array(self, values):
         return self._mesh.point_data[values] if isinstance(values, str) else values
 
-    def field(self, *, vectors=None, weights=None, tensors=None, **options):
-        """The surface with a field; vectors, weights and tensors may be names of point arrays.
+    def field(self, *, vectors=None, weights=None, strengths=None, tensors=None, **options):
+        """The surface with a field; vectors, weights, strengths and tensors may be names of point
+        arrays.
 
         With ``tensors_at="triangles"`` tensors may be the name of a cell array.
         """
@@ -111,7 +112,7 @@ class Directions:
             tensors = self._mesh.cell_data[tensors]
         field = df.field(
             self._mesh.points, faces, vectors=self._array(vectors), weights=self._array(weights),
-            tensors=self._array(tensors), **options)
+            strengths=self._array(strengths), tensors=self._array(tensors), **options)
         return polydata(field, faces if len(field.points) == self._mesh.n_points else None)
 
     def curvature(self, scale=0.0):

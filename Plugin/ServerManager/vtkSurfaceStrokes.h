@@ -4,9 +4,12 @@
  * @class vtkSurfaceStrokes
  * @brief curves that were drawn on a surface
  *
- * A source of poly lines for vtkGuidanceCurves, one for each stroke, with the cell array `Stroke`:
- * vtkIdType, the number of the stroke. A stroke of one point has no line. Under several processes
- * all lines are on the first one.
+ * A source of poly lines for vtkGuidanceCurves, one for each stroke. A stroke of one point has no
+ * line. Under several processes all lines are on the first one. It has the arrays
+ * - `Stroke`, of the cells, vtkIdType: the number of the stroke;
+ * - `Strength`, of the cells, double: 1 for hard strokes, less for soft ones;
+ * - `Color`, of the points, three unsigned char: orange, and white in the gaps of soft strokes, which
+ *   are dashed. These have further points where dashes begin and end.
  */
 
 #ifndef vtkSurfaceStrokes_h
@@ -34,6 +37,15 @@ public:
   void RemoveAllPoints();
   ///@}
 
+  ///@{
+  /**
+   * The strength of the stroke of a number, 0 to 1, which is where numbers outside of that go; the
+   * last one counts. Default: 1 for all.
+   */
+  void AddStrength(double stroke, double strength);
+  void RemoveAllStrengths();
+  ///@}
+
 protected:
   vtkSurfaceStrokes();
   ~vtkSurfaceStrokes() override;
@@ -42,7 +54,12 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  double StrengthOf(double stroke) const;
+  /// The length of a dash: a small part of the box around all strokes.
+  double Dash() const;
+
   std::vector<std::array<double, 4>> Points;
+  std::vector<std::array<double, 2>> Strengths;
 
   vtkSurfaceStrokes(const vtkSurfaceStrokes&) = delete;
   void operator=(const vtkSurfaceStrokes&) = delete;

@@ -10,7 +10,6 @@
 #include "pqPipelineSource.h"
 #include "pqQVTKWidget.h"
 #include "pqRenderView.h"
-#include "pqServer.h"
 #include "pqUndoStack.h"
 #include "vtkPythonInterpreter.h"
 #include "vtkSMProperty.h"
@@ -173,9 +172,8 @@ bool SingularityTool::mouse(QMouseEvent* event)
     }
     return true;
   }
-  if (this->IsBusy)
+  if (this->IsBusy || ViewTool::isComputing())
   {
-    // A computation shows its progress, during which events arrive.
     return event->type() == QEvent::MouseButtonPress;
   }
   const bool isPress =
@@ -214,7 +212,7 @@ bool SingularityTool::mouse(QMouseEvent* event)
 //------------------------------------------------------------------------------
 void SingularityTool::drag()
 {
-  if (this->IsDragging && !this->IsBusy && this->View)
+  if (this->IsDragging && !this->IsBusy && this->View && !ViewTool::isComputing())
   {
     QElapsedTimer timer;
     timer.start();
@@ -257,7 +255,7 @@ void SingularityTool::drop()
 //------------------------------------------------------------------------------
 void SingularityTool::remove()
 {
-  if (!this->IsDragging && !this->IsBusy)
+  if (!this->IsDragging && !this->IsBusy && !ViewTool::isComputing())
   {
     this->change(tr("Remove singularity"), QString("merge(%1)").arg(this->place(this->Mouse)));
   }
@@ -298,8 +296,7 @@ void SingularityTool::offer(const QPointF& position)
 //------------------------------------------------------------------------------
 void SingularityTool::refresh()
 {
-  auto* const server = pqActiveObjects::instance().activeServer();
-  if (this->IsOn && !this->IsBusy && !this->IsDragging && server && !server->isProgressPending() &&
+  if (this->IsOn && !this->IsBusy && !this->IsDragging && !ViewTool::isComputing() &&
     QApplication::mouseButtons() == Qt::NoButton)
   {
     this->ask("refresh()");

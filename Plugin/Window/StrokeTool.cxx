@@ -82,7 +82,7 @@ void StrokeTool::setOn(bool on)
   ViewTool::say(on
       ? tr(
           "Drag over a surface to draw a stroke that its field follows; click on a stroke to select "
-          "it; Delete takes that or the one under the mouse away, Escape ends drawing")
+          "it, double-click to make it soft or hard; Delete takes that or the one under the mouse away, Escape ends drawing")
       : QString());
   emit this->toggled(on);
 }
@@ -113,8 +113,14 @@ bool StrokeTool::mouse(QMouseEvent* event)
     event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
   if (isPress && event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
   {
+    if (this->IsBusy || ViewTool::isComputing())
+    {
+      ViewTool::say(tr("Wait until ParaView has computed, then draw"));
+      return true;
+    }
     delete this->Line;
     this->IsDrawing = true;
+    this->IsDouble = event->type() == QEvent::MouseButtonDblClick;
     this->Path = QPolygonF({ event->localPos() });
     this->Line = new StrokeLine(this->View, this->Path);
     this->View->renderWidget()->setFocus();
@@ -142,7 +148,18 @@ bool StrokeTool::mouse(QMouseEvent* event)
 void StrokeTool::remove()
 {
   const QPointF place = this->pixel(this->View->renderWidget()->mapFromGlobal(QCursor::pos()));
-  RunPythonAction(tr("Remove stroke"), QString("remove_stroke(%1)").arg(Tuple(place)));
+  this->run(tr("Remove stroke"), QString("remove_stroke(%1)").arg(Tuple(place)));
+}
+
+//------------------------------------------------------------------------------
+void StrokeTool::run(const QString& step, const QString& call)
+{
+  if (!this->IsBusy && !ViewTool::isComputing())
+  {
+    this->IsBusy = true;
+    RunPythonAction(step, call);
+    this->IsBusy = false;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -151,8 +168,15 @@ void StrokeTool::draw()
   const QRectF box = this->Path.boundingRect();
   if (box.width() <= CLICK && box.height() <= CLICK)
   {
-    RunPythonAction(
-      tr("Select stroke"), QString("select_stroke(%1)").arg(Tuple(this->pixel(this->Path.last()))));
+    const QString place = Tuple(this->pixel(this->Path.last()));
+    if (this->IsDouble)
+    {
+      this->run(tr("Make stroke soft or hard"), QString("toggle_stroke(%1)").arg(place));
+    }
+    else
+    {
+      this->run(tr("Select stroke"), QString("select_stroke(%1)").arg(place));
+    }
     return;
   }
   QStringList points;
@@ -160,5 +184,5 @@ void StrokeTool::draw()
   {
     points << Tuple(this->pixel(position));
   }
-  RunPythonAction(tr("Draw stroke"), QString("draw_stroke([%1])").arg(points.join(", ")));
+  this->run(tr("Draw stroke"), QString("draw_stroke([%1])").arg(points.join(", ")));
 }

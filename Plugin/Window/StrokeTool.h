@@ -3,7 +3,7 @@
 /**
  * While it is on, dragging with the left button over a 3-D view draws a stroke on the surface
  * below, which directionfields.draw_stroke() adds to the pipeline when the button is let go; a click
- * selects the stroke below, or none. The keys Delete and Backspace take the selected stroke away,
+ * selects the stroke below, or none; a double click makes it soft, or hard again. The keys Delete and Backspace take the selected stroke away,
  * or the one under the mouse, or the last one. Other buttons and the
  * wheel move the camera as always; Escape ends it.
  */
@@ -37,8 +37,13 @@ private:
   bool mouse(QMouseEvent* event) override;
   void remove() override;
   void draw();
+  /// Calls a function of directionfields as one step to undo; another one is not begun meanwhile.
+  void run(const QString& step, const QString& call);
 
   bool IsDrawing = false;
+  bool IsBusy = false;
+  /// Whether the button has been pressed twice.
+  bool IsDouble = false;
   QPolygonF Path;
   QPointer<QWidget> Line;
 };

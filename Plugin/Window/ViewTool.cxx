@@ -7,6 +7,7 @@
 #include "pqCoreUtilities.h"
 #include "pqQVTKWidget.h"
 #include "pqRenderView.h"
+#include "pqServer.h"
 
 #include <QKeyEvent>
 #include <QMainWindow>
@@ -104,4 +105,11 @@ void ViewTool::say(const QString& text)
   {
     window->statusBar()->showMessage(text);
   }
+}
+
+//------------------------------------------------------------------------------
+bool ViewTool::isComputing()
+{
+  auto* const server = pqActiveObjects::instance().activeServer();
+  return !server || server->isProgressPending();
 }

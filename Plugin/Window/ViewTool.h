@@ -42,6 +42,9 @@ protected:
   /// From the lower left corner of the view.
   QPointF pixel(const QPointF& position) const;
   static void say(const QString& text);
+  /// Whether ParaView is computing. It shows its progress, during which events arrive, and nothing
+  /// else may begin.
+  static bool isComputing();
 
   bool IsOn = false;
   QPointer<pqQVTKWidget> View;

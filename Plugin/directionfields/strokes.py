@@ -100,6 +100,38 @@ def remove_stroke(pixel=None, *, strokes=None, number=None):
         return False
 
 
+def toggle_stroke(pixel):
+    """Makes the stroke that is near a pixel of the active view soft if it is hard, and hard if it is
+    soft, as a double click does. Returns its Surface Strokes, its number there and its strength, or
+    None where none is near."""
+    try:
+        view = view_of_button()
+        strokes, number = near(pixel, shown_in(view), view)
+        if strokes is None:
+            return None
+        strength = SOFT if strengths_of(strokes).get(number, 1.0) >= 1.0 else 1.0
+        with Pipeline(), Traced() as traced:
+            soften(strokes, number, strength, view)
+            traced.text = (f"directionfields.set_stroke_strength({named(strokes)}, {int(number)}, "
+                           f"{strength})")
+        return strokes, int(number), strength
+    except Exception as problem:
+        complain("Draw strokes", problem)
+        return None
+
+
+def set_stroke_strength(strokes, number, strength):
+    """Sets how strongly the field follows the stroke of a number in Surface Strokes: exactly at 1, as
+    far as the rest of the field lets it below 1, and not at all at 0. ParaView's Python trace of a
+    double click is a call of it. Raises ValueError for numbers that are none of these."""
+    if not 0.0 <= strength <= 1.0:
+        raise ValueError(f"The strength of a stroke is 0 to 1, not {strength}.")
+    if number not in rows_of(strokes)[:, 0]:
+        raise ValueError(f"{name_of(strokes)} has no stroke {number}.")
+    with Pipeline():
+        soften(strokes, number, strength, view_of_button())
+
+
 def base_of(source):
     """The mesh that a source is or is made of."""
     fields = fields_before(source)
@@ -160,7 +192,9 @@ def guided_of(fields):
 
 # What makes a field follow its guidance.
 GUIDED = {"GuidanceVectors": "GuidanceVectors", "GuidanceWeights": "GuidanceWeights",
-          "ConstrainGuidance": 1}
+          "GuidanceStrengths": "GuidanceStrengths", "ConstrainGuidance": 1}
+# What a double click makes of a hard stroke.
+SOFT = 0.5
 # The identifier of the Surface Strokes that were drawn last.
 _drawn = None
 
@@ -256,6 +290,43 @@ def shown_in(view):
             proxy_of(source) in shown and len(source.Points)]
 
 
+def strengths_of(strokes):
+    """The strengths of soft strokes by their numbers."""
+    values = list(strokes.Strengths)
+    return dict(zip(values[0::2], values[1::2]))
+
+
+def put_strengths(strokes, strengths):
+    strokes.Strengths = [float(x) for pair in sorted(strengths.items()) for x in pair]
+
+
+def soften(strokes, number, strength, view):
+    """Sets the strength of a stroke, and shows that."""
+    global _selected
+    fields = [source for source in sources() if source.GetXMLName() == "DirectionField" and
+              proxy_of(guided_of([source])[2]) == proxy_of(strokes)]
+    changed = {strokes: ["Strengths"]}
+    changed.update({field: ["GuidanceStrengths"] for field in fields})
+    strengths = strengths_of(strokes)
+    strengths.pop(number, None)
+    if strength < 1.0:
+        strengths[float(number)] = strength
+    with Properties(changed):
+        put_strengths(strokes, strengths)
+        for field in fields:
+            # States of older versions have none.
+            if field.GuidanceStrengths != GUIDED["GuidanceStrengths"]:
+                field.Input.UpdatePipeline()
+                field.GuidanceStrengths = GUIDED["GuidanceStrengths"]
+        # What is selected hides how the stroke looks.
+        simple.ClearSelection(strokes)
+        _selected = None
+        shown = simple.GetRepresentation(strokes, view)
+        if not shown.ColorArrayName[1]:
+            shown.ColorArrayName, shown.MapScalars = ["POINTS", "Color"], 0
+        simple.Render(view)
+
+
 def rows_of(strokes):
     return np.array(list(strokes.Points)).reshape(-1, 4)
 
@@ -345,6 +416,8 @@ def take_away(strokes, number, view):
     _selected = None
     if len(rest):
         strokes.Points = [float(x) for x in rest.ravel()]
+        put_strengths(strokes, {known: strength for known, strength in
+                                strengths_of(strokes).items() if known in rest[:, 0]})
     else:
         take_out(strokes)
     simple.Render(view)
@@ -365,6 +438,7 @@ def take_out(strokes):
             simple.Delete(guidance)
     if is_used(strokes):
         strokes.Points = []
+        strokes.Strengths = []
     else:
         simple.Delete(strokes)
 

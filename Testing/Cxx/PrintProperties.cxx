@@ -100,6 +100,7 @@ void PrintDirectionField()
   VALUE(CellDirections);
   VALUE(GuidanceVectors);
   VALUE(GuidanceWeights);
+  VALUE(GuidanceStrengths);
   RANGE(TensorDirection);
   RANGE(TensorStrength);
   RANGE(TensorScale);

@@ -37,6 +37,7 @@ void CheckAsNew(vtkDirectionField* filter, vtkPolyData* input)
   fresh->SetCellDirections(filter->GetCellDirections());
   fresh->SetGuidanceVectors(filter->GetGuidanceVectors());
   fresh->SetGuidanceWeights(filter->GetGuidanceWeights());
+  fresh->SetGuidanceStrengths(filter->GetGuidanceStrengths());
   fresh->Update();
   REQUIRE(filter->GetOutput()->GetNumberOfPoints() > 0);
   CHECK(IsSame(filter->GetOutput()->GetPointData(), fresh->GetOutput()->GetPointData()));

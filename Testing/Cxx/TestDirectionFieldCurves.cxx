@@ -10,6 +10,8 @@
 
 #include "vtkMultiBlockDataSet.h"
 
+#include <utility>
+
 using namespace Checks;
 
 namespace
@@ -108,6 +110,79 @@ void TestFieldFollows()
   }
   std::cout << "largest angle to the circle: " << vtkMath::DegreesFromRadians(worst) << std::endl;
   CHECK(worst < vtkMath::RadiansFromDegrees(2.5));
+}
+
+/// The angle in degrees from a circle about the z axis to a cross field at each guided point: the
+/// largest at those that a curve of strength 1 runs by, and at the others.
+std::pair<double, double> AnglesToCircles(vtkPolyData* field)
+{
+  vtkDataArray* weights = field->GetPointData()->GetArray("GuidanceWeights");
+  vtkDataArray* strengths = field->GetPointData()->GetArray("GuidanceStrengths");
+  std::pair<double, double> worst(0.0, 0.0);
+  for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+  {
+    const double* p = field->GetPoint(i);
+    double along[3] = { -p[1], p[0], 0.0 };
+    vtkMath::Normalize(along);
+    double nearest = PolyMeshes::Pi;
+    for (int k = 0; k < 4; ++k)
+    {
+      double d[3];
+      Direction(field, k)->GetTuple(i, d);
+      nearest = std::min(nearest, vtkMath::AngleBetweenVectors(d, along));
+    }
+    if (weights->GetComponent(i, 0) > 0.0)
+    {
+      double& largest = strengths->GetComponent(i, 0) < 1.0 ? worst.second : worst.first;
+      largest = std::max(largest, vtkMath::DegreesFromRadians(nearest));
+    }
+  }
+  return worst;
+}
+
+/// Lines with a Strength below 1 are soft, the others are followed as without.
+void TestStrengths()
+{
+  auto mesh = PolyMeshes::Icosphere(4);
+  double last = 90.0;
+  for (const double strength : { 0.01, 0.2, 0.9 })
+  {
+    vtkNew<vtkMultiBlockDataSet> curves;
+    curves->SetBlock(0, Circle(0.1));
+    auto soft = Circle(0.9);
+    vtkNew<vtkDoubleArray> strengths;
+    strengths->SetName("Strength");
+    strengths->InsertNextValue(strength);
+    soft->GetCellData()->AddArray(strengths);
+    curves->SetBlock(1, soft);
+    auto guidance = Make(mesh, curves);
+    vtkNew<vtkDirectionField> field;
+    field->SetInputConnection(guidance->GetOutputPort());
+    field->SetGuidanceVectors("GuidanceVectors");
+    field->SetGuidanceWeights("GuidanceWeights");
+    field->SetGuidanceStrengths("GuidanceStrengths");
+    field->ConstrainGuidanceOn();
+    field->Update();
+    const auto [hard, loose] = AnglesToCircles(field->GetOutput());
+    std::cout << "strength " << strength << ": " << hard << ", " << loose << std::endl;
+    CHECK(hard < 2.5);
+    CHECK(loose < last);
+    last = loose;
+    // Without the array all are hard.
+    field->SetGuidanceStrengths(nullptr);
+    field->Update();
+    CHECK(AnglesToCircles(field->GetOutput()).second < 7.0);
+  }
+  auto wrong = Circle(0.3);
+  vtkNew<vtkDoubleArray> strengths;
+  strengths->SetName("Strength");
+  strengths->InsertNextValue(2.0);
+  wrong->GetCellData()->AddArray(strengths);
+  auto guidance = Make(mesh, wrong);
+  vtkNew<Messages> messages;
+  messages->Observe(guidance);
+  guidance->Update();
+  CHECK(messages->IsOneError({ "Strength", "0 to 1" }));
 }
 
 /// Curves of several blocks count together; polygons and float points are taken.
@@ -238,6 +313,7 @@ int TestDirectionFieldCurves(int, char*[])
 {
   TestParameters();
   TestFieldFollows();
+  TestStrengths();
   TestInputs();
   TestKept();
   TestMessages();

@@ -259,6 +259,24 @@ class Guidance(unittest.TestCase):
         near = np.abs(points[:, 1]) < 0.1
         self.assertGreater(np.abs(field.directions[near, 0, 0])[guide.weights[near] > 0.5].min(), 0.95)
 
+    def test_strengths_make_curves_soft(self):
+        points, triangles = disk()
+        curve = np.stack([np.linspace(-0.5, 0.5, 30), 0.02 + 0 * np.arange(30), 0 * np.arange(30)], -1)
+        last = -1.0
+        for strength in (0.01, 0.3, 0.9, 1.0):
+            guide = df.guide_by_curves(points, triangles, [curve], strengths=[strength], degree=2)
+            field = df.field(points, triangles, degree=2, constrain_boundary=True,
+                             constrain_guidance=True, vectors=guide.vectors, weights=guide.weights,
+                             strengths=guide.strengths)
+            along = np.abs(field.directions[:, 0, 0])[guide.weights > 0].mean()
+            self.assertGreater(along, last)
+            last = along
+        self.assertGreater(last, 0.999)
+        self.assertIsNone(df.guide_by_curves(points, triangles, [curve]).strengths)
+        for wrong in ([2.0], [0.5, 0.5]):
+            with self.assertRaisesRegex(ValueError, "strengths"):
+                df.guide_by_curves(points, triangles, [curve], strengths=wrong)
+
     def test_stress_guides_at_points_and_triangles(self):
         points, triangles = disk()
         for at, places in (("points", points), ("triangles", points[triangles].mean(axis=1))):

@@ -46,6 +46,23 @@ def check_selected(view):
     assert FindSource("Strokes on bunny.ply").SMProxy.GetSelectionInput(0)
 
 
+def check_soft(view):
+    """A double click has made the first stroke soft, and another one of the field."""
+    check_lines(view, 2)
+    strokes = FindSource("Strokes on bunny.ply")
+    assert list(strokes.Strengths) == [0.0, 0.5], list(strokes.Strengths)
+    assert FindSource("Field of bunny.ply").GuidanceStrengths == "GuidanceStrengths"
+    strengths = servermanager.Fetch(strokes).GetCellData().GetArray("Strength")
+    assert [strengths.GetValue(k) for k in (0, 1)] == [0.5, 1.0]
+    SaveScreenshot(os.path.join(os.environ["DIRECTIONFIELDS_TEST_OUTPUT"], "SoftStroke.png"), view,
+                   ImageResolution=[800, 600])
+
+
+def check_hard(view):
+    check_lines(view, 2)
+    assert not len(FindSource("Strokes on bunny.ply").Strengths)
+
+
 def check_off(view):
     """With drawing switched off, the camera turns."""
     assert camera(view) != os.environ["DIRECTIONFIELDS_TEST_CAMERA"]
@@ -53,6 +70,6 @@ def check_off(view):
     check_lines(view, 2)
 
 
-steps = (start, functools.partial(check_lines, number=1), check_kept, check_selected,
+steps = (start, functools.partial(check_lines, number=1), check_kept, check_selected, check_hard, check_soft,
          functools.partial(check_lines, number=2), check_off)
 Steps.take_next([functools.partial(check, GetActiveView()) for check in steps])

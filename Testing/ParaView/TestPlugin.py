@@ -175,7 +175,7 @@ def test_panel():
             ({"Alignment": 3, "Degree": 3}, tensor),
             ({"Alignment": 3, "UseShift": 1},
              curvature | tensor - {"TensorStrength"} | {"Shift"}),
-            ({"ConstrainGuidance": 1, "Degree": 3}, guidance | solver),
+            ({"ConstrainGuidance": 1, "Degree": 3}, guidance | {"GuidanceStrengths"} | solver),
             ({"ConstrainBoundary": 1, "Degree": 3}, solver),
             ({"ConstrainSharpEdges": 1, "Degree": 3}, {"FeatureAngle", "MinimumFeatureLength"} | solver),
             ({"ConstrainCurvature": 1}, curvature | scale | consistency | solver),

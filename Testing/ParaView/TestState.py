@@ -20,6 +20,7 @@ chosen = {
     "MergePoints": "On", "SingularityCost": 1.5,
     "Alignment": "Principal Curvature", "CurvatureDirection": "Least Bent",
     "CurvatureScale": 3.5, "Shift": 2.5, "GuidanceVectors": "Vectors", "GuidanceWeights": "Weights",
+    "GuidanceStrengths": "Strengths",
     "FeatureAngle": 20.0, "CurvatureTolerance": 0.5, "TensorArray": ["CELLS", "Stress"]}
 
 
@@ -62,7 +63,8 @@ vectors = Calculator(Input=stretched, ResultArrayName="Vectors",
                      Function="coordsY*iHat-coordsX*jHat")
 others = Calculator(Input=vectors, ResultArrayName="Others", Function="coordsZ*iHat")
 weights = Calculator(Input=others, ResultArrayName="Weights", Function="coordsZ-0.5")
-field = DirectionField(registrationName="field", Input=weights)
+strengths = Calculator(Input=weights, ResultArrayName="Strengths", Function="0.5+0*coordsX")
+field = DirectionField(registrationName="field", Input=strengths)
 values = {name: chosen[name] if name in chosen else other_value(field.SMProxy.GetProperty(name))
           for name in field.ListProperties() if name != "Input"}
 assert set(chosen) <= set(values)
@@ -76,10 +78,10 @@ for name in values:
     line = "%s: %s" % (name, element if isinstance(element, str) else "%g" % element)
     assert line in described, (line, described)
 SaveState(state)
-defaults = DirectionField(Input=weights)
+defaults = DirectionField(Input=strengths)
 for name, value in values.items():
     assert given(defaults, name) != value, name
-del field, defaults, mesh, stretched, vectors, others, weights
+del field, defaults, mesh, stretched, vectors, others, weights, strengths
 
 ResetSession()
 assert FindSource("field") is None

@@ -102,7 +102,7 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
       [&]
       {
         std::vector<std::string> notes;
-        Constraints constraints({ mesh.GetGeometry(), {}, nullptr, given }, options, notes);
+        Constraints constraints({ mesh.GetGeometry(), {}, nullptr, given, {} }, options, notes);
         const auto vertices = static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
         guide.Kind = std::move(constraints.Kind);
         guide.Value = std::move(constraints.Value);

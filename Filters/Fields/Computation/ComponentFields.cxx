@@ -29,7 +29,8 @@ ComponentFields SolveComponents(Stages& stages, EnergyStage& energy, const Guide
     const ComponentGuide own = guide.Of(mesh, c);
     energy.Components[c].SetOthersFollow(othersFollow);
     ComplexVector u = energy.Components[c].Solve(own, options, progress, fields.Reports[c]);
-    const bool isPhaseFree = own.Given.Vertices.empty() && own.Guidance.isZero(0.0);
+    const bool isPhaseFree =
+      own.Given.Vertices.empty() && own.Soft.IsEmpty() && own.Guidance.isZero(0.0);
     if (isPhaseFree && !phaseReference.empty())
     {
       TurnTowards(Eigen::Map<const ComplexVector>(

@@ -57,11 +57,27 @@ const Hierarchy& ComponentStage::GetHierarchy()
   return *this->OwnHierarchy;
 }
 
-FreeSystem& ComponentStage::FreeSystemOf(const GivenValues& given)
+const SoftTerms* ComponentStage::SoftTermsOf(const ComponentGuide& guide)
 {
-  if (!this->Free || this->Free->Given != given.Vertices)
+  if (guide.Soft.IsEmpty() ? this->Soft != nullptr : !this->Soft || !this->Soft->Fit(guide.Soft))
   {
-    this->Free = std::make_unique<FreeSystem>(this->Matrices, given.Vertices, this->Scale);
+    this->Free.reset();
+    this->Soft.reset();
+    if (!guide.Soft.IsEmpty())
+    {
+      this->Soft = std::make_unique<SoftTerms>(this->Matrices, guide.Soft, this->Sigma());
+    }
+  }
+  return this->Soft.get();
+}
+
+FreeSystem& ComponentStage::FreeSystemOf(const ComponentGuide& guide)
+{
+  const SoftTerms* const soft = this->SoftTermsOf(guide);
+  if (!this->Free || this->Free->Given != guide.Given.Vertices)
+  {
+    this->Free = std::make_unique<FreeSystem>(
+      soft ? soft->GetMatrices() : this->Matrices, guide.Given.Vertices, this->Scale);
   }
   return *this->Free;
 }
@@ -90,47 +106,49 @@ ComplexVector ComponentStage::SmoothestTowards(const GuidanceTerms& terms) const
 }
 
 SystemSolution ComponentStage::SolveByMultigrid(const SystemFactors& factors,
-  const GivenValues& given, const ComplexVector& rightHandSide, const Options& options,
+  const ComponentGuide& guide, const ComplexVector& rightHandSide, const Options& options,
   const Progress& progress)
 {
-  const WorkLimit limit(
-    this->Matrices.Energy, ShiftedSystem::DirectSolves, ShiftedSystem::DirectWork);
-  const ShiftedSystem system{ this->Matrices, factors.Energy, factors.Mass,
-    SystemTolerance(options), progress, this->OthersFollow,
-    options.Solver == Solver::Automatic ? &limit : nullptr };
-  if (given.Vertices.empty())
+  const SoftTerms* const soft = this->SoftTermsOf(guide);
+  const Operators& matrices = soft ? soft->GetMatrices() : this->Matrices;
+  const WorkLimit limit(matrices.Energy, ShiftedSystem::DirectSolves, ShiftedSystem::DirectWork);
+  const ShiftedSystem system{ matrices, factors.Energy, factors.Mass, SystemTolerance(options),
+    progress, this->OthersFollow, options.Solver == Solver::Automatic ? &limit : nullptr };
+  if (guide.Given.Vertices.empty() && !soft)
   {
     return ConjugateGradients(
       system, *this->Smoothest.Hierarchy, this->Smoothest.Lowest, rightHandSide, this->Solved);
   }
-  return MinimizeEnergyByMultigrid(system, this->FreeSystemOf(given), rightHandSide, given);
+  return MinimizeEnergyByMultigrid(system, this->FreeSystemOf(guide), rightHandSide, guide.Given);
 }
 
-SystemSolution ComponentStage::SolveByFactor(const SystemFactors& factors, const GivenValues& given,
-  const ComplexVector& rightHandSide, const Options& options, const Progress& progress) const
+SystemSolution ComponentStage::SolveByFactor(const SystemFactors& factors,
+  const ComponentGuide& guide, const ComplexVector& rightHandSide, const Options& options,
+  const Progress& progress)
 {
-  const SparseMatrix matrix =
-    factors.Energy * this->Matrices.Energy + factors.Mass * this->Matrices.Mass;
-  if (given.Vertices.empty())
+  const SoftTerms* const soft = this->SoftTermsOf(guide);
+  const Operators& matrices = soft ? soft->GetMatrices() : this->Matrices;
+  const SparseMatrix matrix = factors.Energy * matrices.Energy + factors.Mass * matrices.Mass;
+  if (guide.Given.Vertices.empty())
   {
     return SolveDirectly(matrix, rightHandSide, progress);
   }
-  return options.ConstraintSolver == ConstraintSolver::Energy
-    ? MinimizeEnergyDirectly(matrix, rightHandSide, given, progress)
-    : MinimizeResidualDirectly(matrix, rightHandSide, given, progress);
+  return options.ConstraintSolver == ConstraintSolver::Energy || soft
+    ? MinimizeEnergyDirectly(matrix, rightHandSide, guide.Given, progress)
+    : MinimizeResidualDirectly(matrix, rightHandSide, guide.Given, progress);
 }
 
 SystemSolution ComponentStage::SolveSystem(const SystemFactors& factors,
   const ComponentGuide& guide, const ComplexVector& rightHandSide, const Options& options,
   const Progress& progress, ComponentReport& report)
 {
-  const bool leastSquares =
-    options.ConstraintSolver == ConstraintSolver::LeastSquares && !guide.Given.Vertices.empty();
+  const bool leastSquares = options.ConstraintSolver == ConstraintSolver::LeastSquares &&
+    !guide.Given.Vertices.empty() && guide.Soft.IsEmpty();
   // Multigrid has shown that it works on this component where the smoothest field was found by it.
   if (this->Smoothest.Hierarchy && !leastSquares)
   {
     SystemSolution solution =
-      this->SolveByMultigrid(factors, guide.Given, rightHandSide, options, progress);
+      this->SolveByMultigrid(factors, guide, rightHandSide, options, progress);
     if (solution.Residual <= SystemTolerance(options) || options.Solver == Solver::Multigrid)
     {
       return solution;
@@ -138,7 +156,7 @@ SystemSolution ComponentStage::SolveSystem(const SystemFactors& factors,
     progress.RequireToGoOn();
   }
   report.SolverUsed = Solver::Direct;
-  return this->SolveByFactor(factors, guide.Given, rightHandSide, options, progress);
+  return this->SolveByFactor(factors, guide, rightHandSide, options, progress);
 }
 
 SystemSolution ComponentStage::SolveAt(double gap, const ComponentGuide& guide,
@@ -157,10 +175,14 @@ SystemSolution ComponentStage::SolveAt(double gap, const ComponentGuide& guide,
                                       : PerSquare(smallest - gap, this->Unit);
     }
     report.SolverUsed = this->Smoothest.SolverUsed;
+    ComplexVector rightHandSide = terms.RightHandSide(this->Matrices, factors.Guidance);
+    if (const SoftTerms* const soft = this->SoftTermsOf(guide))
+    {
+      rightHandSide += factors.Energy * soft->GetPull();
+    }
     try
     {
-      return this->SolveSystem(factors, guide,
-        terms.RightHandSide(this->Matrices, factors.Guidance), options, progress, report);
+      return this->SolveSystem(factors, guide, rightHandSide, options, progress, report);
     }
     catch (const NotPositiveDefinite&)
     {
@@ -210,7 +232,7 @@ ComplexVector ComponentStage::Solve(const ComponentGuide& guide, const Options& 
   const Progress& progress, ComponentReport& report)
 {
   const GuidanceTerms& terms = this->TermsOf(guide);
-  const bool constrained = !guide.Given.Vertices.empty();
+  const bool constrained = !guide.Given.Vertices.empty() || !guide.Soft.IsEmpty();
   const double gap = this->Gap(options, guide.Share);
   SystemSolution solution;
   if (constrained || (terms.Any() && gap > this->SmallestGap()))

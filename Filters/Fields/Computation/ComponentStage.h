@@ -33,9 +33,9 @@ public:
   /// twentieth longer, and the next ones a fifth less; none of them changes.
   void SetOthersFollow(bool follow) { this->OthersFollow = follow; }
 
-  /// Solves (A - lambda_t M) u = (lambda_1 - lambda_t) alpha M q with alpha = 0 at constrained
-  /// vertices and their neighbours, else 1, and q scaled to modulus 1 in the mean square over where
-  /// alpha is 1: u tends to q where lambda_t tends to minus infinity, and guidance and constraints
+  /// Solves (A + W - lambda_t M) u = (lambda_1 - lambda_t) alpha M q + W g, W and g of SoftTerms,
+  /// alpha = 0 at constrained vertices and neighbours, else 1, q scaled to modulus 1 in the mean
+  /// square over where alpha is 1: u tends to q as lambda_t to minus infinity; guidance and givens
   /// are of one size. lambda_t = 0 where there are constraints only. Without either the smoothest
   /// field. Where lambda_1 was overestimated, as by a section that has not converged, lambda_t is
   /// as much less as makes the system definite. The field is scaled to modulus 1 in the mean square
@@ -48,9 +48,11 @@ public:
 
   /// The hierarchy of the matrices, made if there was none.
   const Hierarchy& GetHierarchy();
-  /// The system of the vertices whose values are not given, kept from one call to the next with the
-  /// same ones.
-  FreeSystem& FreeSystemOf(const GivenValues& given);
+  /// The system of the vertices whose values are not given, soft constraints in its energy, kept
+  /// from one call to the next with the same ones.
+  FreeSystem& FreeSystemOf(const ComponentGuide& guide);
+  /// The terms of soft constraints, or null for none, kept likewise.
+  const SoftTerms* SoftTermsOf(const ComponentGuide& guide);
   /// A value in 1 / unit^2 in 1 / length^2 of the input.
   double PerArea(double value) const;
   /// sigma of Options::AlignmentStrength, in 1 / unit^2.
@@ -73,10 +75,10 @@ private:
   SystemSolution SolveSystem(const SystemFactors& factors, const ComponentGuide& guide,
     const ComplexVector& rightHandSide, const Options& options, const Progress& progress,
     ComponentReport& report);
-  SystemSolution SolveByMultigrid(const SystemFactors& factors, const GivenValues& given,
+  SystemSolution SolveByMultigrid(const SystemFactors& factors, const ComponentGuide& guide,
     const ComplexVector& rightHandSide, const Options& options, const Progress& progress);
-  SystemSolution SolveByFactor(const SystemFactors& factors, const GivenValues& given,
-    const ComplexVector& rightHandSide, const Options& options, const Progress& progress) const;
+  SystemSolution SolveByFactor(const SystemFactors& factors, const ComponentGuide& guide,
+    const ComplexVector& rightHandSide, const Options& options, const Progress& progress);
   /// Scales the solution and fills in the figures of the report.
   ComplexVector Finish(
     SystemSolution solution, double area, const Options& options, ComponentReport& report) const;
@@ -89,6 +91,8 @@ private:
   double Unit;
   /// The system of the vertices that the last constraints left free; null before there were any.
   std::unique_ptr<FreeSystem> Free;
+  /// Null without soft constraints; those of the matrices that Free is of.
+  std::unique_ptr<SoftTerms> Soft;
   /// The solutions without constraints, from which the next one is guessed.
   ReducedBasis Solved;
   std::optional<GuidanceTerms> Terms;

@@ -28,8 +28,19 @@ std::vector<Complex> GivenSection(
     stages.GetGeometry(), first.empty() ? guidance : Merged(guidance, first), options.Degree);
 }
 
+std::vector<double> StrengthsOf(
+  const Stages& stages, const Options& options, const Guidance& guidance)
+{
+  if (!options.ConstrainGuidance || guidance.Strengths.empty())
+  {
+    return {};
+  }
+  const std::vector<Index>& first = stages.GetFirstPoints();
+  return GuidanceStrengths(stages.GetMesh(), first.empty() ? guidance : Merged(guidance, first));
+}
+
 Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vector<Complex>& given,
-  std::vector<std::string>& notes)
+  const std::vector<double>& strengths, std::vector<std::string>& notes)
 {
   if (UsesCurvature(options) && DependsOnSide(options.Degree, options.CurvatureDirection) &&
     stages.GetMesh().GetRepairs().NonOrientableComponents > 0)
@@ -46,7 +57,8 @@ Constraints ConstraintsOf(Stages& stages, const Options& options, const std::vec
   return Constraints(
     { stages.GetGeometry(),
       options.ConstrainSharpEdges ? stages.GetDihedralAngles() : std::vector<double>{},
-      UsesCurvature(options) ? &stages.GetCurvature(options.CurvatureScale) : nullptr, given },
+      UsesCurvature(options) ? &stages.GetCurvature(options.CurvatureScale) : nullptr, given,
+      strengths },
     options, notes);
 }
 
@@ -166,7 +178,8 @@ void NoteTensors(const TriangleMesh& mesh, const VertexTensors& tensors,
 Guide::Guide(Stages& stages, const Options& options, const Guidance& guidance,
   std::vector<std::string>& notes, const FollowedTensors* tensors)
   : Given(GivenSection(stages, options, guidance))
-  , Constrained(ConstraintsOf(stages, options, this->Given, notes))
+  , Strengths(StrengthsOf(stages, options, guidance))
+  , Constrained(ConstraintsOf(stages, options, this->Given, this->Strengths, notes))
   , Drawn(DrawnSection(stages, options, this->Given, notes))
   , Tensors(tensors)
 {
@@ -174,10 +187,41 @@ Guide::Guide(Stages& stages, const Options& options, const Guidance& guidance,
   {
     this->Follow(stages, options, notes);
   }
+  if (!this->Strengths.empty())
+  {
+    this->Soften(notes);
+  }
   if (!this->Drawn.empty() && options.Alignment == Alignment::PrincipalCurvature)
   {
     this->Shares =
       CurvatureShares(stages.GetGeometry(), stages.GetCurvature(options.CurvatureScale).Hopf);
+  }
+}
+
+void Guide::Soften(std::vector<std::string>& notes)
+{
+  bool isAny = false;
+  this->Soft.assign(this->Given.size(), 0.0);
+  for (std::size_t v = 0; v < this->Given.size(); ++v)
+  {
+    const double weight = std::abs(this->Given[v]);
+    const bool isFree =
+      !this->Constrained.Any() || this->Constrained.Kind[v] == ConstraintKind::None;
+    if (weight > 0.0 && this->Strengths[v] > 0.0 && isFree)
+    {
+      this->Soft[v] = this->Given[v] / weight * Stiffness(weight, this->Strengths[v]);
+      isAny = isAny || this->Soft[v] != 0.0;
+    }
+  }
+  if (!isAny)
+  {
+    this->Soft.clear();
+    if (!this->Constrained.Any())
+    {
+      notes.emplace_back(
+        "Choose other Guidance Vectors, Weights or Strengths: Constrain Guidance changes nothing, "
+        "since no vector has positive weight and strength and a part in the tangent plane.");
+    }
   }
 }
 
@@ -251,7 +295,29 @@ ComponentGuide Guide::Of(const TriangleMesh& mesh, std::size_t c) const
     ? GuideOf(mesh, c, this->Drawn, this->Constrained.Kind, this->Constrained.Value)
     : GuideOf(mesh, c, this->Drawn, this->ExactKind, this->ExactValue);
   part.Share = this->Shares.empty() ? 1.0 : this->Shares[c];
+  if (!this->Soft.empty())
+  {
+    part.Soft = this->SoftOf(mesh.GetComponents()[c]);
+  }
   return part;
+}
+
+SoftConstraints Guide::SoftOf(const TriangleMesh::Component& component) const
+{
+  SoftConstraints soft;
+  std::vector<Complex> values;
+  for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+  {
+    const bool isFree = this->ExactKind.empty() || this->ExactKind[v] == ConstraintKind::None;
+    if (this->Soft[v] != 0.0 && isFree)
+    {
+      soft.Vertices.push_back(v - component.FirstVertex);
+      values.push_back(this->Soft[v]);
+    }
+  }
+  soft.Values =
+    Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+  return soft;
 }
 
 ComponentGuide GuideOf(const TriangleMesh& mesh, std::size_t c, const std::vector<Complex>& drawn,

@@ -38,7 +38,8 @@ public:
   /// Whether there is anything to follow.
   bool Any() const
   {
-    return this->Constrained.Any() || !this->Drawn.empty() || !this->ExactKind.empty();
+    return this->Constrained.Any() || !this->Drawn.empty() || !this->ExactKind.empty() ||
+      !this->Soft.empty();
   }
   const Constraints& GetConstraints() const { return this->Constrained; }
   /// The part of one component.
@@ -48,10 +49,14 @@ public:
 
 private:
   void Follow(Stages& stages, const Options& options, std::vector<std::string>& notes);
+  void Soften(std::vector<std::string>& notes);
   void Constrain(const TriangleMesh& mesh, const std::vector<Complex>& section);
+  SoftConstraints SoftOf(const TriangleMesh::Component& component) const;
 
   /// The user's vectors as a section of the field's degree; empty where no option asks for them.
   std::vector<Complex> Given;
+  /// GuidanceStrengths where the vectors constrain.
+  std::vector<double> Strengths;
   Constraints Constrained;
   /// The guidance that the field is drawn to; empty for none.
   std::vector<Complex> Drawn;
@@ -59,6 +64,9 @@ private:
   /// else empty.
   std::vector<ConstraintKind> ExactKind;
   std::vector<Complex> ExactValue;
+  /// The directions that free vertices are drawn to, of the modulus of their stiffness, zero
+  /// elsewhere; empty for none.
+  std::vector<Complex> Soft;
   const FollowedTensors* Tensors;
   /// The share of the strength of each component; empty for all of it.
   std::vector<double> Shares;

@@ -85,8 +85,15 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
   UnitLengthProblem problem{ this->Component.IsCover ? this->Surface : this->Triangulation,
     this->Surface, this->Component, this->Degree, this->Energy, matrices.Mass,
     strength > 0.0 ? this->Pull(guide, strength) : ComplexVector{}, {} };
+  const SoftTerms* const soft = this->Stage.SoftTermsOf(guide);
+  const bool isDrawn = problem.Pull.size() > 0;
+  if (soft)
+  {
+    // For sections of modulus 1 the terms of both kinds are the same but for a constant.
+    problem.Pull = isDrawn ? ComplexVector(problem.Pull + soft->GetPull()) : soft->GetPull();
+  }
   FreeSystem* free = nullptr;
-  if (!guide.Given.Vertices.empty())
+  if (!guide.Given.Vertices.empty() || soft)
   {
     problem.IsGiven.assign(u.size(), 0);
     for (std::size_t k = 0; k < guide.Given.Vertices.size(); ++k)
@@ -94,12 +101,13 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
       problem.IsGiven[guide.Given.Vertices[k]] = 1;
       u[guide.Given.Vertices[k]] = guide.Given.Values[static_cast<Eigen::Index>(k)];
     }
-    free = &this->Stage.FreeSystemOf(guide.Given);
+    free = &this->Stage.FreeSystemOf(guide);
   }
   UnitLengthSettings settings;
   settings.SingularityCost = options.SingularityCost * 2.0 * Pi * std::log(2.0);
   settings.Rate = this->Stage.Sigma();
-  settings.Pull = problem.Pull.size() > 0 ? strength : 0.0;
+  // Soft constraints are in the free system's energy.
+  settings.Pull = isDrawn ? strength : 0.0;
   if (free && free->Free.IsEmpty())
   {
     MakeUnit(u);

@@ -88,7 +88,7 @@ Constraints::Constraints(
   if (options.ConstrainGuidance)
   {
     this->AddGiven(input);
-    note(true, ConstraintKind::Given,
+    note(input.Strengths.empty(), ConstraintKind::Given,
       "Choose other Guidance Vectors or Weights: Constrain Guidance changes nothing, since no "
       "vector has positive weight and a part in the tangent plane.");
   }
@@ -152,7 +152,7 @@ void Constraints::AddGiven(const Input& input)
 {
   for (std::size_t v = 0; v < input.Given.size(); ++v)
   {
-    if (std::abs(input.Given[v]) > 0.0)
+    if (std::abs(input.Given[v]) > 0.0 && (input.Strengths.empty() || input.Strengths[v] >= 1.0))
     {
       this->Set(static_cast<Index>(v), ConstraintKind::Given, input.Given[v]);
     }

@@ -28,6 +28,8 @@ struct Constraints
     const Curvature* Curved;
     /// Guidance as a section of the field's degree; empty where it does not constrain.
     const std::vector<Complex>& Given;
+    /// GuidanceStrengths; those below 1 do not constrain.
+    const std::vector<double>& Strengths;
   };
 
   /// Adds a sentence for each kind that is asked for and constrains nothing. Throws

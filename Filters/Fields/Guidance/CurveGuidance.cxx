@@ -35,20 +35,23 @@ struct Sample
   Vector3 Place;
   /// Of the length of the piece.
   Vector3 Tangent;
+  /// The number of its curve.
+  std::size_t Curve;
 };
 
-/// Calls body(start, end) for all segments of finite places that have a length.
+/// Calls body(start, end, length, curve) for all segments of finite places that have a length.
 template <typename Body>
 void ForEachSegment(const std::vector<std::vector<Vector3>>& curves, const Body& body)
 {
-  for (const std::vector<Vector3>& curve : curves)
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
+    const std::vector<Vector3>& curve = curves[c];
     for (std::size_t i = 0; i + 1 < curve.size(); ++i)
     {
       const double length = (curve[i + 1] - curve[i]).stableNorm();
       if (std::isfinite(length) && length > 0.0)
       {
-        body(curve[i], curve[i + 1], length);
+        body(curve[i], curve[i + 1], length, c);
       }
     }
   }
@@ -59,18 +62,19 @@ std::vector<Sample> SamplesOf(
   const std::vector<std::vector<Vector3>>& curves, double step, double mostInSegment)
 {
   double total = 0.0;
-  ForEachSegment(curves, [&](const Vector3&, const Vector3&, double length) { total += length; });
+  ForEachSegment(
+    curves, [&](const Vector3&, const Vector3&, double length, std::size_t) { total += length; });
   const double longest = std::max(step, total / MostSamples);
   std::vector<Sample> samples;
   ForEachSegment(curves,
-    [&](const Vector3& start, const Vector3& end, double length)
+    [&](const Vector3& start, const Vector3& end, double length, std::size_t curve)
     {
       const auto pieces =
         static_cast<Index>(std::clamp(std::ceil(length / longest), 1.0, mostInSegment));
       const Vector3 tangent = (end - start) / pieces;
       for (Index k = 0; k < pieces; ++k)
       {
-        samples.push_back({ start + (k + 0.5) * tangent, tangent });
+        samples.push_back({ start + (k + 0.5) * tangent, tangent, curve });
       }
     });
   return samples;
@@ -90,21 +94,51 @@ double MeanEdge(const SurfaceGeometry& geometry)
   return count > 0.0 ? sum / count : 0.0;
 }
 
+/// Weighted directions of curves at the vertices of a mesh, added up.
+struct DirectionSums
+{
+  explicit DirectionSums(std::size_t vertices)
+    : Sum(vertices, 0.0)
+    , Weight(vertices, 0.0)
+  {
+  }
+  bool IsEmpty() const { return this->Sum.empty(); }
+  void Add(Index v, double weight, double angle)
+  {
+    this->Sum[v] += std::polar(weight, angle);
+    this->Weight[v] += weight;
+  }
+  std::vector<Complex> Sum;
+  std::vector<double> Weight;
+};
+
+/// What curves ask for at each vertex.
+struct VertexGuidance
+{
+  /// The n-th power of the direction, of the length of its weight.
+  std::vector<Complex> Values;
+  /// Empty where all are 1.
+  std::vector<double> Strengths;
+};
+
 /// The directions that curves ask for at the vertices of a mesh.
 class Strokes
 {
 public:
-  Strokes(const GivenField& surface, int degree)
+  /// @param anySoft whether strengths other than 1 are to come
+  Strokes(const GivenField& surface, int degree, bool anySoft)
     : Given(surface)
     , Geometry(surface.GetGeometry())
     , Degree(degree)
-    , Sum(this->Geometry.Mesh.GetNumberOfVertices(), 0.0)
-    , Weight(this->Sum.size(), 0.0)
+    , Hard(this->Geometry.Mesh.GetNumberOfVertices())
+    , Soft(anySoft ? this->Hard.Sum.size() : 0)
+    , Lengths(this->Soft.Sum.size(), 0.0)
   {
   }
 
-  /// Adds a piece of a curve that lies in a triangle of the surface.
-  void Add(const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds)
+  /// Adds a piece of a curve of a strength that lies in a triangle of the surface.
+  void Add(
+    const ClosestPoints::Answer& found, const Vector3& tangent, double strength, bool fillsSeeds)
   {
     const Index front = this->Given.GetMeshTriangles()[found.Triangle];
     if (front == None)
@@ -116,22 +150,23 @@ public:
     {
       if (triangle != None)
       {
-        this->AddToTriangle(triangle, found, tangent, fillsSeeds);
+        this->AddToTriangle(triangle, found, tangent, strength, fillsSeeds);
       }
     }
   }
 
   /// Carries the directions on to all vertices within a radius, and weights them by their
   /// distances.
-  /// @return the value of each vertex: the n-th power of its direction, of the length of its weight
-  std::vector<Complex> Spread(double radius, double falloff) const;
+  VertexGuidance Spread(double radius, double falloff) const;
 
 private:
-  void AddToTriangle(
-    Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds);
-  /// The mean of the neighbours that are known.
-  Complex FromNeighbours(
-    Index vertex, const std::vector<Complex>& values, const std::vector<char>& isKnown) const;
+  void AddToTriangle(Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent,
+    double strength, bool fillsSeeds);
+  /// What the curves say themselves.
+  VertexGuidance OnCurves(std::vector<char>& isKnown) const;
+  /// Sets a vertex to the mean of the neighbours that are known.
+  void TakeFromNeighbours(
+    Index vertex, const std::vector<char>& isKnown, VertexGuidance& guidance) const;
   /// A remainder of directions that cancel is no direction.
   static Complex Coherent(const Complex& value)
   {
@@ -141,13 +176,16 @@ private:
   const GivenField& Given;
   const SurfaceGeometry& Geometry;
   int Degree;
-  std::vector<Complex> Sum;
-  std::vector<double> Weight;
+  DirectionSums Hard;
+  /// Weighted by tau / (1 - tau), too; empty where all are hard.
+  DirectionSums Soft;
+  /// The weights of Soft without that factor.
+  std::vector<double> Lengths;
   std::vector<SurfaceDistance::Seed> Seeds;
 };
 
-void Strokes::AddToTriangle(
-  Index triangle, const ClosestPoints::Answer& found, const Vector3& tangent, bool fillsSeeds)
+void Strokes::AddToTriangle(Index triangle, const ClosestPoints::Answer& found,
+  const Vector3& tangent, double strength, bool fillsSeeds)
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
   const TriangleInSpace space = this->Given.InSpace(triangle);
@@ -173,8 +211,15 @@ void Strokes::AddToTriangle(
       const Index vertex = mesh.Tail(3 * triangle + c);
       const double angle = std::arg(tangential) - interpolant.AngleInFlat(c, 0.0, at);
       const double weight = length * place.Weights[c];
-      this->Sum[vertex] += std::polar(weight, this->Degree * angle);
-      this->Weight[vertex] += weight;
+      if (strength < 1.0)
+      {
+        this->Soft.Add(vertex, weight * strength / (1.0 - strength), this->Degree * angle);
+        this->Lengths[vertex] += weight;
+      }
+      else
+      {
+        this->Hard.Add(vertex, weight, this->Degree * angle);
+      }
       if (fillsSeeds)
       {
         this->Seeds.push_back({ vertex, SurfaceDistance::ToCorner(this->Geometry, place, c), 0 });
@@ -183,11 +228,12 @@ void Strokes::AddToTriangle(
   }
 }
 
-Complex Strokes::FromNeighbours(
-  Index vertex, const std::vector<Complex>& values, const std::vector<char>& isKnown) const
+void Strokes::TakeFromNeighbours(
+  Index vertex, const std::vector<char>& isKnown, VertexGuidance& guidance) const
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
   Complex sum = 0.0;
+  double strengths = 0.0;
   double count = 0.0;
   const auto add = [&](Index neighbour, double rotation, Index edge)
   {
@@ -195,7 +241,8 @@ Complex Strokes::FromNeighbours(
     {
       const double weight =
         1.0 / std::sqrt(std::max(this->Geometry.Lengths.SquaredLength[edge], 1e-300));
-      sum += weight * values[neighbour] * std::polar(1.0, this->Degree * rotation);
+      sum += weight * guidance.Values[neighbour] * std::polar(1.0, this->Degree * rotation);
+      strengths += guidance.Strengths.empty() ? 0.0 : weight * guidance.Strengths[neighbour];
       count += weight;
     }
   };
@@ -213,19 +260,41 @@ Complex Strokes::FromNeighbours(
     add(mesh.Tail(incoming), this->Geometry.Transport.RotationAlong(mesh, incoming),
       mesh.Edge(incoming));
   }
-  return count > 0.0 ? Complex(sum / count) : Complex(0.0);
+  guidance.Values[vertex] = Coherent(count > 0.0 ? Complex(sum / count) : Complex(0.0));
+  if (!guidance.Strengths.empty())
+  {
+    // Hard neighbours alone make a hard vertex, to the last bit.
+    guidance.Strengths[vertex] = count > 0.0 ? std::min(1.0, strengths / count) : 0.0;
+  }
 }
 
-std::vector<Complex> Strokes::Spread(double radius, double falloff) const
+VertexGuidance Strokes::OnCurves(std::vector<char>& isKnown) const
+{
+  const bool anySoft = !this->Soft.IsEmpty();
+  VertexGuidance guidance;
+  guidance.Values.assign(this->Hard.Sum.size(), 0.0);
+  guidance.Strengths.assign(this->Soft.Sum.size(), 0.0);
+  isKnown.assign(this->Hard.Sum.size(), 0);
+  for (std::size_t v = 0; v < isKnown.size(); ++v)
+  {
+    const bool isHard = this->Hard.Weight[v] > 0.0;
+    const DirectionSums& sums = isHard || !anySoft ? this->Hard : this->Soft;
+    isKnown[v] = sums.Weight[v] > 0.0 ? 1 : 0;
+    guidance.Values[v] = isKnown[v] != 0 ? Coherent(sums.Sum[v] / sums.Weight[v]) : Complex(0.0);
+    if (anySoft && isKnown[v] != 0)
+    {
+      // The strength of the mean stiffness.
+      guidance.Strengths[v] = isHard ? 1.0 : sums.Weight[v] / (sums.Weight[v] + this->Lengths[v]);
+    }
+  }
+  return guidance;
+}
+
+VertexGuidance Strokes::Spread(double radius, double falloff) const
 {
   const TriangleMesh& mesh = this->Geometry.Mesh;
-  std::vector<Complex> values(this->Sum.size(), 0.0);
-  std::vector<char> isKnown(this->Sum.size(), 0);
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    isKnown[v] = this->Weight[v] > 0.0 ? 1 : 0;
-    values[v] = isKnown[v] != 0 ? Coherent(this->Sum[v] / this->Weight[v]) : Complex(0.0);
-  }
+  std::vector<char> isKnown;
+  VertexGuidance guidance = this->OnCurves(isKnown);
   if (radius > 0.0)
   {
     double most = 0.0;
@@ -235,7 +304,7 @@ std::vector<Complex> Strokes::Spread(double radius, double falloff) const
     }
     const SurfaceDistance distance(
       this->Geometry, this->Seeds, most, SurfaceDistance::Sources::Curves);
-    std::vector<double> units(this->Sum.size());
+    std::vector<double> units(isKnown.size());
     for (std::size_t c = 0; c < mesh.GetComponents().size(); ++c)
     {
       const TriangleMesh::Component& component = mesh.GetComponents()[c];
@@ -246,26 +315,58 @@ std::vector<Complex> Strokes::Spread(double radius, double falloff) const
     {
       if (isKnown[v] == 0 && distance.Distance[v] * units[v] <= radius)
       {
-        values[v] = Coherent(this->FromNeighbours(v, values, isKnown));
+        this->TakeFromNeighbours(v, isKnown, guidance);
         isKnown[v] = 1;
       }
     }
     for (const Index v : distance.Order)
     {
       const double deviations = distance.Distance[v] * units[v] / (falloff * radius);
-      values[v] *= std::exp(-0.5 * deviations * deviations);
+      guidance.Values[v] *= std::exp(-0.5 * deviations * deviations);
     }
   }
-  return values;
+  return guidance;
 }
 
-void Check(const CurveGuidanceOptions& options)
+/// What vertices are asked for, at their points.
+void HandToPoints(const Surface& surface, const GivenField& given, const VertexGuidance& at,
+  CurveGuidance& guidance)
+{
+  const SurfaceGeometry& geometry = given.GetGeometry();
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Index inMesh = given.GetMeshTriangles()[t];
+    for (int c = 0; inMesh != None && c < 3; ++c)
+    {
+      const Index vertex = geometry.Mesh.Tail(3 * inMesh + given.MeshCorner(inMesh, c));
+      const Complex& value = at.Values[vertex];
+      const double weight = std::abs(value);
+      const double angle = std::arg(value) / given.GetDegree();
+      const Index point = surface.Triangles[t][c];
+      guidance.Weights[point] = weight;
+      guidance.Vectors[point] = weight * std::cos(angle) * geometry.Frames.X[vertex] +
+        weight * std::sin(angle) * geometry.Frames.Y(vertex);
+      if (!at.Strengths.empty())
+      {
+        guidance.Strengths[point] = at.Strengths[vertex];
+      }
+    }
+  }
+}
+
+void Check(const CurveGuidanceOptions& options, std::size_t curves)
 {
   if (options.Degree < 1 || options.Degree > 16 || !(options.Radius >= 0.0) ||
     !(options.Falloff > 0.0) || !(options.MaximumDistance >= 0.0))
   {
     throw std::invalid_argument(
       "Directions Per Point must be 1 to 16, Falloff greater than 0, Radius and Maximum Distance at least 0.");
+  }
+  const bool areStrengths = std::all_of(options.Strengths.begin(), options.Strengths.end(),
+    [](double strength) { return strength >= 0.0 && strength <= 1.0; });
+  if (!areStrengths || (!options.Strengths.empty() && options.Strengths.size() != curves))
+  {
+    throw std::invalid_argument("The strengths of curves must be 0 to 1, one for each curve.");
   }
 }
 }
@@ -289,10 +390,11 @@ CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curv
   const CurveGuidanceOptions& options, const Progress& progress)
 {
   const Surface& surface = *this->Input;
-  Check(options);
+  Check(options, curves.size());
   CurveGuidance guidance;
   guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
   guidance.Weights.assign(surface.Points.size(), 0.0);
+  guidance.Strengths.assign(options.Strengths.empty() ? 0 : surface.Points.size(), 0.0);
   if (surface.Triangles.empty())
   {
     return guidance;
@@ -316,7 +418,9 @@ CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curv
   progress.Report(0.4);
   const double most = options.MaximumDistance > 0.0 ? options.MaximumDistance
                                                     : std::numeric_limits<double>::infinity();
-  Strokes strokes(given, options.Degree);
+  const auto strengthOf = [&](std::size_t curve)
+  { return options.Strengths.empty() ? 1.0 : options.Strengths[curve]; };
+  Strokes strokes(given, options.Degree, !options.Strengths.empty());
   const double mostInSegment =
     std::max(MostInSegment, 6.0 * static_cast<double>(surface.Triangles.size()));
   const std::vector<Sample> samples = SamplesOf(curves, 0.5 * MeanEdge(geometry), mostInSegment);
@@ -326,31 +430,22 @@ CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curv
     {
       progress.Report(0.4 + 0.4 * static_cast<double>(i) / static_cast<double>(samples.size()));
     }
+    const double strength = strengthOf(samples[i].Curve);
+    if (strength == 0.0)
+    {
+      continue;
+    }
     const ClosestPoints::Answer found = closest.Find(samples[i].Place, Vector3::Zero(), most);
     if (found.Triangle == None)
     {
       ++guidance.FarSamples;
       continue;
     }
-    strokes.Add(found, samples[i].Tangent, options.Radius > 0.0);
+    strokes.Add(found, samples[i].Tangent, strength, options.Radius > 0.0);
   }
   guidance.Samples = static_cast<Index>(samples.size());
-  const std::vector<Complex> values = strokes.Spread(options.Radius, options.Falloff);
-  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
-  {
-    const Index at = given.GetMeshTriangles()[t];
-    for (int c = 0; at != None && c < 3; ++c)
-    {
-      const Index vertex = geometry.Mesh.Tail(3 * at + given.MeshCorner(at, c));
-      const Complex& value = values[vertex];
-      const double weight = std::abs(value);
-      const double angle = std::arg(value) / options.Degree;
-      const Index point = surface.Triangles[t][c];
-      guidance.Weights[point] = weight;
-      guidance.Vectors[point] = weight * std::cos(angle) * geometry.Frames.X[vertex] +
-        weight * std::sin(angle) * geometry.Frames.Y(vertex);
-    }
-  }
+  const VertexGuidance at = strokes.Spread(options.Radius, options.Falloff);
+  HandToPoints(surface, given, at, guidance);
   progress.Report(1.0);
   return guidance;
 }

@@ -25,6 +25,9 @@ struct CurveGuidanceOptions
   /// Parts of curves that are farther from the surface do not count, in its unit of length. 0: all
   /// count.
   double MaximumDistance = 0.0;
+  /// The strength of each curve, 0 to 1, or empty for 1: Guidance::Strengths of the vertices
+  /// that it guides. Curves of strength 0 do not count.
+  std::vector<double> Strengths = {};
 };
 
 /// Directions that curves ask for.
@@ -35,6 +38,9 @@ struct CurveGuidance
   /// Zero elsewhere, and where less than LeastCoherence is left of directions that cancel.
   std::vector<Vector3> Vectors;
   std::vector<double> Weights;
+  /// Guidance::Strengths; empty where the options have none. At vertices that curves of strength 1
+  /// run by the softer ones do not count; of these the stiffer count for more, as tau / (1 - tau).
+  std::vector<double> Strengths;
   /// Samples taken of the curves, and those of them that are too far from the surface.
   Index Samples = 0;
   Index FarSamples = 0;
@@ -48,8 +54,8 @@ struct CurveGuidance
 /// and curves that cross at right angles agree for n = 4 and cancel for n = 2. Farther vertices get
 /// the mean of their nearer neighbours' values, carried along the edges.
 ///
-/// Throws std::invalid_argument for options out of their ranges, MeshError and Stopped. Takes n log
-/// n time.
+/// Throws std::invalid_argument for options out of their ranges and for other than one
+/// strength a curve, MeshError and Stopped. Takes n log n time.
 /// @param curves poly lines; places that are not finite break them
 CurveGuidance GuideByCurves(const Surface& surface, const std::vector<std::vector<Vector3>>& curves,
   const CurveGuidanceOptions& options, const Progress& progress = {});

@@ -62,6 +62,23 @@ std::vector<Complex> GuidanceSection(
   return section;
 }
 
+std::vector<double> GuidanceStrengths(const TriangleMesh& mesh, const Guidance& guidance)
+{
+  std::vector<double> strengths;
+  if (!guidance.Strengths.empty())
+  {
+    strengths.reserve(mesh.GetNumberOfVertices());
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double strength = guidance.Strengths[mesh.Point(v)];
+      strengths.push_back(std::isfinite(strength) ? std::clamp(strength, 0.0, 1.0) : 0.0);
+    }
+  }
+  const bool isSoft =
+    std::any_of(strengths.begin(), strengths.end(), [](double strength) { return strength < 1.0; });
+  return isSoft ? strengths : std::vector<double>();
+}
+
 Complex CurvatureValue(
   const Curvature& curvature, Index vertex, int degree, CurvatureDirection direction)
 {
@@ -276,6 +293,10 @@ Guidance Merged(Guidance guidance, const std::vector<Index>& first)
       if (!guidance.Weights.empty())
       {
         guidance.Weights[target] = guidance.Weights[i];
+      }
+      if (!guidance.Strengths.empty())
+      {
+        guidance.Strengths[target] = guidance.Strengths[i];
       }
     }
   }

@@ -30,6 +30,9 @@ GuidanceScale ScaleOf(const Guidance& guidance);
 std::vector<Complex> GuidanceSection(const SurfaceGeometry& geometry, const Guidance& guidance,
   int degree, const GuidanceScale& scale);
 
+/// Guidance::Strengths at the vertices of the mesh, from 0 to 1; empty where all are 1.
+std::vector<double> GuidanceStrengths(const TriangleMesh& mesh, const Guidance& guidance);
+
 /// The guidance of a field of degree 2 or 4 at a vertex: q for the larger curvature, -q for the
 /// smaller; e^(2 i theta) (|k_max| - |k_min|) / 2 for the one of larger modulus, which does not
 /// depend on the side that the surface is seen from, and its negative for the other. For degree 4

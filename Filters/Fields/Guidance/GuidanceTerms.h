@@ -4,6 +4,7 @@
 #ifndef DirectionFields_GuidanceTerms_h
 #define DirectionFields_GuidanceTerms_h
 
+#include "Guidance/SoftConstraints.h"
 #include "Matrices/FreeVertices.h"
 #include "Matrices/Operators.h"
 
@@ -20,6 +21,8 @@ struct ComponentGuide
   GivenValues Given;
   /// How much of the strength that the options ask for is meant for this component, 0 to 1.
   double Share = 1.0;
+  /// Directions that free vertices are drawn to.
+  SoftConstraints Soft = {};
 };
 
 /// A third of the area of the triangles at each vertex: each triangle adds a sixth of its area to

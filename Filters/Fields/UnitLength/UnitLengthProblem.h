@@ -31,7 +31,8 @@ struct UnitLengthProblem
   const SparseMatrix& Mass;
   /// p; empty for none.
   ComplexVector Pull;
-  /// 1 at the vertices whose values are given; empty where all are free.
+  /// 1 at the vertices whose values are given; empty where all are free and none is drawn to a
+  /// value of its own, so that the start is about as good as the smoothest field.
   std::vector<char> IsGiven;
 
   bool IsFree(Index v) const { return this->IsGiven.empty() || this->IsGiven[v] == 0; }

@@ -288,6 +288,12 @@ DirectionFields::Result vtkPDirectionField::ComputeField(vtkPolyData* input,
   {
     this->Reason = "Alignment Tensor needs the whole surface";
   }
+  const bool isSoft = std::any_of(guidance.Strengths.begin(), guidance.Strengths.end(),
+    [](double strength) { return !(strength >= 1.0); });
+  if (processes.Largest(isSoft ? 1 : 0) > 0 && this->Reason.empty())
+  {
+    this->Reason = "Guidance Strengths below 1 need the whole surface";
+  }
   if (this->Reason.empty() && this->GetCellDirections())
   {
     this->Reason = "Cell Directions needs the whole surface";
@@ -356,10 +362,12 @@ void vtkPDirectionField::ComputeGathered(Processes& processes, vtkPolyData* inpu
   const std::string& warning, vtkPolyData* output, vtkPolyData* singularities)
 {
   std::vector<std::string> arrays;
-  for (const char* const name : { this->GetGuidanceVectors(), this->GetGuidanceWeights() })
+  for (const char* const name :
+    { this->GetGuidanceVectors(), this->GetGuidanceWeights(), this->GetGuidanceStrengths() })
   {
-    const bool isAsked =
-      this->GetAlignment() == ALIGN_POINT_VECTORS || this->GetConstrainGuidance();
+    const bool isAsked = name == this->GetGuidanceStrengths()
+      ? this->GetConstrainGuidance()
+      : this->GetAlignment() == ALIGN_POINT_VECTORS || this->GetConstrainGuidance();
     if (name && isAsked)
     {
       arrays.emplace_back(name);

@@ -8,4 +8,5 @@ vtkDirectionFieldGuidance::~vtkDirectionFieldGuidance()
 {
   this->SetGuidanceVectors(nullptr);
   this->SetGuidanceWeights(nullptr);
+  this->SetGuidanceStrengths(nullptr);
 }

@@ -184,8 +184,20 @@ public:
 
   ///@{
   /**
-   * Constrain the points where GuidanceVectors have a positive weight to these vectors. Default
-   * off.
+   * Name of a point array of 1 component that says how strongly ConstrainGuidance holds each of the
+   * GuidanceVectors, an error if there is none: at 1 exactly; with less, tau, by the term w tau /
+   * (1 - tau) sqrt(sigma A) |u - g|^2 of the energy, where w is the weight, A a third of the area
+   * around the point and sigma that of AlignmentStrength; at 0 not at all. Values outside of 0 to 1
+   * count as the nearer end. Null, the default, an empty name and "None" are no array: all are 1.
+   */
+  vtkSetStringMacro(GuidanceStrengths);
+  vtkGetStringMacro(GuidanceStrengths);
+  ///@}
+
+  ///@{
+  /**
+   * Constrain the points where GuidanceVectors have a positive weight to these vectors, as strongly
+   * as GuidanceStrengths say. Default off.
    */
   vtkSetMacro(ConstrainGuidance, bool);
   vtkGetMacro(ConstrainGuidance, bool);
@@ -203,7 +215,8 @@ public:
    * How the free points follow the constrained ones: by the least energy (1, default), or by the
    * least squares of the residual over all points, as Pellenard et al. have it (0), which takes
    * longer, mostly makes more singularities, and is refused for components of more than
-   * 250 000 points. Where the field has the directions of tensors it is by energy always.
+   * 250 000 points. Where the field has the directions of tensors, and where GuidanceStrengths are
+   * less than 1, it is by energy always.
    */
   vtkSetClampMacro(ConstraintSolver, int, LEAST_SQUARES, ENERGY);
   vtkGetMacro(ConstraintSolver, int);
@@ -224,6 +237,7 @@ protected:
   double Shift;
   char* GuidanceVectors = nullptr;
   char* GuidanceWeights = nullptr;
+  char* GuidanceStrengths = nullptr;
   bool ConstrainBoundary;
   bool ConstrainSharpEdges;
   double FeatureAngle;

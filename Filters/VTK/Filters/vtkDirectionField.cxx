@@ -101,6 +101,9 @@ void vtkDirectionField::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "GuidanceWeights: " << (this->GuidanceWeights ? this->GuidanceWeights : "(none)")
      << "\n";
+  os << indent
+     << "GuidanceStrengths: " << (this->GuidanceStrengths ? this->GuidanceStrengths : "(none)")
+     << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +129,14 @@ DirectionFields::Guidance vtkDirectionField::ReadGuidance(vtkPolyData* input)
   // Arrays that nothing asks for may be missing.
   if (this->Alignment == ALIGN_POINT_VECTORS || this->ConstrainGuidance)
   {
-    return DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
+    DirectionFields::Guidance guidance =
+      DirectionFields::PolyDataToGuidance(input, this->GuidanceVectors, this->GuidanceWeights);
+    if (this->ConstrainGuidance)
+    {
+      guidance.Strengths =
+        DirectionFields::PointValues(input, this->GuidanceStrengths, "Guidance Strengths");
+    }
+    return guidance;
   }
   return {};
 }

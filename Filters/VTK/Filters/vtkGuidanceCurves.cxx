@@ -105,6 +105,11 @@ void AddArrays(const DirectionFields::CurveGuidance& guidance, vtkPointData* dat
     DirectionFields::ArrayNames::GuidanceVectors, guidance.Vectors));
   data->AddArray(DirectionFields::MakeScalars<ArrayT>(
     DirectionFields::ArrayNames::GuidanceWeights, guidance.Weights));
+  if (!guidance.Strengths.empty())
+  {
+    data->AddArray(DirectionFields::MakeScalars<ArrayT>(
+      DirectionFields::ArrayNames::GuidanceStrengths, guidance.Strengths));
+  }
 }
 }
 
@@ -202,16 +207,18 @@ void vtkGuidanceCurves::Execute(
     Summarize("no curves yet", outputs);
     return;
   }
-  const Curves lines = DirectionFields::LinesOf(inputs[1], false).Curves;
-  Kept& kept = this->Read(input, progress.Part(0.0, ProgressRead));
-  const DirectionFields::Surface& surface = kept.Surface->Mesh;
+  const DirectionFields::KeptLines kept = DirectionFields::LinesOf(inputs[1], false);
+  const Curves& lines = kept.Curves;
+  Kept& last = this->Read(input, progress.Part(0.0, ProgressRead));
+  const DirectionFields::Surface& surface = last.Surface->Mesh;
   DirectionFields::CurveGuidanceOptions options;
   options.Degree = this->Degree;
   options.Radius = this->Radius;
   options.Falloff = this->Falloff;
   options.MaximumDistance = this->MaximumDistance;
+  options.Strengths = DirectionFields::StrengthsOf(kept);
   const DirectionFields::CurveGuidance guidance =
-    kept.Curves.Guide(lines, options, progress.Part(ProgressRead, 1.0));
+    last.Curves.Guide(lines, options, progress.Part(ProgressRead, 1.0));
   if (!surface.Triangles.empty() && guidance.Samples == guidance.FarSamples)
   {
     vtkWarningMacro(

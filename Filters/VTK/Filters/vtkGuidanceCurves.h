@@ -15,6 +15,10 @@
  * With a Radius, vertices farther away are guided, too, with weights that fall with the distance
  * along the surface as a Gaussian does.
  *
+ * Lines with the cell array `Strength`, 0 to 1, are held as strongly as that: those of strength 1,
+ * and of data without the array, exactly, the others by a term of the energy; see
+ * vtkDirectionField's GuidanceStrengths, which takes the array of that name.
+ *
  * For hard constraints take Radius 0 and vtkDirectionField's ConstrainGuidance with both arrays; to
  * draw the field only, its Alignment ALIGN_POINT_VECTORS with GuidanceVectors, whose lengths are
  * the weights.
@@ -30,6 +34,9 @@
  *   of the length of the weight; zero where there is no guidance.
  * - `GuidanceWeights`: 1 component of the same type, 0 to 1. 1 on a curve, less with the distance
  *   from it and where curves do not agree.
+ * - `GuidanceStrengths`, where any curves have a `Strength`: 1 component of the same type. 1
+ *   at the points of curves of strength 1, else that of the softer ones' mean stiffness, tau / (1 -
+ *   tau); 0 where there is no guidance.
  *
  * Port 1, to be looked at: the curves, and through each guided point a line along its vector, one
  * mean edge long times the weight, with the cell data `Kind` (unsigned char): 0 for curves, 1 for

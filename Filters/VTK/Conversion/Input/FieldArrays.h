@@ -42,6 +42,7 @@ constexpr const char* GaussianCurvature = "GaussianCurvature";
 constexpr const char* OriginalPointIds = "OriginalPointIds";
 constexpr const char* GuidanceVectors = "GuidanceVectors";
 constexpr const char* GuidanceWeights = "GuidanceWeights";
+constexpr const char* GuidanceStrengths = "GuidanceStrengths";
 constexpr const char* SingularityIndex = "SingularityIndex";
 constexpr const char* FaceSingularityIndex = "FaceSingularityIndex";
 constexpr const char* Repairs = "Repairs";

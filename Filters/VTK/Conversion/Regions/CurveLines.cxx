@@ -141,6 +141,29 @@ KeptLines LinesOf(vtkDataObject* data, bool hasPoints)
   return kept;
 }
 
+std::vector<double> StrengthsOf(const KeptLines& lines)
+{
+  std::vector<double> strengths(lines.Curves.size(), 1.0);
+  bool isAny = false;
+  for (std::size_t i = 0; i < strengths.size(); ++i)
+  {
+    const GivenCell& cell = lines.OfCurves[i];
+    vtkDataArray* const array = cell.Data->GetCellData()->GetArray("Strength");
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      isAny = true;
+      strengths[i] = array->GetComponent(cell.Cell, 0);
+      if (!(strengths[i] >= 0.0 && strengths[i] <= 1.0))
+      {
+        throw std::invalid_argument("Line " + std::to_string(i) +
+          " of the curves has the Strength " + std::to_string(strengths[i]) +
+          ": it must be 0 to 1, or the cell array have another name.");
+      }
+    }
+  }
+  return isAny ? strengths : std::vector<double>();
+}
+
 void CarryCellArrays(const std::vector<GivenCell>& sources, vtkCellData* output)
 {
   std::set<vtkPolyData*> all;

@@ -44,6 +44,10 @@ struct KeptLines
 /// @param hasPoints whether points are wanted
 KeptLines LinesOf(vtkDataObject* data, bool hasPoints = true);
 
+/// The strengths of curves, 0 to 1: the cell array "Strength" of one component of their data, 1 in
+/// data without it; empty where none has it. Throws std::invalid_argument for other numbers.
+std::vector<double> StrengthsOf(const KeptLines& lines);
+
 /// Adds the cell arrays that all of these cells' data have, of the same type.
 /// @param sources for each cell of the output the one whose values it has; with null data NaN, 0 or
 ///                an empty text
