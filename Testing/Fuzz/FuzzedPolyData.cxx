@@ -350,7 +350,8 @@ std::string StripesFlaw(vtkPolyData* mesh, unsigned number)
       }
       continue;
     }
-    if (!IsSomewhere(output))
+    // Lines and vertices of the input are handed on as they are.
+    if (!IsSomewhere(output) && IsSomewhere(mesh))
     {
       return "a stripe that is nowhere";
     }

@@ -27,12 +27,12 @@ enum class Mode
 };
 
 constexpr std::size_t Small = 1024;
-constexpr std::size_t Smallest = 64;
 
 // Without initialization at run time, since memory is needed before.
 std::atomic<Mode> Now{ Mode::Off };
 /// The number of the allocation that fails, or the bytes that there is room for.
 std::atomic<long long> Least{ -1 };
+std::atomic<std::size_t> Smallest{ 0 };
 std::atomic<long long> Counted{ 0 };
 std::atomic<long long> Taken{ 0 };
 std::atomic<long long> MostTaken{ 0 };
@@ -86,7 +86,7 @@ bool Fails(std::size_t bytes, const void* place)
   {
     fails = least >= 0 && bytes >= Small && Taken.load() + static_cast<long long>(bytes) > least;
   }
-  else if (bytes >= Smallest && IsAskedByOwn(place))
+  else if (bytes >= Smallest.load() && IsAskedByOwn(place))
   {
     fails = Counted.fetch_add(1) == least;
   }
@@ -184,9 +184,10 @@ extern "C"
     return 1;
   }
 
-  void FailAllocation(long long number)
+  void FailAllocation(long long number, long long bytes)
   {
     Least = number;
+    Smallest = static_cast<std::size_t>(bytes);
     Counted = 0;
     Now = Mode::One;
   }
@@ -256,7 +257,7 @@ extern "C"
   {
     return 0;
   }
-  void FailAllocation(long long) {}
+  void FailAllocation(long long, long long) {}
   void LimitAllocations(long long) {}
   long long StopFailingAllocations()
   {

@@ -12,11 +12,12 @@ extern "C"
   /// Whether memory goes through this library, which glibc alone lets it.
   int HasFailingAllocations();
 
-  /// One of the next allocations fails. Only those of 64 bytes or more by the project's own code and
-  /// by CHOLMOD count, since VTK ends the program where some of its smallest ones fail, and so does
-  /// an empty sparse matrix of Eigen that is moved.
+  /// One of the next allocations fails. Only those by the project's own code and by CHOLMOD count,
+  /// since VTK ends the program where some of its smallest ones fail, and so does an empty sparse
+  /// matrix of Eigen that is moved.
   /// @param number how many are left before it; negative if none is to fail
-  void FailAllocation(long long number);
+  /// @param bytes  the least size of those that count
+  void FailAllocation(long long number, long long bytes);
 
   /// From now on there is room for some bytes more, for blocks of 1 KiB or more: smaller ones still
   /// fit in where memory is full.

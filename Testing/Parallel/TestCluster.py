@@ -4,7 +4,9 @@
 
 By plain Python: pvpython is a process of MPI itself, which cannot start others. A process that dies in the midst
 of it must end all of them, soon."""
+import base64
 import os
+import re
 import shutil
 import signal
 import struct
@@ -22,11 +24,56 @@ ran = subprocess.run([*batch, example, plugin, output], text=True, stdout=subpro
                      stderr=subprocess.STDOUT, check=False)
 print(ran.stdout)
 assert ran.returncode == 0, ran.returncode
-assert " triangles in 2 pieces with " in ran.stdout
-for name in ("field.pvtp", "singularities.pvtp"):
-    pieces = os.path.splitext(name)[0]
-    assert os.path.exists(os.path.join(output, name)), name
-    assert len(os.listdir(os.path.join(output, pieces))) == 2, pieces
+said = re.search(r"(\d+) triangles in 2 pieces with (\d+) common points", ran.stdout)
+assert said, ran.stdout
+
+
+def pieces_of(name):
+    """The XML of the two files that processes have written, each its own."""
+    with open(os.path.join(output, name + ".pvtp"), encoding="latin-1") as file:
+        sources = re.findall(r'<Piece Source="([^"]+)"', file.read())
+    assert len(set(sources)) == 2, sources
+    texts = []
+    for one in sources:
+        with open(os.path.join(output, one), encoding="latin-1") as file:
+            texts.append(file.read())
+    return texts
+
+
+def count_of(text, kind):
+    return int(re.search(r'<Piece [^>]*NumberOf%s="(\d+)"' % kind, text)[1])
+
+
+def integers_of(text, part, name):
+    """The values of an array of the points, the cells or the whole; none without it."""
+    found = re.search(r'<%s\b(?:(?!</%s>).)*?<DataArray type="(Int32|UInt8)" Name="%s"[^>]*format="binary"[^>]*>\s*([^<\s]+)' %
+                      (part, part, name), text, re.DOTALL)
+    if not found:
+        return ()
+    assert "compressor=" not in text and 'byte_order="LittleEndian"' in text
+    header = 8 if 'header_type="UInt64"' in text else 4
+    data = base64.b64decode(found[2])
+    size = int.from_bytes(data[:header], "little")
+    width, kind = (4, "i") if found[1] == "Int32" else (1, "B")
+    return struct.unpack("<%d%s" % (size // width, kind), data[header:header + size])
+
+
+fields, points = pieces_of("field"), pieces_of("singularities")
+indices = []
+for text in fields:
+    index = integers_of(text, "CellData", "SingularityIndex")
+    assert len(index) == count_of(text, "Polys"), len(index)
+    # Copies of another process' triangles are none of this one's.
+    ghosts = integers_of(text, "CellData", "vtkGhostType") or (0,) * len(index)
+    indices.append([one for one, ghost in zip(index, ghosts) if ghost == 0])
+assert min(map(len, indices)) > 100 and sum(map(len, indices)) == int(said[1]), (list(map(len, indices)), said[1])
+assert int(said[2]) > 10
+# Each singularity is in one piece, as a triangle and as a point. Those of all add up to what the components have.
+singular = [sorted(index for index in values if index) for values in indices]
+assert singular == [sorted(integers_of(text, "PointData", "SingularityIndex")) for text in points], singular
+wanted = [sum(integers_of(text, "FieldData", "IndexSum")) for text in fields]
+assert sum(map(sum, singular)) == wanted[0] == wanted[1], (singular, wanted)
+assert sum(map(len, singular)) > 4, singular
 with open(os.path.join(output, "field.png"), "rb") as picture:
     data = picture.read()
 # What is compressed of the rows of pixels is not the same everywhere.

@@ -5,6 +5,7 @@
 By plain Python: pvpython is a process of MPI itself, which cannot start others. The client compares what the
 server gives of a surface in two pieces with what it has computed itself."""
 import os
+import re
 import subprocess
 import sys
 
@@ -20,7 +21,12 @@ def serve(mpiexec, pvserver, pvpython):
             if "Accepting connection" in line:
                 port = line.strip().rsplit(":", 1)[1]
                 break
-        subprocess.run([pvpython, os.path.abspath(__file__), plugin, port], check=True, timeout=240)
+        client = subprocess.run([pvpython, os.path.abspath(__file__), plugin, port], check=True, timeout=240, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        print(client.stdout)
+        # What the client has counted, of both pieces.
+        counted = re.search(r"the same (\d+) triangles with (\d+) singularities and (\d+) points of glyphs", client.stdout)
+        assert counted and int(counted[1]) == 2 * 40 * 28 and int(counted[2]) >= 8, client.stdout
         assert server.wait(60) == 0, server.returncode
     finally:
         server.kill()
@@ -35,12 +41,17 @@ def client(port):
         field = simple.DirectionField(Input=scaled, Diagnostics=1)
         glyphs = simple.DirectionFieldGlyphs(Input=field)
         glyphs.UpdatePipeline()
-        data = servermanager.Fetch(field).GetFieldData()
+        whole = servermanager.Fetch(field)
+        data = whole.GetFieldData()
+        counts = (whole.GetNumberOfCells(),
+                  sum(whole.GetCellData().GetArray("SingularityIndex").GetTuple1(k) != 0
+                      for k in range(whole.GetNumberOfCells())),
+                  servermanager.Fetch(glyphs).GetNumberOfPoints())
         points = servermanager.Fetch(field, idx=1).GetNumberOfPoints()
         distribution = data.GetArray("Distribution")
         return ([data.GetArray(name).GetTuple1(0) for name in
                  ("Eigenvalue", "EulerCharacteristic", "IndexSum")], points,
-                distribution and distribution.GetTuple3(0), data.GetAbstractArray("Summary").GetValue(0))
+                distribution and distribution.GetTuple3(0), data.GetAbstractArray("Summary").GetValue(0), counts)
 
     def drag():
         """A singularity of a surface in two pieces is moved by hand: one process has the whole."""
@@ -71,7 +82,11 @@ def client(port):
     assert abs(found[0][0] / wanted[0][0] - 1.0) < 1e-5, (found, wanted)
     assert found[0][1:] == wanted[0][1:] == [2.0, 8.0], (found, wanted)
     assert found[1] == wanted[1], (found, wanted)
+    assert found[4][:2] == wanted[4][:2], (found, wanted)
+    # Glyphs begin somewhere else, and are as many.
+    assert abs(found[4][2] / wanted[4][2] - 1.0) < 0.1, (found, wanted)
     drag()
+    print("the same %d triangles with %d singularities and %d points of glyphs" % found[4], flush=True)
     assert wanted[2] is None and found[2][:2] == (1.0, 2.0) and found[2][2] > 50, (found, wanted)
 
 
