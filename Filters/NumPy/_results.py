@@ -263,7 +263,7 @@ class Mesh(_Result):
     largest_area_error : float
         Of all regions with faces, relative to the area on the surface.
     edge_length, maximum_distance : float
-        Wanted edge length, and distance of the faces' middles from the surface.
+        Wanted edge length, and distance of middles of faces and edges from the surface.
     edges_as_wanted : float
         The part of the edges, 0 to 1, whose length is within 25 % of what sizing asks for.
     error_of_sizes : float

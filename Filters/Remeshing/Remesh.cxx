@@ -4,6 +4,7 @@
 #include "Remesh.h"
 
 #include "Boundary/BoundaryAdvice.h"
+#include "Boundary/BoundaryDistance.h"
 #include "Curves/CurveMapping.h"
 #include "Curves/LinesOnMesh.h"
 #include "Extraction/MeshExtraction.h"
@@ -38,6 +39,8 @@ constexpr double AfterCells = 0.85;
 constexpr double AfterFinishing = 0.97;
 /// The user is told of lengths of edges that differ by more than this factor.
 constexpr double Noticeably = 1.05;
+/// Places on the boundary where its distance is measured, in wanted lengths of edges.
+constexpr double Halfway = 0.5;
 
 int DegreeOf(Element element)
 {
@@ -230,12 +233,22 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   const std::vector<double>& sizes = request.Sizes.AtPoints;
   MeshWishes wishes;
   wishes.IsOfQuads = options.Element == Element::Quads;
+  wishes.IsPure = IsPure(options);
   wishes.IsSmoothed = options.SmoothingIterations > 0;
   wishes.NumberOfFaces = options.UseEdgeLength ? 0 : options.NumberOfFaces;
   wishes.EdgeLength = request.Unit * result.EdgeLength;
+  wishes.ShortestEdge = wishes.EdgeLength *
+    (options.Sizing.empty() ? *std::min_element(sizes.begin(), sizes.end()) : 1.0);
   wishes.Extent = request.Unit * Extent(request.Input);
   wishes.ToSurface = request.Unit * result.MaximumDistance;
   wishes.ToMesh = request.Unit * result.MaximumDistanceToMesh;
+  wishes.OfBoundary = request.Unit * result.MaximumBoundaryDistance;
+  const auto onFeatures = std::count_if(result.Kind.begin(), result.Kind.end(),
+    [](VertexKind kind) { return kind == VertexKind::Feature || kind == VertexKind::Corner; });
+  wishes.PartOnFeatures = options.KeepFeatures && !result.Kind.empty()
+    ? static_cast<double>(onFeatures) / static_cast<double>(result.Kind.size())
+    : 0.0;
+  wishes.AddsPairs = options.AddIrregularPairs;
   wishes.PartCrossed = request.Field.GetPartCrossed();
   for (std::size_t v = 0; !options.Sizing.empty() && v < result.Points.size(); ++v)
   {
@@ -285,6 +298,9 @@ void Report(const Request& request, const FeatureLines& features,
   result.MaximumDistanceToMesh =
     LargestDistance(field.GetSurface().GetGivenPositions(), result.Points, result.Faces);
   result.EdgeLength = request.Sizes.EdgeLength;
+  result.MaximumBoundaryDistance = BoundaryDistance(
+    BoundaryLinesOf(request.Input, field.GetSurface().FindUsed(request.Input.Triangles.size())),
+    result.Points, finished.Faces.Cells, Halfway * result.EdgeLength);
   result.EulerCharacteristicBefore = field.GetSeams().GetEulerCharacteristic();
   result.EulerCharacteristicAfter =
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
@@ -330,6 +346,7 @@ RemeshResult InUnitOfSurface(RemeshResult&& result, const Vector3& origin, doubl
   }
   result.MaximumDistance *= unit;
   result.MaximumDistanceToMesh *= unit;
+  result.MaximumBoundaryDistance *= unit;
   result.EdgeLength *= unit;
   return std::move(result);
 }

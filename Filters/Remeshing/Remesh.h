@@ -187,11 +187,14 @@ struct RemeshResult
   Index FlippedTriangles = 0;
   Index Quads = 0;
   Index Triangles = 0;
-  /// Largest distance of a middle of a face from the surface, in its unit.
+  /// Largest distance of a middle of a face or edge from the surface, in its unit.
   double MaximumDistance = 0.0;
   /// Largest distance of a point of the surface from the mesh, in its unit: of those points that
   /// decimation leaves, which moves the surface by a tenth of an edge at most.
   double MaximumDistanceToMesh = 0.0;
+  /// Largest distance of the boundaries of surface and mesh from each other, both ways, in its
+  /// unit; 0 where one of them has none.
+  double MaximumBoundaryDistance = 0.0;
   /// V - E + F of the repaired surface and of the mesh.
   int EulerCharacteristicBefore = 0;
   int EulerCharacteristicAfter = 0;

@@ -64,7 +64,21 @@ FaceSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surf
         squaredDistance[f] = at.SquaredDistance;
       }
     });
-  sources.LargestDistance = LargestRoot(squaredDistance);
+  const std::vector<std::array<Index, 2>> edges = EdgesOf({ faces, {} });
+  std::vector<double> ofEdges(edges.size());
+  ParallelFor(static_cast<Index>(edges.size()), PieceSize,
+    [&](Index begin, Index end)
+    {
+      Index last = None;
+      for (Index e = begin; e < end; ++e)
+      {
+        const Vector3 middle = 0.5 * (points[edges[e][0]] + points[edges[e][1]]);
+        const ClosestPoints::Answer at = surface.Find(middle, Vector3::Zero(), Anywhere, last);
+        last = at.Place;
+        ofEdges[e] = at.SquaredDistance;
+      }
+    });
+  sources.LargestDistance = std::max(LargestRoot(squaredDistance), LargestRoot(ofEdges));
   return sources;
 }
 

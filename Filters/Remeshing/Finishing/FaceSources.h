@@ -21,8 +21,8 @@ struct PointSources
 PointSources SourcesOf(const PreparedSurface& prepared, const ClosestPoints& surface,
   const std::vector<Vector3>& points);
 
-/// The triangle of the surface closest to the center of each face, and the largest distance of a
-/// face's center from the surface.
+/// The triangle of the surface closest to the center of each face, and the largest distance of the
+/// center of a face or the middle of an edge from the surface.
 struct FaceSources
 {
   std::vector<Index> Triangle;

@@ -25,6 +25,10 @@ constexpr double MostDistance = 0.02;
 constexpr double MostPerLength = 1.0 / 3.0;
 /// How many times too large or too small a size may be.
 constexpr double MostMissed = 1.3;
+/// Where there are more than this many times as many faces as were wanted, and this part of the
+/// vertices is on features, these need them.
+constexpr double ManyTimes = 2.0;
+constexpr double MostOnFeatures = 0.25;
 /// The part of its wanted length that an edge may be off.
 constexpr double MostOff = 0.25;
 /// Directions that cross more of the kept edges are what makes faces bad.
@@ -42,12 +46,14 @@ std::string AboutTriangles(const Faces& faces, const MeshWishes& wishes)
   const Index triangles = static_cast<Index>(std::count_if(faces.Corners.begin(),
     faces.Corners.end(), [](const Faces::Face& face) { return Faces::Size(face) == 3; }));
   const auto all = static_cast<double>(faces.Corners.size());
-  if (!wishes.IsOfQuads || triangles <= FewTriangles || triangles <= MostTriangles * all)
+  if (!wishes.IsOfQuads || wishes.IsPure || triangles <= FewTriangles ||
+    triangles <= MostTriangles * all)
   {
     return {};
   }
   return std::to_string(triangles) + " of " + std::to_string(faces.Corners.size()) +
-    " faces are triangles. Pure Quads would join them in pairs.";
+    " faces are triangles. Pure Quads would join them in pairs; where features are closer to each "
+    "other than edges are long, shorter edges leave fewer of them.";
 }
 
 std::string AboutQuality(
@@ -76,14 +82,21 @@ std::string AboutQuality(
 std::string AboutDistance(const MeshWishes& wishes)
 {
   const double most = std::max(MostDistance * wishes.Extent, MostPerLength * wishes.EdgeLength);
-  if (wishes.ToSurface <= most && wishes.ToMesh <= most)
+  const double farthest = std::max({ wishes.ToSurface, wishes.ToMesh, wishes.OfBoundary });
+  if (farthest <= most)
   {
     return {};
   }
   const std::string shorter =
-    ". An edge length of " + Figure(0.5 * wishes.EdgeLength) + " would come closer.";
+    ". An edge length of " + Figure(0.5 * wishes.ShortestEdge) + " would come closer.";
   const auto percent = [&](double distance)
   { return Figure(100.0 * distance / wishes.Extent) + " % of the diagonal"; };
+  if (wishes.ToSurface <= most && wishes.ToMesh <= most)
+  {
+    return "The boundaries of surface and mesh are up to " + Figure(wishes.OfBoundary) + " (" +
+      percent(wishes.OfBoundary) +
+      ") away from each other: slits and notches there are narrower than a face" + shorter;
+  }
   return wishes.ToMesh > most
     ? "Parts of the surface are up to " + Figure(wishes.ToMesh) + " (" + percent(wishes.ToMesh) +
       ") away from the mesh, since they are thinner or more bent than its "
@@ -102,9 +115,12 @@ std::string AboutNumber(const Faces& faces, const MeshWishes& wishes)
     return {};
   }
   return "There are " + std::to_string(faces.Corners.size()) + " faces in place of " +
-    std::to_string(wishes.NumberOfFaces) + ". A Number Of Faces of " +
-    std::to_string(static_cast<Index>(std::min(1e9, std::ceil(wanted * wanted / made)))) +
-    " would come closer.";
+    std::to_string(wishes.NumberOfFaces) + ". " +
+    (made > ManyTimes * wanted && wishes.PartOnFeatures > MostOnFeatures
+        ? "Its sharp edges need so many: Keep Features off would come closer."
+        : "A Number Of Faces of " +
+            std::to_string(static_cast<Index>(std::min(1e9, std::ceil(wanted * wanted / made)))) +
+            " would come closer.");
 }
 
 /// The area of a face, by its diagonals or two of its sides.
@@ -190,7 +206,9 @@ std::string AboutSizes(
   return "Edges are " + TimesWanted(shortest) +
     " where the Sizing Array asks for the shortest, and " + TimesWanted(longest) +
     " where it asks for the longest: a grid of few irregular vertices cannot change its size that "
-    "fast. Sizes that differ less, as their square roots do, would be kept better.";
+    "fast. " +
+    (wishes.AddsPairs ? "" : "Add Irregular Pairs would help, unless a field is given. ") +
+    "Sizes that differ less, as their square roots do, would be kept better.";
 }
 }
 

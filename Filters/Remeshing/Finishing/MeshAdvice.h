@@ -18,16 +18,25 @@ struct MeshWishes
 {
   /// Quads are wanted; otherwise triangles are.
   bool IsOfQuads = true;
+  /// Only quads are.
+  bool IsPure = false;
   bool IsSmoothed = true;
+  /// Irregular vertices are added where sizes need them.
+  bool AddsPairs = true;
   /// How many faces are wanted; 0 where a length of edges is.
   Index NumberOfFaces = 0;
-  /// The wanted length of edges, and the diagonal of the box around the surface, in its unit.
+  /// The wanted length of edges, that at thin parts, and the diagonal of the box around the
+  /// surface, in its unit.
   double EdgeLength = 0.0;
+  double ShortestEdge = 0.0;
   double Extent = 0.0;
-  /// Largest distances in the unit of the surface: of the mesh from the surface, and of the surface
-  /// from the mesh.
+  /// Largest distances in the unit of the surface: of the mesh from the surface, of the surface
+  /// from the mesh, and of their boundaries from each other.
   double ToSurface = 0.0;
   double ToMesh = 0.0;
+  double OfBoundary = 0.0;
+  /// The part of the vertices that are on features.
+  double PartOnFeatures = 0.0;
   /// The part of the kept edges that the directions given cross; 0 without such directions.
   double PartCrossed = 0.0;
   /// The wanted length of edges at each vertex of the mesh, in the unit of its points; empty for

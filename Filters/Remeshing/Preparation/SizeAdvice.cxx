@@ -86,12 +86,14 @@ std::vector<std::string> SizeAdvice::GetSentences(double unit) const
       Figure(unit * this->EdgeLength * std::sqrt(this->LeastFaces / FewestFaces)) +
       " would do for all.");
   }
-  if (this->Kept > 0)
+  // Vertices of components that keep their triangles are told of above.
+  const bool isOfSmall = this->SmallComponents > 0 && this->ShortestEdge >= this->EdgeLength;
+  if (this->Kept > 0 && !isOfSmall)
   {
     sentences.push_back(std::to_string(this->Kept) +
       " vertices are no points of a grid: the surface is thinner there than three edges, or has features "
       "that are closer than one. An edge length of " +
-      Figure(unit * this->ShortestEdge) + " would do.");
+      Figure(unit * this->ShortestEdge) + " would do, but in corners that are narrower still.");
   }
   return sentences;
 }

@@ -46,8 +46,8 @@
  *   (those that are no points of the grid, but could not be removed), `FlippedTriangles` (of the
  *   map): int.
  * - field data `EdgeLength`, the one that was asked for; `MaximumDistance`, how far the middle of a
- *   face is from the surface; and `MaximumDistanceToMesh`, how far a point of the surface is from
- *   the mesh: double, in the input's unit.
+ *   face or edge is from the surface; and `MaximumDistanceToMesh`, how far a point of the surface
+ *   is from the mesh: double, in the input's unit.
  * - field data `LeastScaledJacobian`, `MeanScaledJacobian`, `LargestAspectRatio`, `LargestWarpage`:
  *   double, over all faces; with a limit of them `FailedFaces`, the number of those that fail, and
  *   `Pass`, 1 if there are none: int.
