@@ -70,8 +70,10 @@ MeshPointer SomePoints(vtkPolyData* mesh, const OptionBytes& options)
     mesh->GetPoint((options[9] + 7 * k) % mesh->GetNumberOfPoints(), place);
     place[k] += options[10] >= 250 ? Special(options[10]) : 0.001 * options[10] * options.Size;
     places->InsertNextPoint(place);
-    indices->InsertNextValue(
-      options[11] >= 250 ? 1 << (options[11] - 240) : static_cast<int>((options[11] + k) % 5) - 2);
+    // Refined again and again, surfaces for large ones have 65 536 times as many triangles.
+    indices->InsertNextValue(options[11] >= 250
+        ? 1 << ((options[11] - 240) % (options.AreFew ? 6 : 16))
+        : static_cast<int>((options[11] + k) % 5) - 2);
   }
   points->SetPoints(places);
   points->GetPointData()->AddArray(indices);
