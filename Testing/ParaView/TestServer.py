@@ -71,6 +71,28 @@ def client(port):
     assert servermanager.Fetch(hand.edit, idx=1).GetNumberOfPoints() == 8
     room.end()
 
+    # A stroke on a mesh that only the server has, made soft.
+    for known in reversed(directionfields.pipeline.sources()):
+        simple.Delete(known)
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [400, 300]
+    source = simple.Sphere(registrationName="ball", ThetaResolution=24, PhiResolution=16)
+    simple.Show(source, view)
+    simple.SetActiveSource(source)
+    simple.ResetCamera(view)
+    simple.Render(view)
+    strokes = directionfields.draw_stroke([(170, 150), (230, 160)])
+    assert strokes.GetClientSideObject() is None
+    assert servermanager.Fetch(strokes).GetNumberOfLines() == 1
+    field = simple.FindSource("Field of ball")
+    hard = servermanager.Fetch(field).GetPointData().GetArray("ConstraintKind")
+    assert hard is not None
+    assert directionfields.toggle_stroke((200, 155)) == (strokes, 0, 0.5)
+    strength = servermanager.Fetch(strokes).GetCellData().GetArray("Strength")
+    assert strength.GetValue(0) == 0.5
+    assert servermanager.Fetch(field).GetPointData().GetArray("ConstraintKind") is None
+    assert directionfields.remove_stroke((200, 155)) and simple.FindSource("Strokes on ball") is None
+
     # The server reads the mesh of an example from beside its own plugin.
     assert directionfields.open_example("Scan with strokes") is not None
     strokes = simple.FindSource("Strokes on bunny.ply")
