@@ -185,7 +185,7 @@ bool SingularityTool::mouse(QMouseEvent* event)
   }
   if (isPress && event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
   {
-    const QString answer = this->ask(QString("press(%1)").arg(this->place(this->Mouse)));
+    const QString answer = this->look(QString("press(%1)").arg(this->place(this->Mouse)));
     if (answer.startsWith('+'))
     {
       this->IsDragging = true;
@@ -198,7 +198,7 @@ bool SingularityTool::mouse(QMouseEvent* event)
   }
   else if (event->type() == QEvent::MouseMove && event->buttons() == Qt::NoButton)
   {
-    const QString answer = this->ask(QString("hover(%1)").arg(this->place(this->Mouse)));
+    const QString answer = this->look(QString("hover(%1)").arg(this->place(this->Mouse)));
     this->View->setCursor(answer.isEmpty() ? Qt::ArrowCursor : Qt::OpenHandCursor);
     this->View->setToolTip(answer);
     if (!answer.isEmpty())
@@ -299,7 +299,7 @@ void SingularityTool::refresh()
   if (this->IsOn && !this->IsBusy && !this->IsDragging && !ViewTool::isComputing() &&
     QApplication::mouseButtons() == Qt::NoButton)
   {
-    this->ask("refresh()");
+    this->look("refresh()");
   }
 }
 
@@ -313,6 +313,16 @@ QString SingularityTool::ask(const QString& call)
   this->IsBusy = true;
   const QString answer = Evaluate(call);
   this->IsBusy = false;
+  return answer;
+}
+
+//------------------------------------------------------------------------------
+QString SingularityTool::look(const QString& call)
+{
+  // Else what the hand is asked would be steps to undo, between those of the user.
+  BEGIN_UNDO_EXCLUDE();
+  const QString answer = this->ask(call);
+  END_UNDO_EXCLUDE();
   return answer;
 }
 

@@ -47,6 +47,8 @@ private:
   void drop();
   /// Calls a function of directionfields.singularities; the answer is a sentence for the user.
   QString ask(const QString& call);
+  /// The same where nothing is edited.
+  QString look(const QString& call);
   /// The same as one step to undo.
   void change(const QString& step, const QString& call);
   void record();

@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 from directionfields import singularities as room
+from paraview import smtrace
 from paraview.simple import *
 
 sys.path.insert(0, os.environ["HOME"])
@@ -41,6 +42,7 @@ def aim(view):
     view.CameraPosition = list(np.array(view.CameraPosition) + shift)
     Render(view)
     room.refresh()
+    smtrace.start_trace()
     keep("COUNT", len(hand.rows))
     keep("NUMBER", number)
     keep("PLACE", hand.rows[number])
@@ -67,11 +69,40 @@ def check_dropped(view):
     assert moved_to(view, 0.54)
 
 
+def check_second(view):
+    """The second drag goes on from the first one; what was recorded has both, and repeats them."""
+    assert moved_to(view, 0.56)
+    keep("SECOND", rows())
+    text = smtrace.stop_trace()
+    with open(os.path.join(os.environ["DIRECTIONFIELDS_TEST_OUTPUT"], "Singularities.py"), "w") as file:
+        file.write(text)
+
+
 def check_undone(view):
+    """One edit is undone, and then the other one."""
+    assert moved_to(view, 0.54)
+
+
+def check_empty(view):
     assert len(rows()) == 0, len(rows())
     assert FindSource("Edited field of bunny.ply").Objective == "Least Change"
 
 
+def check_again(view):
+    assert np.array_equal(rows().ravel(), kept("SECOND"))
+
+
+def check_script(view):
+    """The script that was recorded makes the same list out of none, to the last digit."""
+    edit = FindSource("Edited field of bunny.ply")
+    edit.SingularityList = []
+    SetActiveSource(edit)
+    with open(os.path.join(os.environ["DIRECTIONFIELDS_TEST_OUTPUT"], "Singularities.py")) as file:
+        exec(compile(file.read(), "trace", "exec"), {})
+    check_again(view)
+
+
 view = GetActiveView()
 Steps.take_next([lambda step=step: step(view)
-                 for step in (aim, check_dragged, check_dropped, check_undone)])
+                 for step in (aim, check_dragged, check_dropped, check_second, check_undone,
+                              check_empty, check_undone, check_again, check_script)])
