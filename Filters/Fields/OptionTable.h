@@ -49,6 +49,7 @@ constexpr double AnyFinite = std::numeric_limits<double>::max();
   RANGE(MinimumFeatureLength, Field, 0, DirectionFields::NoLimit, "")                              \
   FLAG(UnitLength, Field)                                                                          \
   RANGE(SingularityCost, Field, 0, 4, "")                                                          \
-  RANGE(CurvatureScale, Field, 0, 32, "")
+  RANGE(CurvatureScale, Field, 0, 32, "")                                                          \
+  RANGE(NumberOfStarts, Field, 0, 1000, "")
 
 #endif

@@ -110,6 +110,12 @@ struct Options
   /// energy that one gains each time the mesh is subdivided: the more, the fewer remain. Those in
   /// triangles with a given value cost nothing, since corners ask for them. Range 0 to 4.
   double SingularityCost = 0.0;
+  /// A field of unit length is a local minimum of the energy. It is sought from this many starts,
+  /// the first of which is the smoothest, aligned or constrained field, all others random, and the
+  /// one of least energy, with the cost of its singularities, is kept: more never makes it worse,
+  /// but for one part in a thousand, and takes as many times as long. 0 for one start on surfaces
+  /// of 1000 points and more, and up to 16 on smaller ones. Range 0 to 1000.
+  int NumberOfStarts = 0;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

@@ -105,6 +105,7 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
   }
   UnitLengthSettings settings;
   settings.SingularityCost = options.SingularityCost * 2.0 * Pi * std::log(2.0);
+  settings.Starts = options.NumberOfStarts;
   settings.Rate = this->Stage.Sigma();
   // Soft constraints are in the free system's energy.
   settings.Pull = isDrawn ? strength : 0.0;

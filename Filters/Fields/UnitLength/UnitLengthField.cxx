@@ -3,14 +3,17 @@
 
 #include "UnitLength/UnitLengthField.h"
 
+#include "Sections/DoubleCover.h"
 #include "Sections/Singularities.h"
 #include "UnitLength/LevelDiffusion.h"
 #include "UnitLength/PairCancellation.h"
 #include "UnitLength/PhaseDescent.h"
 #include "UnitLength/SingularityMoves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -46,6 +49,14 @@ constexpr double RoughDecrease = 1e-3;
 /// Energies below this, which has no unit, are those of parallel fields, up to rounding: there is
 /// nothing to gain.
 constexpr double Parallel = 1e-9;
+
+/// Surfaces of fewer vertices than this get that many starts that together they have as many, but
+/// no more than the next number: it costs about as much as one start on a surface of this size.
+constexpr Index VerticesOfStarts = 2000;
+constexpr int MostStartsBySize = 16;
+/// Another start is taken where it lowers the price by more than this part: among equals the first
+/// one, which does not depend on the numbers of the vertices, is the most stable.
+constexpr double Lower = 1e-3;
 
 /// Leads from a start to a field of unit length.
 class Improvement
@@ -103,6 +114,25 @@ public:
       this->Report.CancelledPairs = 0;
     }
     return this->Report;
+  }
+
+  /// The energy and the cost of the singularities. Those at given values cost nothing: the corners
+  /// of features and of the boundary ask for them.
+  double Price(const ComplexVector& u, double energy) const
+  {
+    if (this->Settings.SingularityCost == 0.0)
+    {
+      return energy;
+    }
+    const std::vector<int> indices = SingularityIndices(
+      this->Problem.Geometry, this->Problem.Component, this->Problem.Degree, u.data());
+    double count = 0.0;
+    for (Index t = 0; t < static_cast<Index>(indices.size()); ++t)
+    {
+      const bool isFree = !this->Problem.IsAtGiven(this->Problem.Component.FirstTriangle + t);
+      count += isFree ? std::abs(indices[t]) : 0;
+    }
+    return energy + this->Settings.SingularityCost * count;
   }
 
 private:
@@ -179,25 +209,6 @@ private:
     return true;
   }
 
-  /// The energy and the cost of the singularities. Those at given values cost nothing: the corners
-  /// of features and of the boundary ask for them.
-  double Price(const ComplexVector& u, double energy) const
-  {
-    if (this->Settings.SingularityCost == 0.0)
-    {
-      return energy;
-    }
-    const std::vector<int> indices = SingularityIndices(
-      this->Problem.Geometry, this->Problem.Component, this->Problem.Degree, u.data());
-    double count = 0.0;
-    for (Index t = 0; t < static_cast<Index>(indices.size()); ++t)
-    {
-      const bool isFree = !this->Problem.IsAtGiven(this->Problem.Component.FirstTriangle + t);
-      count += isFree ? std::abs(indices[t]) : 0;
-    }
-    return energy + this->Settings.SingularityCost * count;
-  }
-
   const UnitLengthProblem& Problem;
   const UnitLengthSettings& Settings;
   const DirectionFields::Progress& Progress;
@@ -207,12 +218,60 @@ private:
   ComplexVector& U;
   UnitLengthReport Report;
 };
+
+/// Random values of modulus 1 at the free vertices, the same ones everywhere.
+void SetRandom(const UnitLengthProblem& problem, std::minstd_rand& random, ComplexVector& u)
+{
+  constexpr double range = std::minstd_rand::modulus;
+  for (Index v = 0; v < problem.Rows(); ++v)
+  {
+    const double angle = 2.0 * Pi * static_cast<double>(random()) / range;
+    u[v] = problem.IsFree(v) ? std::polar(1.0, angle) : u[v];
+  }
+  if (problem.Component.IsCover)
+  {
+    DoubleCover(problem.Surface, problem.Component, problem.Degree).Symmetrize(u);
+    MakeUnit(u);
+  }
+}
+
+int StartsBySize(const UnitLengthProblem& problem)
+{
+  const Index vertices = std::max(1, problem.Surface.Mesh.GetNumberOfVertices());
+  return std::clamp(static_cast<int>(VerticesOfStarts / vertices), 1, MostStartsBySize);
+}
 }
 
 UnitLengthReport MakeUnitLength(const UnitLengthProblem& problem, const Hierarchy& hierarchy,
   const FreeVertices* free, const UnitLengthSettings& settings, const Progress& progress,
   ComplexVector& u)
 {
-  return Improvement(problem, hierarchy, free, settings, progress, u).Run();
+  const int starts = settings.Starts > 0 ? settings.Starts : StartsBySize(problem);
+  const auto part = [&](int k)
+  { return progress.Part(static_cast<double>(k) / starts, (k + 1.0) / starts); };
+  const ComplexVector start = u;
+  const Progress whole = part(0);
+  Improvement first(problem, hierarchy, free, settings, whole, u);
+  UnitLengthReport report = first.Run();
+  double least = first.Price(u, report.EnergyAfter);
+  std::minstd_rand random(1);
+  for (int k = 1; k < starts && std::abs(report.EnergyAfter) >= Parallel; ++k)
+  {
+    ComplexVector other = start;
+    SetRandom(problem, random, other);
+    const Progress partial = part(k);
+    Improvement improvement(problem, hierarchy, free, settings, partial, other);
+    const UnitLengthReport made = improvement.Run();
+    report.Steps += made.Steps;
+    const double price = improvement.Price(other, made.EnergyAfter);
+    if (price < least - Lower * std::abs(least))
+    {
+      least = price;
+      u = std::move(other);
+      report.EnergyAfter = made.EnergyAfter;
+      report.CancelledPairs = made.CancelledPairs;
+    }
+  }
+  return report;
 }
 }

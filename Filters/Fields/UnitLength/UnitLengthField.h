@@ -32,11 +32,14 @@ struct UnitLengthSettings
   /// How strongly the guidance draws: the mean of |p| over the mass at a vertex; 0 without
   /// guidance.
   double Pull = 0.0;
+  /// The number of starts, of which the best field is kept; 0 for one, or more on small surfaces.
+  int Starts = 0;
 };
 
 /// Makes of a section one of modulus 1 with less energy: diffusion, descent in the phases, and
 /// pairs of singularities that cancel each other. It is a local minimum, which depends on the
-/// start; it is never worse than that, the cost of its singularities included. Throws Stopped.
+/// start; it is never worse than that, the cost of its singularities included. Further starts are
+/// random. Throws Stopped.
 /// @param hierarchy of the matrices among the free vertices
 /// @param free      the free vertices; null where all are
 /// @param u         the start; its value at given vertices is the one given, of modulus 1
