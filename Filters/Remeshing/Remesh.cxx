@@ -238,7 +238,8 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   wishes.NumberOfFaces = options.UseEdgeLength ? 0 : options.NumberOfFaces;
   wishes.EdgeLength = request.Unit * result.EdgeLength;
   wishes.ShortestEdge = wishes.EdgeLength *
-    (options.Sizing.empty() ? *std::min_element(sizes.begin(), sizes.end()) : 1.0);
+    (options.Sizing.empty() && !sizes.empty() ? *std::min_element(sizes.begin(), sizes.end())
+                                              : 1.0);
   wishes.Extent = request.Unit * Extent(request.Input);
   wishes.ToSurface = request.Unit * result.MaximumDistance;
   wishes.ToMesh = request.Unit * result.MaximumDistanceToMesh;

@@ -206,7 +206,10 @@ void TestLines()
   kept->SetPoints(places);
   kept->SetVerts(vertices);
   remesh->SetCurvesData(kept);
+  vtkNew<Messages> offSurface;
+  offSurface->Observe(remesh);
   remesh->Update();
+  CHECK(offSurface->IsOneWarning({ "Point 0 is no vertex of the mesh" }));
   vtkPolyData* const withPoint = remesh->GetOutput();
   CHECK(Writer(withPoint)->Write() == 1);
   vtkIdType vertex = 0;

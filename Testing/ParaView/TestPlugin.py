@@ -24,8 +24,8 @@ def total(array):
 
 
 # Shift is not one of them, because it takes the place of the strength where UseShift is on.
-ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfThreads", "KeepStages",
-            "Distribution", "GatherLimit",
+ADVANCED = ("Tolerance", "MaximumIterations", "Solver", "NumberOfStarts", "NumberOfThreads",
+            "KeepStages", "Distribution", "GatherLimit",
             "IntrinsicDelaunay", "CellDirections", "UseShift", "CurvatureScale", "TensorScale")
 ENUMERATIONS = {
     "Alignment": ["None", "Principal Curvature", "Point Vectors", "Tensor"],
