@@ -3,6 +3,8 @@
 
 #include "Distance/ClosestPoints.h"
 
+#include "Distance/NormalRanges.h"
+
 #include "Support/LargeArray.h"
 #include "Support/Threads.h"
 
@@ -228,6 +230,7 @@ void ClosestPoints::Build(std::vector<Corners>&& triangles)
     });
   this->Number = std::move(number);
   this->BuildLevels();
+  this->Normals = std::make_shared<NormalRanges>(this->Triangles, this->Levels.size());
   if (this->HasOverlappingBoxes())
   {
     this->BuildSlabs();
@@ -353,7 +356,6 @@ void ClosestPoints::AddLevelOfSlabs(std::vector<Directions>& directions, Index c
       double high = -Infinity;
       for (std::int64_t t = first; t < last; ++t)
       {
-        slabs.AddNormal(child % Width, NormalOf(this->Triangles[t]));
         for (const Vector3& corner : this->Triangles[t])
         {
           low = std::min(low, direction.dot(corner));
@@ -395,7 +397,7 @@ void ClosestPoints::Consider(
   Index at, const Vector3& place, const Vector3& normal, Answer& best) const
 {
   const Corners& corners = this->Triangles[at];
-  if (!normal.isZero(0.0) && NormalOf(corners).dot(normal) < 0.0)
+  if (!normal.isZero(0.0) && NormalRanges::NormalOf(corners).dot(normal) < 0.0)
   {
     return;
   }
@@ -451,10 +453,11 @@ ClosestPoints::Answer ClosestPoints::Find(
     {
       const Slabs& slabs = this->LevelsOfSlabs[entry.Level][entry.Node];
       distances = distances.max(slabs.SquaredDistances(place, error));
-      if (!normal.isZero(0.0))
-      {
-        distances = (slabs.LargestProducts(normal) < 0.0).select(Infinity, distances);
-      }
+    }
+    if (entry.Level > 0 && !normal.isZero(0.0))
+    {
+      const auto products = this->Normals->LargestProducts(entry.Level, entry.Node, normal);
+      distances = (products < 0.0).select(Infinity, distances);
     }
     // The nearest one last, which is taken from the stack first.
     std::array<Entry, Width> children;

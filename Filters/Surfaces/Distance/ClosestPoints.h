@@ -10,10 +10,16 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace DirectionFields
 {
+namespace Internal
+{
+class NormalRanges;
+}
+
 /// Finds the closest points of triangles, or of segments (triangles whose last two corners are the
 /// same), in a time of about the logarithm of their number. It is a tree of boxes, four to a node,
 /// each with a quarter of the node's triangles: halves of halves, cut along the axis on which the
@@ -74,39 +80,12 @@ private:
     }
   };
   /// The slabs, each between two planes, that the parts of a node lie in: one across the needles
-  /// and one along their normals. The directions are at right angles, and no longer than 1. And the
-  /// ranges of the triangles' normals, without which a search for the other side looks at a whole
-  /// fan.
+  /// and one along their normals. The directions are at right angles, and no longer than 1.
   struct Slabs
   {
     std::array<std::array<Node::Numbers, 3>, 2> Direction;
     std::array<Node::Numbers, 2> Low;
     std::array<Node::Numbers, 2> High;
-    std::array<Node::Numbers, 3> LeastNormal = Filled(Infinity);
-    std::array<Node::Numbers, 3> LargestNormal = Filled(-Infinity);
-    static std::array<Node::Numbers, 3> Filled(double value)
-    {
-      const Node::Numbers numbers = Node::Numbers::Constant(value);
-      return { numbers, numbers, numbers };
-    }
-    void AddNormal(Index part, const Vector3& normal)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->LeastNormal[axis][part] = std::min(this->LeastNormal[axis][part], normal[axis]);
-        this->LargestNormal[axis][part] = std::max(this->LargestNormal[axis][part], normal[axis]);
-      }
-    }
-    /// At least the products of the triangles' normals with this one: sums of the same order are
-    /// rounded the same way.
-    Node::Numbers LargestProducts(const Vector3& normal) const
-    {
-      const auto largest = [&](int axis) {
-        return (normal[axis] * this->LeastNormal[axis])
-          .max(normal[axis] * this->LargestNormal[axis]);
-      };
-      return largest(0) + largest(1) + largest(2);
-    }
     Node::Numbers SquaredDistances(const Vector3& p, double error) const
     {
       Node::Numbers sum = Node::Numbers::Zero();
@@ -120,7 +99,6 @@ private:
     }
   };
   using Directions = std::array<Vector3, 2>;
-  static Vector3 NormalOf(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
   void Build(std::vector<Corners>&& triangles);
   void BuildLevels();
   bool HasOverlappingBoxes() const;
@@ -136,6 +114,8 @@ private:
   std::vector<Index> Number;
   /// From the triangles up.
   std::vector<std::vector<Node>> Levels;
+  /// Of the same nodes, but for those of the lowest level, which triangles tell themselves.
+  std::shared_ptr<const Internal::NormalRanges> Normals;
   /// For the same nodes; empty unless boxes overlap much.
   std::vector<std::vector<Slabs>> LevelsOfSlabs;
 };

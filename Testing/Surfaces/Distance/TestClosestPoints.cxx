@@ -114,6 +114,14 @@ TEST(ClosestPoints, NeedlesThatFaceTheOtherWayAreNotLookedAt)
     const Vector3 place = 0.5 * (cone.Points[0] + cone.Points[1 + k]);
     ASSERT_EQ(tree.Find(place, Vector3(0.0, 0.0, -1.0)).Triangle, None);
   }
+  // And so would they on a plane, as many as a hundred million of them.
+  const Surface square = Meshes::Square(100);
+  const ClosestPoints plane(square);
+  for (int k = 0; k < 20000; ++k)
+  {
+    const Vector3& place = square.Points[k % square.Points.size()];
+    ASSERT_EQ(plane.Find(place, Vector3(0.1, 0.0, -1.0)).Triangle, None);
+  }
   // Where one half of them faces the right way it is found whatever the order is.
   const std::vector<ClosestPoints::Corners> few = TrianglesOf(Needles(300));
   const ClosestPoints tip(few);
