@@ -50,8 +50,8 @@ constexpr double RoughDecrease = 1e-3;
 /// nothing to gain.
 constexpr double Parallel = 1e-9;
 
-/// Surfaces of fewer vertices than this get that many starts that together they have as many, but
-/// no more than the next number: it costs about as much as one start on a surface of this size.
+/// The number of starts on small surfaces is this over that of the vertices, up to the next number:
+/// all of them together take about as long as one start on a surface of so many vertices.
 constexpr Index VerticesOfStarts = 2000;
 constexpr int MostStartsBySize = 16;
 /// Another start is taken where it lowers the price by more than this part: among equals the first

@@ -4,11 +4,11 @@
 #include "Boundary/BoundaryDistance.h"
 
 #include "Distance/ClosestPoints.h"
+#include "Support/SortedEnds.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -38,8 +38,7 @@ Segments SegmentsOf(const std::vector<Vector3>& points, const Faces& faces)
   {
     for (int c = 0; c < Faces::Size(face); ++c)
     {
-      const std::pair<Index, Index> ends = std::minmax(face[c], face[(c + 1) % Faces::Size(face)]);
-      edges.push_back({ ends.first, ends.second });
+      edges.push_back(SortedEnds(face[c], face[(c + 1) % Faces::Size(face)]));
     }
   }
   std::sort(edges.begin(), edges.end());
