@@ -82,7 +82,8 @@ void StrokeTool::setOn(bool on)
   ViewTool::say(on
       ? tr(
           "Drag over a surface to draw a stroke that its field follows; click on a stroke to select "
-          "it, double-click to make it soft or hard; Delete takes that or the one under the mouse away, Escape ends drawing")
+          "it, double-click to make it soft or hard; Delete takes that or the one under the mouse "
+          "away, Escape ends drawing")
       : QString());
   emit this->toggled(on);
 }

@@ -3,9 +3,9 @@
 /**
  * While it is on, dragging with the left button over a 3-D view draws a stroke on the surface
  * below, which directionfields.draw_stroke() adds to the pipeline when the button is let go; a click
- * selects the stroke below, or none; a double click makes it soft, or hard again. The keys Delete and Backspace take the selected stroke away,
- * or the one under the mouse, or the last one. Other buttons and the
- * wheel move the camera as always; Escape ends it.
+ * selects the stroke below, or none; a double click makes it soft, or hard again. The keys Delete
+ * and Backspace take the selected stroke away, or the one under the mouse, or the last one. Other
+ * buttons and the wheel move the camera as always; Escape ends it.
  */
 
 #ifndef StrokeTool_h
