@@ -8,7 +8,9 @@
 
 #include "vtkGuidanceCurves.h"
 
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 
 #include <utility>
 
@@ -185,6 +187,19 @@ void TestStrengths()
   CHECK(messages->IsOneError({ "Strength", "0 to 1" }));
 }
 
+/// Whether a point array has the same values in both.
+bool IsSame(vtkPolyData* a, vtkPolyData* b, const char* name)
+{
+  vtkDataArray* one = a->GetPointData()->GetArray(name);
+  vtkDataArray* other = b->GetPointData()->GetArray(name);
+  bool isSame = one && other && one->GetNumberOfValues() == other->GetNumberOfValues();
+  for (vtkIdType i = 0; isSame && i < one->GetNumberOfValues(); ++i)
+  {
+    isSame = one->GetVariantValue(i) == other->GetVariantValue(i);
+  }
+  return isSame;
+}
+
 /// Curves of several blocks count together; polygons and float points are taken.
 void TestInputs()
 {
@@ -219,6 +234,93 @@ void TestInputs()
     CountGuided(vtkPolyData::SafeDownCast(output->GetBlock(0))) == CountGuided(both->GetOutput()));
 }
 
+/// The guidance of a surface beside others is that of the surface alone, and none for the others.
+void TestBlocks()
+{
+  auto first = PolyMeshes::Icosphere(3);
+  vtkNew<vtkPolyData> second;
+  second->DeepCopy(first);
+  for (vtkIdType i = 0; i < second->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    second->GetPoint(i, place);
+    second->GetPoints()->SetPoint(i, place[0] + 2.5, place[1], place[2]);
+  }
+  vtkNew<vtkPartitionedDataSetCollection> surfaces;
+  surfaces->SetPartition(0, 0, first);
+  surfaces->SetPartition(2, 1, second);
+  auto curve = Circle(0.1);
+  vtkNew<vtkDoubleArray> strength;
+  strength->SetName("Strength");
+  strength->InsertNextValue(0.5);
+  curve->GetCellData()->AddArray(strength);
+  auto alone = Make(first, curve);
+  alone->Update();
+  vtkNew<vtkGuidanceCurves> filter;
+  filter->SetInputDataObject(0, surfaces);
+  filter->SetCurvesData(curve);
+  const auto check = [&](int with, int without)
+  {
+    vtkNew<Messages> messages;
+    messages->Observe(filter);
+    filter->Update();
+    CHECK(messages->IsEmpty());
+    auto output = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(0));
+    auto strokes = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(1));
+    REQUIRE(output && strokes && output->GetNumberOfPartitionedDataSets() == 3);
+    auto one = vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(with, with / 2));
+    auto other = vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(without, without / 2));
+    REQUIRE(one && other);
+    for (const char* name : { "GuidanceVectors", "GuidanceWeights", "GuidanceStrengths" })
+    {
+      CHECK(IsSame(one, alone->GetOutput(), name));
+      vtkDataArray* none = other->GetPointData()->GetArray(name);
+      REQUIRE(none);
+      double range[2];
+      none->GetRange(range, -1);
+      CHECK(range[0] == 0.0 && range[1] == 0.0);
+    }
+    auto drawn = vtkPolyData::SafeDownCast(strokes->GetPartitionAsDataObject(with, with / 2));
+    auto empty = vtkPolyData::SafeDownCast(strokes->GetPartitionAsDataObject(without, without / 2));
+    REQUIRE(drawn && empty);
+    CHECK(drawn->GetNumberOfLines() == 1 + CountGuided(one));
+    CHECK(empty->GetNumberOfLines() == 0);
+    // The field of the other one is that without guidance, and no mistake.
+    CHECK(other->GetFieldData()->HasArray("GuidedElsewhere"));
+    CHECK(!one->GetFieldData()->HasArray("GuidedElsewhere"));
+    vtkNew<vtkDirectionField> field;
+    vtkNew<vtkDirectionField> free;
+    messages->Observe(field);
+    field->SetInputData(other);
+    field->ConstrainGuidanceOn();
+    field->SetGuidanceVectors("GuidanceVectors");
+    field->SetGuidanceWeights("GuidanceWeights");
+    field->SetGuidanceStrengths("GuidanceStrengths");
+    free->SetInputData(second);
+    field->Update();
+    free->Update();
+    CHECK(messages->IsEmpty());
+    CHECK(!field->GetOutput()->GetFieldData()->HasArray("GuidedElsewhere"));
+    CHECK(IsSame(field->GetOutput(), free->GetOutput(), "Direction0"));
+  };
+  check(0, 2);
+  // What is kept of each block does not show where they change their places.
+  surfaces->SetPartition(0, 0, second);
+  surfaces->SetPartition(2, 1, first);
+  surfaces->Modified();
+  check(2, 0);
+
+  // A block that is no surface is told, and left out.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 1);
+  surfaces->SetPartition(1, 0, image);
+  surfaces->Modified();
+  vtkNew<Messages> messages;
+  messages->Observe(filter);
+  filter->Update();
+  CHECK(messages->IsOneWarning({ "vtkImageData", "Extract Surface" }));
+}
+
 /// What is kept of a surface does not show in the results, whatever changes.
 void TestKept()
 {
@@ -233,15 +335,7 @@ void TestKept()
     alone->Update();
     for (const char* name : { "GuidanceVectors", "GuidanceWeights" })
     {
-      vtkDataArray* got = filter->GetOutput()->GetPointData()->GetArray(name);
-      vtkDataArray* expected = alone->GetOutput()->GetPointData()->GetArray(name);
-      REQUIRE(got && expected && got->GetNumberOfValues() == expected->GetNumberOfValues());
-      bool isSame = true;
-      for (vtkIdType i = 0; i < got->GetNumberOfValues(); ++i)
-      {
-        isSame = isSame && got->GetVariantValue(i) == expected->GetVariantValue(i);
-      }
-      CHECK(isSame);
+      CHECK(IsSame(filter->GetOutput(), alone->GetOutput(), name));
     }
   };
   check(Circle(0.2), 4);
@@ -315,6 +409,7 @@ int TestDirectionFieldCurves(int, char*[])
   TestFieldFollows();
   TestStrengths();
   TestInputs();
+  TestBlocks();
   TestKept();
   TestMessages();
   TestPipeline();

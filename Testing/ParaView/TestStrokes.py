@@ -17,6 +17,7 @@ plugin, mesh, output_directory = sys.argv[1:4]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 import directionfields
 from directionfields import laying, strokes as room
+from directionfields.laying import Screen
 
 import StrokeChecks
 from StrokeChecks import SIZE, caption, middle, names, new_view, points_of
@@ -371,6 +372,38 @@ def test_refused():
     simple.ResetSession()
 
 
+def constrained_in_blocks(field):
+    """How many points of each block the guidance constrains."""
+    data = servermanager.Fetch(field)
+    blocks = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())]
+    return [int((vtk_to_numpy(block.GetPointData().GetArray("GuidanceWeights")) > 0).sum())
+            for block in blocks]
+
+
+def test_one_of_blocks():
+    """A stroke guides the block that it is drawn on, and no other one, whatever the order."""
+    for centers in ([0, 2], [2, 0]):
+        view = simple.CreateView("RenderView")
+        view.ViewSize = SIZE
+        source = simple.GroupDatasets(Input=[
+            simple.Sphere(Center=[x, 0, 0], ThetaResolution=24, PhiResolution=16)
+            for x in centers])
+        simple.Show(source, view)
+        simple.ResetCamera(view)
+        simple.SetActiveSource(source)
+        guided = None
+        for k, x in enumerate(centers):
+            (px, py), = Screen(view).pixels(np.array([[float(x), 0.0, 0.0]]))
+            assert directionfields.draw_stroke([(px - 40, py - 20), (px + 40, py + 20)])
+            before, guided = guided, constrained_in_blocks(simple.GetActiveSource())
+            assert guided[k] > 2 and (guided[1 - k] == 0 if k == 0 else
+                                      guided[0] == before[0]), (centers, before, guided)
+        assert not messages, messages
+        for source in reversed(directionfields.pipeline.sources()):
+            simple.Delete(source)
+        simple.Delete(view)
+
+
 def test_blocks():
     """Several blocks, and data whose surface is taken."""
     for make in (lambda: simple.GroupDatasets(Input=[
@@ -403,6 +436,7 @@ try:
     test_used()
     test_selected()
     test_late()
+    test_one_of_blocks()
     test_blocks()
 finally:
     vtkOutputWindow.SetInstance(window)

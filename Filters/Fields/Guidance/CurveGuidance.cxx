@@ -5,6 +5,7 @@
 
 #include "Distance/ClosestPoints.h"
 #include "Distance/SurfaceDistance.h"
+#include "Guidance/CurveSamples.h"
 #include "Interpolation/FieldInterpolant.h"
 #include "Interpolation/GivenField.h"
 
@@ -18,67 +19,12 @@ namespace DirectionFields
 {
 namespace
 {
-/// The most samples; curves that ask for more are sampled less densely.
-constexpr double MostSamples = 2e6;
-/// The most samples of a segment, or six for each triangle where that is more: no segment within
-/// the box of a connected surface has as many, since the box is no longer than all edges together.
-/// One that goes far beyond, as to a point out of place, costs no more than the surface does.
-constexpr double MostInSegment = 1e4;
+using Internal::CurveSample;
+
 /// Corners that are about opposite of an edge that a curve runs along are not on it.
 constexpr double LeastWeight = 1e-3;
 constexpr double LeastTangential = 1e-6;
 constexpr Index SamplesPerReport = 4096;
-
-/// A piece of a curve.
-struct Sample
-{
-  Vector3 Place;
-  /// Of the length of the piece.
-  Vector3 Tangent;
-  /// The number of its curve.
-  std::size_t Curve;
-};
-
-/// Calls body(start, end, length, curve) for all segments of finite places that have a length.
-template <typename Body>
-void ForEachSegment(const std::vector<std::vector<Vector3>>& curves, const Body& body)
-{
-  for (std::size_t c = 0; c < curves.size(); ++c)
-  {
-    const std::vector<Vector3>& curve = curves[c];
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
-    {
-      const double length = (curve[i + 1] - curve[i]).stableNorm();
-      if (std::isfinite(length) && length > 0.0)
-      {
-        body(curve[i], curve[i + 1], length, c);
-      }
-    }
-  }
-}
-
-/// The middles of pieces that are no longer than a step, unless a segment would have too many.
-std::vector<Sample> SamplesOf(
-  const std::vector<std::vector<Vector3>>& curves, double step, double mostInSegment)
-{
-  double total = 0.0;
-  ForEachSegment(
-    curves, [&](const Vector3&, const Vector3&, double length, std::size_t) { total += length; });
-  const double longest = std::max(step, total / MostSamples);
-  std::vector<Sample> samples;
-  ForEachSegment(curves,
-    [&](const Vector3& start, const Vector3& end, double length, std::size_t curve)
-    {
-      const auto pieces =
-        static_cast<Index>(std::clamp(std::ceil(length / longest), 1.0, mostInSegment));
-      const Vector3 tangent = (end - start) / pieces;
-      for (Index k = 0; k < pieces; ++k)
-      {
-        samples.push_back({ start + (k + 0.5) * tangent, tangent, curve });
-      }
-    });
-  return samples;
-}
 
 /// The mean length of the edges in the unit of the surface.
 double MeanEdge(const SurfaceGeometry& geometry)
@@ -386,6 +332,28 @@ SurfaceCurves::SurfaceCurves(std::shared_ptr<const Surface> surface)
 
 SurfaceCurves::~SurfaceCurves() = default;
 
+const GivenField& SurfaceCurves::FieldOf(int degree)
+{
+  if (!this->Last->Given || this->Last->Given->GetDegree() != degree)
+  {
+    PointDirections none;
+    none.Degree = degree;
+    none.Direction = [](Index, int) { return Vector3(Vector3::Zero()); };
+    none.Magnitude = [](Index) { return 0.0; };
+    this->Last->Given = std::make_unique<GivenField>(*this->Input, none);
+  }
+  return *this->Last->Given;
+}
+
+const ClosestPoints& SurfaceCurves::GetTriangles()
+{
+  if (!this->Last->Closest)
+  {
+    this->Last->Closest = std::make_unique<ClosestPoints>(*this->Input);
+  }
+  return *this->Last->Closest;
+}
+
 CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curves,
   const CurveGuidanceOptions& options, const Progress& progress)
 {
@@ -399,31 +367,18 @@ CurveGuidance SurfaceCurves::Guide(const std::vector<std::vector<Vector3>>& curv
   {
     return guidance;
   }
-  if (!this->Last->Given || this->Last->Given->GetDegree() != options.Degree)
-  {
-    PointDirections none;
-    none.Degree = options.Degree;
-    none.Direction = [](Index, int) { return Vector3(Vector3::Zero()); };
-    none.Magnitude = [](Index) { return 0.0; };
-    this->Last->Given = std::make_unique<GivenField>(surface, none);
-  }
-  const GivenField& given = *this->Last->Given;
+  const GivenField& given = this->FieldOf(options.Degree);
   const SurfaceGeometry& geometry = given.GetGeometry();
   progress.Report(0.2);
-  if (!this->Last->Closest)
-  {
-    this->Last->Closest = std::make_unique<ClosestPoints>(surface);
-  }
-  const ClosestPoints& closest = *this->Last->Closest;
+  const ClosestPoints& closest = this->GetTriangles();
   progress.Report(0.4);
   const double most = options.MaximumDistance > 0.0 ? options.MaximumDistance
                                                     : std::numeric_limits<double>::infinity();
   const auto strengthOf = [&](std::size_t curve)
   { return options.Strengths.empty() ? 1.0 : options.Strengths[curve]; };
   Strokes strokes(given, options.Degree, !options.Strengths.empty());
-  const double mostInSegment =
-    std::max(MostInSegment, 6.0 * static_cast<double>(surface.Triangles.size()));
-  const std::vector<Sample> samples = SamplesOf(curves, 0.5 * MeanEdge(geometry), mostInSegment);
+  const std::vector<CurveSample> samples = Internal::SamplesOf(
+    curves, Internal::CurveSteps(curves, 0.5 * MeanEdge(geometry), surface.Triangles.size()));
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     if (i % SamplesPerReport == 0)

@@ -12,6 +12,9 @@
 
 namespace DirectionFields
 {
+class ClosestPoints;
+class GivenField;
+
 struct CurveGuidanceOptions
 {
   /// n of the field that is to be guided, 1 to 16.
@@ -74,8 +77,15 @@ public:
   CurveGuidance Guide(const std::vector<std::vector<Vector3>>& curves,
     const CurveGuidanceOptions& options, const Progress& progress = {});
 
+  const Surface& GetSurface() const { return *this->Input; }
+  /// The tree of its triangles.
+  const ClosestPoints& GetTriangles();
+
 private:
   struct Kept;
+  /// The mesh, as a field of a degree that has no directions.
+  const GivenField& FieldOf(int degree);
+
   std::shared_ptr<const Surface> Input;
   std::unique_ptr<Kept> Last;
 };

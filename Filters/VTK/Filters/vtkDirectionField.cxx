@@ -18,6 +18,7 @@
 #include <DirectionFields/Reports/FieldSummary.h>
 #include <DirectionFields/Reports/FieldWarnings.h>
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -49,6 +50,16 @@ DirectionFields::Result ZeroField(int degree, size_t points)
   field.Normal.assign(points, DirectionFields::Vector3::Zero());
   field.XAxis.assign(points, DirectionFields::Vector3::Zero());
   return field;
+}
+
+/// Whether curves guide other blocks of the input, but not this one: the guidance that was chosen
+/// is zero there, which is no mistake.
+bool IsGuidedElsewhere(vtkPolyData* input, const DirectionFields::Guidance& guidance)
+{
+  return input->GetFieldData()->HasArray(DirectionFields::ArrayNames::GuidedElsewhere) &&
+    std::all_of(guidance.Vectors.begin(), guidance.Vectors.end(),
+      [](const DirectionFields::Vector3& vector)
+      { return vector == DirectionFields::Vector3::Zero(); });
 }
 
 /// The time of the input, if it is one of a series.
@@ -161,11 +172,19 @@ DirectionFields::Result vtkDirectionField::ComputeField(vtkPolyData* input,
   {
     solver.FollowNoTensors();
   }
+  DirectionFields::Options followed = options;
+  if (IsGuidedElsewhere(input, guidance))
+  {
+    followed.ConstrainGuidance = false;
+    followed.Alignment = options.Alignment == DirectionFields::Alignment::PointVectors
+      ? DirectionFields::Alignment::None
+      : options.Alignment;
+  }
   const DirectionFields::ProgressFunction progress =
     DirectionFields::ReportTo(this, ProgressRead, ProgressSolved);
   DirectionFields::Result field = this->KeepStages
-    ? solver.Compute(options, guidance, progress)
-    : std::move(solver).Compute(options, guidance, progress);
+    ? solver.Compute(followed, guidance, progress)
+    : std::move(solver).Compute(followed, guidance, progress);
   if (!field.Aborted)
   {
     figures = DirectionFields::FiguresOf(surface, field.SingularityIndex);

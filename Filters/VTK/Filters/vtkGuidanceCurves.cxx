@@ -10,19 +10,25 @@
 #include "Conversion/Regions/CurveLines.h"
 #include "Support/SameSurface.h"
 
+#include <DirectionFields/Guidance/CurveDivision.h>
 #include <DirectionFields/Guidance/CurveGuidance.h>
 #include <DirectionFields/Reports/FieldSummary.h>
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -40,6 +46,8 @@ using DirectionFields::Curves;
 
 // Where reading the input ends in the progress.
 constexpr double ProgressRead = 0.2;
+// Where several surfaces have been told what runs on each of them.
+constexpr double ProgressDivided = 0.5;
 
 /// The mean length of a surface's edges.
 double MeanEdge(const DirectionFields::Surface& surface)
@@ -53,6 +61,30 @@ double MeanEdge(const DirectionFields::Surface& surface)
     }
   }
   return sum / std::max(1.0, 3.0 * static_cast<double>(surface.Triangles.size()));
+}
+
+/// The pieces of curves between places that are not finite, where curves were divided.
+Curves PiecesOf(const Curves& curves)
+{
+  Curves pieces;
+  for (const std::vector<DirectionFields::Vector3>& curve : curves)
+  {
+    bool goesOn = false;
+    for (const DirectionFields::Vector3& place : curve)
+    {
+      const bool isPlace = place.allFinite();
+      if (isPlace && !goesOn)
+      {
+        pieces.emplace_back();
+      }
+      if (isPlace)
+      {
+        pieces.back().push_back(place);
+      }
+      goesOn = isPlace;
+    }
+  }
+  return pieces;
 }
 
 /// Draws the curves, and a stroke through each guided point, as long as an edge times its weight.
@@ -99,7 +131,7 @@ void AddStrokes(const DirectionFields::Surface& surface, const Curves& curves,
 }
 
 template <typename ArrayT>
-void AddArrays(const DirectionFields::CurveGuidance& guidance, vtkPointData* data)
+void AddArraysOf(const DirectionFields::CurveGuidance& guidance, vtkPointData* data)
 {
   data->AddArray(DirectionFields::MakeVectors<ArrayT>(
     DirectionFields::ArrayNames::GuidanceVectors, guidance.Vectors));
@@ -110,6 +142,32 @@ void AddArrays(const DirectionFields::CurveGuidance& guidance, vtkPointData* dat
     data->AddArray(DirectionFields::MakeScalars<ArrayT>(
       DirectionFields::ArrayNames::GuidanceStrengths, guidance.Strengths));
   }
+}
+
+void AddArrays(const DirectionFields::CurveGuidance& guidance, int type, vtkPointData* data)
+{
+  if (type == VTK_DOUBLE)
+  {
+    AddArraysOf<vtkDoubleArray>(guidance, data);
+  }
+  else
+  {
+    AddArraysOf<vtkFloatArray>(guidance, data);
+  }
+}
+
+/// Fills the outputs of a surface.
+void Fill(const DirectionFields::Surface& surface, const Curves& curves,
+  const DirectionFields::CurveGuidance& guidance, vtkPolyData* input, vtkPolyData* output,
+  vtkPolyData* strokes)
+{
+  const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
+  DirectionFields::CopyWithoutReports(input, output);
+  AddStrokes(surface, curves, guidance, type, strokes);
+  AddArrays(guidance, type, output->GetPointData());
+  const std::string summary = DirectionFields::Summary(guidance, curves.size());
+  DirectionFields::AddSummary(summary, output->GetFieldData());
+  DirectionFields::AddSummary(summary, strokes->GetFieldData());
 }
 }
 
@@ -166,9 +224,9 @@ void vtkGuidanceCurves::SetCurvesData(vtkDataObject* curves)
 int vtkGuidanceCurves::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port == 1)
   {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
@@ -176,66 +234,143 @@ int vtkGuidanceCurves::FillInputPortInformation(int port, vtkInformation* info)
 
 //------------------------------------------------------------------------------
 vtkGuidanceCurves::Kept& vtkGuidanceCurves::Read(
-  vtkPolyData* input, const DirectionFields::Progress& progress)
+  vtkPolyData* input, std::size_t block, const DirectionFields::Progress& progress)
 {
-  if (!this->Last || !DirectionFields::IsSurfaceOf(input, *this->Last->Surface))
+  std::unique_ptr<Kept>& last = this->Last[block];
+  if (!last || !DirectionFields::IsSurfaceOf(input, *last->Surface))
   {
     DirectionFields::TriangulatedPolyData surface =
       DirectionFields::PolyDataToSurface(input, progress);
-    if (!this->Last || !DirectionFields::IsSameSurface(surface.Mesh, this->Last->Surface->Mesh))
+    if (!last || !DirectionFields::IsSameSurface(surface.Mesh, last->Surface->Mesh))
     {
       // The old one is released before the new one needs memory.
-      this->Last.reset();
-      this->Last = std::make_unique<Kept>(std::move(surface));
+      last.reset();
+      last = std::make_unique<Kept>(std::move(surface));
     }
   }
-  return *this->Last;
+  return *last;
+}
+
+//------------------------------------------------------------------------------
+DirectionFields::CurveGuidanceOptions vtkGuidanceCurves::MakeOptions() const
+{
+  DirectionFields::CurveGuidanceOptions options;
+  options.Degree = this->Degree;
+  options.Radius = this->Radius;
+  options.Falloff = this->Falloff;
+  options.MaximumDistance = this->MaximumDistance;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkGuidanceCurves::Block> vtkGuidanceCurves::BlocksOf(
+  const Ports& inputs, const Ports& outputs)
+{
+  if (auto* const surface = vtkPolyData::SafeDownCast(inputs[0]))
+  {
+    return { { 0, surface, vtkPolyData::SafeDownCast(outputs[0]),
+      vtkPolyData::SafeDownCast(outputs[1]) } };
+  }
+  auto* const input = vtkCompositeDataSet::SafeDownCast(inputs[0]);
+  for (vtkDataObject* const output : outputs)
+  {
+    vtkCompositeDataSet::SafeDownCast(output)->CopyStructure(input);
+  }
+  std::vector<Block> blocks;
+  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(input->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    vtkDataObject* const data = at->GetCurrentDataObject();
+    auto* const surface = vtkPolyData::SafeDownCast(data);
+    if (!surface)
+    {
+      this->Warn({ std::string("Put Extract Surface before this filter: a ") +
+        data->GetClassName() + " is no surface, and is left out." });
+      continue;
+    }
+    vtkNew<vtkPolyData> output;
+    vtkNew<vtkPolyData> strokes;
+    vtkCompositeDataSet::SafeDownCast(outputs[0])->SetDataSet(at, output);
+    vtkCompositeDataSet::SafeDownCast(outputs[1])->SetDataSet(at, strokes);
+    blocks.push_back({ blocks.size(), surface, output, strokes });
+  }
+  return blocks;
 }
 
 //------------------------------------------------------------------------------
 void vtkGuidanceCurves::Execute(
   const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress)
 {
-  auto* const input = vtkPolyData::SafeDownCast(inputs[0]);
-  auto* const output = vtkPolyData::SafeDownCast(outputs[0]);
-  DirectionFields::CheckPolyData(input);
+  const std::vector<Block> blocks = this->BlocksOf(inputs, outputs);
+  for (const Block& block : blocks)
+  {
+    DirectionFields::CheckPolyData(block.Input);
+  }
   if (!inputs[1])
   {
     vtkWarningMacro(<< "Choose the curves that guide a field, such as those of Poly Line Source: "
                        "they are the second input, Curves, in the dialog Change Input.");
-    DirectionFields::CopyWithoutReports(input, output);
-    Summarize("no curves yet", outputs);
+    for (const Block& block : blocks)
+    {
+      DirectionFields::CopyWithoutReports(block.Input, block.Output);
+      Summarize("no curves yet", { block.Output, block.Strokes });
+    }
     return;
   }
   const DirectionFields::KeptLines kept = DirectionFields::LinesOf(inputs[1], false);
-  const Curves& lines = kept.Curves;
-  Kept& last = this->Read(input, progress.Part(0.0, ProgressRead));
-  const DirectionFields::Surface& surface = last.Surface->Mesh;
-  DirectionFields::CurveGuidanceOptions options;
-  options.Degree = this->Degree;
-  options.Radius = this->Radius;
-  options.Falloff = this->Falloff;
-  options.MaximumDistance = this->MaximumDistance;
+  DirectionFields::CurveGuidanceOptions options = this->MakeOptions();
   options.Strengths = DirectionFields::StrengthsOf(kept);
-  const DirectionFields::CurveGuidance guidance =
-    last.Curves.Guide(lines, options, progress.Part(ProgressRead, 1.0));
-  if (!surface.Triangles.empty() && guidance.Samples == guidance.FarSamples)
+  const double part = 1.0 / static_cast<double>(std::max<std::size_t>(1, blocks.size()));
+  const auto partOf = [&](std::size_t block, double from, double to)
+  {
+    const double begin = from + (to - from) * part * static_cast<double>(block);
+    return progress.Part(begin, begin + (to - from) * part);
+  };
+  this->Last.resize(blocks.size());
+  std::vector<DirectionFields::SurfaceCurves*> surfaces;
+  bool anyTriangles = false;
+  for (const Block& block : blocks)
+  {
+    Kept& last = this->Read(block.Input, block.Number, partOf(block.Number, 0.0, ProgressRead));
+    surfaces.push_back(&last.Curves);
+    anyTriangles = anyTriangles || !last.Surface->Mesh.Triangles.empty();
+  }
+  std::vector<Curves> divided;
+  if (blocks.size() > 1)
+  {
+    divided = DirectionFields::DivideCurves(
+      surfaces, kept.Curves, progress.Part(ProgressRead, ProgressDivided));
+  }
+  DirectionFields::Index samples = 0;
+  DirectionFields::Index farSamples = 0;
+  std::vector<Block> unguided;
+  for (const Block& block : blocks)
+  {
+    const Curves& own = divided.empty() ? kept.Curves : divided[block.Number];
+    const double begin = divided.empty() ? ProgressRead : ProgressDivided;
+    const DirectionFields::CurveGuidance guidance =
+      surfaces[block.Number]->Guide(own, options, partOf(block.Number, begin, 1.0));
+    samples += guidance.Samples;
+    farSamples += guidance.FarSamples;
+    if (guidance.Samples == guidance.FarSamples)
+    {
+      unguided.push_back(block);
+    }
+    Fill(surfaces[block.Number]->GetSurface(), divided.empty() ? own : PiecesOf(own), guidance,
+      block.Input, block.Output, block.Strokes);
+  }
+  for (const Block& block : samples > farSamples ? unguided : std::vector<Block>())
+  {
+    vtkNew<vtkIntArray> mark;
+    mark->SetName(DirectionFields::ArrayNames::GuidedElsewhere);
+    mark->InsertNextValue(1);
+    block.Output->GetFieldData()->AddArray(mark);
+  }
+  if (anyTriangles && samples == farSamples)
   {
     vtkWarningMacro(
-      << (guidance.Samples == 0
+      << (samples == 0
              ? "The curves have no lines of any length, which could guide a field."
              : "All parts of the curves are farther from the surface than Maximum Distance. Raise it, or set it to 0."));
-  }
-  DirectionFields::CopyWithoutReports(input, output);
-  const int type = input->GetPoints() ? input->GetPoints()->GetDataType() : VTK_FLOAT;
-  AddStrokes(surface, lines, guidance, type, vtkPolyData::SafeDownCast(outputs[1]));
-  Summarize(DirectionFields::Summary(guidance, lines.size()), outputs);
-  if (type == VTK_DOUBLE)
-  {
-    AddArrays<vtkDoubleArray>(guidance, output->GetPointData());
-  }
-  else
-  {
-    AddArrays<vtkFloatArray>(guidance, output->GetPointData());
   }
 }

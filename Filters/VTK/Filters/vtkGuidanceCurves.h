@@ -24,9 +24,14 @@
  * the weights.
  *
  * @section Input Input
- * Port 0: a surface of polygons or strips. Port 1: a vtkPolyData with lines, or a composite dataset
- * of such. Its polygons and vertices do not count. Without any connection to port 1 the output is
- * the surface as it is, with a warning.
+ * Port 0: a surface of polygons or strips, or a composite dataset of such. Port 1: a vtkPolyData
+ * with lines, or a composite dataset of such. Its polygons and vertices do not count. Without any
+ * connection to port 1 the output is the surface as it is, with a warning.
+ *
+ * Of several surfaces each is guided only by the pieces of the curves that are nearest to it. Where
+ * others are as near, within a tenth of the least mean length of edges, as beside a seam, a piece
+ * goes to the one that most of its curve is as near to. On several processes that is not so: each
+ * block follows all curves at its points that are nearest to them.
  *
  * @section Output Output
  * The surface with the point data
@@ -38,6 +43,10 @@
  *   at the points of curves of strength 1, else that of the softer ones' mean stiffness, tau / (1 -
  *   tau); 0 where there is no guidance.
  *
+ * and, at blocks that no curve guides while others are guided, the field data `GuidedElsewhere`
+ * (int, 1): vtkDirectionField then follows no guidance there, and does not complain that there is
+ * none.
+ *
  * Port 1, to be looked at: the curves, and through each guided point a line along its vector, one
  * mean edge long times the weight, with the cell data `Kind` (unsigned char): 0 for curves, 1 for
  * these lines.
@@ -45,7 +54,7 @@
  * @section Kept What is kept
  * The surface and the tree in which the nearest triangles are found are kept for the next
  * execution, which takes a fraction of the time if only the curves have changed, about 500 bytes a
- * triangle. The results are the same to the byte.
+ * triangle. Blocks are compared in their order. The results are the same to the byte.
  *
  * @sa
  * vtkDirectionField
@@ -57,9 +66,16 @@
 #include "vtkDirectionFieldAlgorithm.h"
 #include "vtkDirectionFieldsFiltersModule.h" // For export macro
 
-#include <memory> // For std::unique_ptr
+#include <cstddef> // For std::size_t
+#include <memory>  // For std::unique_ptr
+#include <vector>
 
 class vtkPolyData;
+
+namespace DirectionFields
+{
+struct CurveGuidanceOptions;
+}
 
 class VTKDIRECTIONFIELDSFILTERS_EXPORT vtkGuidanceCurves : public vtkDirectionFieldAlgorithm
 {
@@ -115,6 +131,7 @@ protected:
   vtkGuidanceCurves();
   ~vtkGuidanceCurves() override;
 
+  bool TakesBlocks() const override { return true; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Execute(
     const Ports& inputs, const Ports& outputs, const DirectionFields::Progress& progress) override;
@@ -124,10 +141,22 @@ private:
   void operator=(const vtkGuidanceCurves&) = delete;
 
   struct Kept;
-  /// Reads the surface of an input, unless it is that of the last one.
-  Kept& Read(vtkPolyData* input, const DirectionFields::Progress& progress);
+  /// A surface of the input, and its outputs.
+  struct Block
+  {
+    std::size_t Number;
+    vtkPolyData* Input;
+    vtkPolyData* Output;
+    vtkPolyData* Strokes;
+  };
+  /// Gives composite outputs the structure of the input, and empty blocks for its surfaces.
+  std::vector<Block> BlocksOf(const Ports& inputs, const Ports& outputs);
+  /// Reads the surface of a block, unless it is that of the last one.
+  Kept& Read(vtkPolyData* input, std::size_t block, const DirectionFields::Progress& progress);
+  DirectionFields::CurveGuidanceOptions MakeOptions() const;
 
-  std::unique_ptr<Kept> Last;
+  /// For each block of the last input.
+  std::vector<std::unique_ptr<Kept>> Last;
   int Degree;
   double Radius;
   double Falloff;

@@ -43,6 +43,8 @@ constexpr const char* OriginalPointIds = "OriginalPointIds";
 constexpr const char* GuidanceVectors = "GuidanceVectors";
 constexpr const char* GuidanceWeights = "GuidanceWeights";
 constexpr const char* GuidanceStrengths = "GuidanceStrengths";
+/// Field data of blocks that curves do not guide, while they guide others.
+constexpr const char* GuidedElsewhere = "GuidedElsewhere";
 constexpr const char* SingularityIndex = "SingularityIndex";
 constexpr const char* FaceSingularityIndex = "FaceSingularityIndex";
 constexpr const char* Repairs = "Repairs";

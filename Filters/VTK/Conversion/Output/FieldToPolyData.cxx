@@ -363,6 +363,7 @@ void RemoveReports(vtkFieldData* data)
       data->RemoveArray(name);
     }
     data->RemoveArray(ArrayNames::Warnings);
+    data->RemoveArray(ArrayNames::GuidedElsewhere);
     data->RemoveArray(ArrayNames::Summary);
   }
 }
