@@ -433,7 +433,9 @@ DistributedField ComputeDistributed(Processes& processes, const Surface& surface
   StartPetsc(communicator.Handle);
   try
   {
-    Compute(processes, messages, surface, piece, options, guidance, previous, goOn, field);
+    ShareErrors(processes,
+      [&]
+      { Compute(processes, messages, surface, piece, options, guidance, previous, goOn, field); });
   }
   catch (const std::bad_alloc&)
   {

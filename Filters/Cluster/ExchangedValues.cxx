@@ -115,10 +115,11 @@ using Lists = std::vector<std::vector<double>>;
 void TakeOwners(Processes& processes, const Messages& messages, const PointExchange& exchange,
   const NewArrays& arrays)
 {
-  Lists sent(static_cast<std::size_t>(messages.Count()));
+  Lists sent;
   processes.Together(
     [&]
     {
+      sent.resize(static_cast<std::size_t>(messages.Count()));
       for (std::size_t p = 0; p < sent.size(); ++p)
       {
         for (const vtkIdType point : exchange.Sent[p])
@@ -164,7 +165,8 @@ public:
   std::vector<vtkIdType> Take(const std::vector<vtkIdType>& items) const
   {
     const Lists received = this->Exchange.Exchange(this->Sent);
-    std::vector<vtkIdType> numbers(items.size(), -1);
+    std::vector<vtkIdType> numbers;
+    this->Exchange.Together([&] { numbers.assign(items.size(), -1); });
     const std::size_t width = this->Arrays.Width() + 2;
     for (const std::vector<double>& answers : received)
     {
@@ -293,13 +295,10 @@ vtkIdType CopyCells(Processes& processes, const Messages& messages, const Surfac
   const std::vector<vtkIdType> found = answers.Take(cells);
   return std::count(found.begin(), found.end(), -1);
 }
-}
 
-vtkIdType ExchangeValues(Processes& processes, const PointExchange& exchange,
+vtkIdType ExchangeAll(Processes& processes, const Messages& messages, const PointExchange& exchange,
   const SurfacePiece& piece, vtkPolyData* input, vtkPolyData* output)
 {
-  const OwnCommunicator communicator(processes.GetController());
-  const Messages messages(communicator.Handle);
   AddOthersArrays(processes, messages, output->GetNumberOfPoints(), input->GetPointData(),
     output->GetPointData());
   AddOthersArrays(
@@ -311,10 +310,27 @@ vtkIdType ExchangeValues(Processes& processes, const PointExchange& exchange,
   {
     return 0;
   }
-  std::vector<vtkIdType> numbers = exchange.Numbers;
   const std::vector<vtkIdType> copied = CopyPoints(processes, messages, exchange, piece, points);
-  numbers.insert(numbers.end(), copied.begin(), copied.end());
+  std::vector<vtkIdType> numbers;
+  processes.Together(
+    [&]
+    {
+      numbers = exchange.Numbers;
+      numbers.insert(numbers.end(), copied.begin(), copied.end());
+    });
   const vtkIdType lost = CopyCells(processes, messages, piece, numbers, cells);
   return static_cast<vtkIdType>(messages.Sum(static_cast<double>(lost)));
+}
+}
+
+vtkIdType ExchangeValues(Processes& processes, const PointExchange& exchange,
+  const SurfacePiece& piece, vtkPolyData* input, vtkPolyData* output)
+{
+  const OwnCommunicator communicator(processes.GetController());
+  const Messages messages(communicator.Handle);
+  vtkIdType lost = 0;
+  ShareErrors(
+    processes, [&] { lost = ExchangeAll(processes, messages, exchange, piece, input, output); });
+  return lost;
 }
 }

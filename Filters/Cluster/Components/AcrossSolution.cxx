@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace DirectionFields::Parallel
 {
@@ -62,21 +63,25 @@ public:
     const TriangleMesh& triangles = mesh.GetMesh();
     double box[6];
     std::fill(box, box + 6, -std::numeric_limits<double>::max());
-    for (const std::size_t c : mesh.PartsOf(component))
+    const auto readParts = [&]
     {
-      const TriangleMesh::Component& part = triangles.GetComponents()[c];
-      this->Parts.push_back({ part, ReferenceSection(mesh.GetGeometry(), part, degree), {} });
-      for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
+      for (const std::size_t c : mesh.PartsOf(component))
       {
-        this->Parts.back().IsOwned.push_back(mesh.IsOwned(v) ? 1 : 0);
-        const Vector3& place = mesh.GetGeometry().Positions[v];
-        for (int k = 0; k < 3 && mesh.IsOwned(v); ++k)
+        const TriangleMesh::Component& part = triangles.GetComponents()[c];
+        this->Parts.push_back({ part, ReferenceSection(mesh.GetGeometry(), part, degree), {} });
+        for (Index v = part.FirstVertex; v < part.EndVertex; ++v)
         {
-          box[k] = std::max(box[k], -place[k]);
-          box[3 + k] = std::max(box[3 + k], place[k]);
+          this->Parts.back().IsOwned.push_back(mesh.IsOwned(v) ? 1 : 0);
+          const Vector3& place = mesh.GetGeometry().Positions[v];
+          for (int k = 0; k < 3 && mesh.IsOwned(v); ++k)
+          {
+            box[k] = std::max(box[k], -place[k]);
+            box[3 + k] = std::max(box[3 + k], place[k]);
+          }
         }
       }
-    }
+    };
+    messages.Together(readParts);
     for (double& side : box)
     {
       side = messages.Largest(side);
@@ -93,10 +98,14 @@ public:
     for (int axis = 0; axis < 3; ++axis)
     {
       ReferenceSection::Overlap overlap;
-      for (const Part& part : this->Parts)
-      {
-        overlap += part.Reference.OverlapWith(axis, SectionOn(part, section), part.IsOwned);
-      }
+      this->Exchange.Together(
+        [&]
+        {
+          for (const Part& part : this->Parts)
+          {
+            overlap += part.Reference.OverlapWith(axis, SectionOn(part, section), part.IsOwned);
+          }
+        });
       double sums[3] = { overlap.Sum.real(), overlap.Sum.imag(), overlap.Size };
       this->Exchange.Sum(sums, 3);
       overlap.Sum = Complex(sums[0], sums[1]);
@@ -107,10 +116,14 @@ public:
       }
     }
     ReferenceSection::Candidate best;
-    for (const Part& part : this->Parts)
-    {
-      best += part.Reference.FindCandidate(SectionOn(part, section), part.IsOwned);
-    }
+    this->Exchange.Together(
+      [&]
+      {
+        for (const Part& part : this->Parts)
+        {
+          best += part.Reference.FindCandidate(SectionOn(part, section), part.IsOwned);
+        }
+      });
     const std::vector<double> all =
       this->Exchange
         .AllGather(std::vector<double>{ best.Value, best.Overlap.real(), best.Overlap.imag() })
@@ -232,7 +245,9 @@ void FixPhase(const Messages& messages, const DistributedMesh& mesh, int compone
   if (mesh.IsCover(component))
   {
     TakeRows(matrices, vector, section);
-    CoverSymmetry(mesh, component, degree).MakeSymmetric(messages, section);
+    std::optional<const CoverSymmetry> symmetry;
+    messages.Together([&] { symmetry.emplace(mesh, component, degree); });
+    symmetry->MakeSymmetric(messages, section);
     GiveRows(matrices, section, vector);
   }
 }
@@ -264,7 +279,7 @@ bool SolveAcross(const Messages& members, const ProcessGroups::Group& group,
   TakeRows(matrices, field, section);
   if (mesh.IsCover(component))
   {
-    CoverSymmetry(mesh, component, options.Degree).Symmetrize(section);
+    members.Together([&] { CoverSymmetry(mesh, component, options.Degree).Symmetrize(section); });
   }
   report.Eigenvalue = PerSquare(pair.Value, matrices.Unit);
   report.Residual = pair.Residual;

@@ -163,13 +163,15 @@ MovedComponents::MovedComponents(Processes& processes, const Messages& messages,
 {
   this->ChooseHomes(messages, mesh, piece);
   const auto count = static_cast<std::size_t>(messages.Count());
-  std::vector<std::vector<MovedTriangle>> triangles(count);
-  std::vector<std::vector<MovedVertex>> vertices(count);
-  this->Sent.resize(count);
-  this->Received.resize(count);
+  std::vector<std::vector<MovedTriangle>> triangles;
+  std::vector<std::vector<MovedVertex>> vertices;
   processes.Together(
     [&]
     {
+      triangles.resize(count);
+      vertices.resize(count);
+      this->Sent.resize(count);
+      this->Received.resize(count);
       for (int component = 0; component < mesh.CountComponents(); ++component)
       {
         if (this->IsMoved(component))
@@ -239,10 +241,11 @@ ComponentGuide MovedComponents::GuideOf(std::size_t part) const
 void MovedComponents::SendBack(Processes& processes, const Messages& messages,
   const std::vector<Complex>& moved, std::vector<Complex>& section) const
 {
-  std::vector<std::vector<Complex>> values(this->Received.size());
+  std::vector<std::vector<Complex>> values;
   processes.Together(
     [&]
     {
+      values.resize(this->Received.size());
       for (std::size_t p = 0; p < values.size(); ++p)
       {
         for (const Index v : this->Received[p])

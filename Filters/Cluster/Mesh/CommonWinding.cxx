@@ -79,21 +79,29 @@ std::vector<Meeting> FindMeetings(Processes& processes, const Messages& messages
 {
   const std::size_t own = piece.InputTriangle.size();
   const auto processCount = static_cast<std::size_t>(messages.Count());
-  std::vector<std::vector<Index>> wanted(processCount);
-  std::vector<std::vector<std::size_t>> askedFor(processCount);
-  for (std::size_t k = 0; k < piece.OthersTriangles.size(); ++k)
-  {
-    const std::vector<vtkIdType>& first = piece.FirstTriangles;
-    const auto process = static_cast<std::size_t>(
-      std::upper_bound(first.begin(), first.end(), piece.OthersTriangles[k]) - first.begin() - 1);
-    wanted[process].push_back(static_cast<Index>(piece.OthersTriangles[k] - first[process]));
-    askedFor[process].push_back(own + k);
-  }
-  const std::vector<std::vector<Index>> asked = messages.Exchange(wanted);
-  std::vector<std::vector<Winding>> answers(processCount);
+  std::vector<std::vector<Index>> wanted;
+  std::vector<std::vector<std::size_t>> askedFor;
   processes.Together(
     [&]
     {
+      wanted.resize(processCount);
+      askedFor.resize(processCount);
+      for (std::size_t k = 0; k < piece.OthersTriangles.size(); ++k)
+      {
+        const std::vector<vtkIdType>& first = piece.FirstTriangles;
+        const auto process = static_cast<std::size_t>(
+          std::upper_bound(first.begin(), first.end(), piece.OthersTriangles[k]) - first.begin() -
+          1);
+        wanted[process].push_back(static_cast<Index>(piece.OthersTriangles[k] - first[process]));
+        askedFor[process].push_back(own + k);
+      }
+    });
+  const std::vector<std::vector<Index>> asked = messages.Exchange(wanted);
+  std::vector<std::vector<Winding>> answers;
+  processes.Together(
+    [&]
+    {
+      answers.resize(processCount);
       for (std::size_t p = 0; p < asked.size(); ++p)
       {
         for (const Index triangle : asked[p])

@@ -255,15 +255,20 @@ DistributedMesh::Travellers DistributedMesh::FindTravellers(Processes& processes
 void DistributedMesh::CompleteBytes(char* values, std::size_t size) const
 {
   const Travellers& travellers = this->AllTravellers;
-  std::vector<std::vector<char>> sent(travellers.Sent.size());
-  for (std::size_t p = 0; p < sent.size(); ++p)
-  {
-    for (const Index vertex : travellers.Sent[p])
+  std::vector<std::vector<char>> sent;
+  this->All.Together(
+    [&]
     {
-      const char* const value = values + static_cast<std::size_t>(vertex) * size;
-      sent[p].insert(sent[p].end(), value, value + size);
-    }
-  }
+      for (const std::vector<Index>& vertices : travellers.Sent)
+      {
+        std::vector<char>& own = sent.emplace_back();
+        for (const Index vertex : vertices)
+        {
+          const char* const value = values + static_cast<std::size_t>(vertex) * size;
+          own.insert(own.end(), value, value + size);
+        }
+      }
+    });
   const std::vector<std::vector<char>> received = this->All.Exchange(sent);
   for (std::size_t p = 0; p < received.size(); ++p)
   {
@@ -281,10 +286,11 @@ void DistributedMesh::JoinComponents(
 {
   const std::vector<TriangleMesh::Component>& parts = this->GetMesh().GetComponents();
   std::vector<vtkIdType> first;
-  std::vector<int> partOf(this->Owned.size());
+  std::vector<int> partOf;
   processes.Together(
     [&]
     {
+      partOf.resize(this->Owned.size());
       first = FirstTriangles(this->GetMesh(), piece);
       for (std::size_t c = 0; c < parts.size(); ++c)
       {
@@ -295,30 +301,23 @@ void DistributedMesh::JoinComponents(
   const Messages::Collected<vtkIdType> all = this->All.AllGather(first);
   const int begin = all.First[this->All.Own()];
   std::vector<int> own;
-  for (const vtkIdType point : shared.OwnBorder)
-  {
-    const Index vertex = this->VertexOfPoint[point];
-    own.push_back(vertex == None ? -1 : begin + partOf[vertex]);
-  }
-  const std::vector<int> components =
-    JoinedComponents(all.Values, this->All.AllGather(own).Values, shared.BorderNumber);
+  processes.Together(
+    [&]
+    {
+      for (const vtkIdType point : shared.OwnBorder)
+      {
+        const Index vertex = this->VertexOfPoint[point];
+        own.push_back(vertex == None ? -1 : begin + partOf[vertex]);
+      }
+    });
+  const std::vector<int> partsOfBorder = this->All.AllGather(own).Values;
+  std::vector<int> components;
+  processes.Together(
+    [&] { components = JoinedComponents(all.Values, partsOfBorder, shared.BorderNumber); });
   this->Components =
     components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
-  // The process that has the only part of each.
-  std::vector<int> count(static_cast<std::size_t>(this->Components), 0);
-  this->ProcessOfComponent.assign(count.size(), -1);
-  for (std::size_t p = 0; p + 1 < all.First.size(); ++p)
-  {
-    for (int k = all.First[p]; k < all.First[p + 1]; ++k)
-    {
-      if (components[k] >= 0)
-      {
-        const bool isOnly = ++count[components[k]] == 1;
-        this->ProcessOfComponent[components[k]] = isOnly ? static_cast<int>(p) : -1;
-      }
-    }
-  }
-  this->Parts.resize(count.size());
+  this->ProcessOfComponent = OnlyProcesses(components, all.First, this->Components);
+  this->Parts.resize(static_cast<std::size_t>(this->Components));
   for (std::size_t c = 0; c < parts.size(); ++c)
   {
     const int component = components[static_cast<std::size_t>(begin) + c];
@@ -471,20 +470,25 @@ bool DistributedMesh::Disagrees(const PieceWithSurroundings& piece) const
 {
   // The reference edge and the number of triangles at each vertex.
   const TriangleMesh& mesh = this->GetMesh();
-  std::vector<std::array<vtkIdType, 2>> own(this->Owned.size());
-  std::vector<Index> fan;
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  std::vector<std::array<vtkIdType, 2>> own;
+  std::vector<std::array<vtkIdType, 2>> owners;
+  const auto describe = [&]
   {
-    mesh.GetFan(v, fan);
-    Index reference = fan.front();
-    for (const Index h : fan)
+    std::vector<Index> fan;
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
-      reference = this->Geometry->Transport.EdgeAngle[h] == 0.0 ? h : reference;
+      mesh.GetFan(v, fan);
+      Index reference = fan.front();
+      for (const Index h : fan)
+      {
+        reference = this->Geometry->Transport.EdgeAngle[h] == 0.0 ? h : reference;
+      }
+      own.push_back({ piece.Number[mesh.Point(mesh.Head(reference))],
+        2 * static_cast<vtkIdType>(fan.size()) + (mesh.IsBoundary(v) ? 1 : 0) });
     }
-    own[v] = { piece.Number[mesh.Point(mesh.Head(reference))],
-      2 * static_cast<vtkIdType>(fan.size()) + (mesh.IsBoundary(v) ? 1 : 0) };
-  }
-  std::vector<std::array<vtkIdType, 2>> owners = own;
+    owners = own;
+  };
+  this->All.Together(describe);
   this->Complete(owners);
   return owners != own;
 }

@@ -102,14 +102,19 @@ private:
   static void Exchange(
     const Messages& messages, std::vector<T>& values, const Travellers& travellers)
   {
-    std::vector<std::vector<T>> sent(travellers.Sent.size());
-    for (std::size_t p = 0; p < sent.size(); ++p)
-    {
-      for (const Index vertex : travellers.Sent[p])
+    std::vector<std::vector<T>> sent;
+    messages.Together(
+      [&]
       {
-        sent[p].push_back(values[vertex]);
-      }
-    }
+        for (const std::vector<Index>& vertices : travellers.Sent)
+        {
+          std::vector<T>& own = sent.emplace_back();
+          for (const Index vertex : vertices)
+          {
+            own.push_back(values[vertex]);
+          }
+        }
+      });
     const std::vector<std::vector<T>> received = messages.Exchange(sent);
     for (std::size_t p = 0; p < received.size(); ++p)
     {

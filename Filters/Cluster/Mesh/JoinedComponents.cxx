@@ -109,4 +109,23 @@ std::vector<int> JoinedComponents(const std::vector<vtkIdType>& first,
 {
   return NumberComponents(JoinParts(first.size(), border, numbers), first);
 }
+
+std::vector<int> OnlyProcesses(
+  const std::vector<int>& components, const std::vector<int>& first, int count)
+{
+  std::vector<int> parts(static_cast<std::size_t>(count), 0);
+  std::vector<int> processes(parts.size(), -1);
+  for (std::size_t p = 0; p + 1 < first.size(); ++p)
+  {
+    for (int k = first[p]; k < first[p + 1]; ++k)
+    {
+      if (components[k] >= 0)
+      {
+        const bool isOnly = ++parts[components[k]] == 1;
+        processes[components[k]] = isOnly ? static_cast<int>(p) : -1;
+      }
+    }
+  }
+  return processes;
+}
 }

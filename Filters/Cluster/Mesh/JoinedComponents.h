@@ -25,6 +25,12 @@ std::vector<vtkIdType> FirstTriangles(const TriangleMesh& mesh, const PieceWithS
 /// @return the component of each part; -1 where no part of it has a triangle
 std::vector<int> JoinedComponents(const std::vector<vtkIdType>& first,
   const std::vector<int>& border, const std::vector<vtkIdType>& numbers);
+
+/// The process that has the only part of each component; -1 where there are several parts.
+/// @param components of each part, and how many there are
+/// @param first      the first part of each process, and the number of all
+std::vector<int> OnlyProcesses(
+  const std::vector<int>& components, const std::vector<int>& first, int count);
 }
 
 #endif

@@ -4,17 +4,77 @@
 #ifndef Messages_h
 #define Messages_h
 
+#include "Processes.h"
+
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <exception>
+#include <new>
 #include <type_traits>
 #include <vector>
 
 namespace DirectionFields::Parallel
 {
+/// There is too little memory on this process, which all that it works with know.
+class TooLittleMemory : public std::bad_alloc
+{
+};
+
+/// Does work of each process's own between messages, which must not communicate. Where there is too
+/// little memory on any process of the communicator, that one throws TooLittleMemory and the others
+/// a ProcessesError without words, which Processes::Together makes one error of.
+template <typename Work>
+void DoOnAll(MPI_Comm communicator, const Work& work)
+{
+  int isShort = 0;
+  try
+  {
+    work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    isShort = 1;
+  }
+  int isAnyShort = 0;
+  MPI_Allreduce(&isShort, &isAnyShort, 1, MPI_INT, MPI_MAX, communicator);
+  if (isShort)
+  {
+    throw TooLittleMemory();
+  }
+  if (isAnyShort)
+  {
+    throw ProcessesError("");
+  }
+}
+
+/// Does work with messages. Where it ends as DoOnAll does, all processes throw the same
+/// ProcessesError, with words.
+template <typename Work>
+void ShareErrors(Processes& processes, const Work& work)
+{
+  std::exception_ptr failure;
+  try
+  {
+    work();
+    return;
+  }
+  catch (const TooLittleMemory&)
+  {
+    failure = std::current_exception();
+  }
+  catch (const ProcessesError&)
+  {
+    failure = std::current_exception();
+  }
+  processes.Together([&] { std::rethrow_exception(failure); });
+}
+
 /// Messages between all processes, for values of fixed size. All processes call each function in
 /// the same order. A message to one process, and all messages that a process receives together,
-/// have less than 2^31 values.
+/// have less than 2^31 values. Where there is no room for them on any process, all throw as DoOnAll
+/// does.
 class Messages
 {
 public:
@@ -29,6 +89,13 @@ public:
   int Own() const { return this->Rank; }
   int Count() const { return this->Size; }
 
+  /// Does work of each process's own, as DoOnAll does.
+  template <typename Work>
+  void Together(const Work& work) const
+  {
+    DoOnAll(this->Communicator, work);
+  }
+
   /// The values of all processes, in their order.
   template <typename T>
   struct Collected
@@ -41,11 +108,16 @@ public:
   Collected<T> AllGather(const std::vector<T>& own) const
   {
     const auto length = static_cast<int>(own.size());
-    std::vector<int> lengths(static_cast<std::size_t>(this->Size));
+    std::vector<int> lengths;
+    this->Together([&] { lengths.resize(static_cast<std::size_t>(this->Size)); });
     MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, this->Communicator);
     Collected<T> all;
-    all.First = FirstOf(lengths);
-    all.Values.resize(static_cast<std::size_t>(all.First.back()));
+    this->Together(
+      [&]
+      {
+        all.First = FirstOf(lengths);
+        all.Values.resize(static_cast<std::size_t>(all.First.back()));
+      });
     const TypeOf<T> type;
     MPI_Allgatherv(own.data(), length, type.Handle, all.Values.data(), lengths.data(),
       all.First.data(), type.Handle, this->Communicator);
@@ -58,24 +130,40 @@ public:
   std::vector<std::vector<T>> Exchange(const std::vector<std::vector<T>>& to) const
   {
     std::vector<int> lengths;
+    std::vector<int> firstSent;
     std::vector<T> sent;
-    for (const std::vector<T>& values : to)
-    {
-      lengths.push_back(static_cast<int>(values.size()));
-      sent.insert(sent.end(), values.begin(), values.end());
-    }
-    std::vector<int> coming(lengths.size());
+    std::vector<int> coming;
+    this->Together(
+      [&]
+      {
+        for (const std::vector<T>& values : to)
+        {
+          lengths.push_back(static_cast<int>(values.size()));
+          sent.insert(sent.end(), values.begin(), values.end());
+        }
+        firstSent = FirstOf(lengths);
+        coming.resize(lengths.size());
+      });
     MPI_Alltoall(lengths.data(), 1, MPI_INT, coming.data(), 1, MPI_INT, this->Communicator);
-    const std::vector<int> firstSent = FirstOf(lengths);
-    const std::vector<int> firstComing = FirstOf(coming);
-    std::vector<T> received(static_cast<std::size_t>(firstComing.back()));
+    std::vector<int> firstComing;
+    std::vector<T> received;
+    std::vector<std::vector<T>> from;
+    this->Together(
+      [&]
+      {
+        firstComing = FirstOf(coming);
+        received.resize(static_cast<std::size_t>(firstComing.back()));
+        for (const int length : coming)
+        {
+          from.emplace_back(static_cast<std::size_t>(length));
+        }
+      });
     const TypeOf<T> type;
     MPI_Alltoallv(sent.data(), lengths.data(), firstSent.data(), type.Handle, received.data(),
       coming.data(), firstComing.data(), type.Handle, this->Communicator);
-    std::vector<std::vector<T>> from;
     for (std::size_t p = 0; p < coming.size(); ++p)
     {
-      from.emplace_back(received.begin() + firstComing[p], received.begin() + firstComing[p + 1]);
+      std::copy_n(received.begin() + firstComing[p], coming[p], from[p].begin());
     }
     return from;
   }

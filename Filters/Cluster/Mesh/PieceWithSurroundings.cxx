@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -236,24 +237,36 @@ PieceWithSurroundings AddSurroundings(Processes& processes, const Messages& mess
   const Surface& input, const SurfacePiece& piece, const SharedPoints& shared)
 {
   PieceWithSurroundings own;
-  const Surroundings around(messages, piece, shared, static_cast<Index>(input.Points.size()));
-  processes.Together([&] { around.ReadOwn(input, own); });
+  std::optional<const Surroundings> around;
+  processes.Together(
+    [&]
+    {
+      around.emplace(messages, piece, shared, static_cast<Index>(input.Points.size()));
+      around->ReadOwn(input, own);
+    });
   const std::vector<vtkIdType> first = Processes::FirstOf(
     processes.AllGather({ static_cast<vtkIdType>(own.Surface.Triangles.size()) }));
   own.FirstTriangle = first[messages.Own()];
   own.FirstTriangles = first;
 
-  std::vector<SentTriangles> sent;
-  processes.Together([&] { sent = around.FirstRing(own); });
-  SentTriangles ring = Flattened(messages.Exchange(sent));
+  std::vector<SentTriangles> triangles;
+  processes.Together([&] { triangles = around->FirstRing(own); });
+  triangles = messages.Exchange(triangles);
+  SentTriangles ring;
   std::vector<std::vector<vtkIdType>> wanted;
-  processes.Together([&] { wanted = around.WantedPoints(own, ring); });
-  const std::vector<std::vector<vtkIdType>> asked = messages.Exchange(wanted);
-  processes.Together([&] { sent = around.SecondRing(own, ring, asked); });
-  SentTriangles others = Flattened(messages.Exchange(sent));
   processes.Together(
     [&]
     {
+      ring = Flattened(triangles);
+      wanted = around->WantedPoints(own, ring);
+    });
+  const std::vector<std::vector<vtkIdType>> asked = messages.Exchange(wanted);
+  processes.Together([&] { triangles = around->SecondRing(own, ring, asked); });
+  triangles = messages.Exchange(triangles);
+  processes.Together(
+    [&]
+    {
+      SentTriangles others = Flattened(triangles);
       others.insert(others.end(), ring.begin(), ring.end());
       Surroundings::Append(others, own);
     });

@@ -83,24 +83,32 @@ Borders GatherBorders(Processes& processes, const Messages& messages, const Surf
   auto allPlaces = messages.AllGather(places);
   auto allPoints = messages.AllGather(own);
   auto allEdges = messages.AllGather(edges);
-  borders.All.FirstPoint.assign(allPoints.First.begin(), allPoints.First.end());
-  borders.All.Coordinates = std::move(allPlaces.Values);
-  borders.OwnPoint = std::move(allPoints.Values);
-  for (std::size_t p = 0; p + 1 < allEdges.First.size(); ++p)
-  {
-    for (int k = allEdges.First[p]; k < allEdges.First[p + 1]; ++k)
+  processes.Together(
+    [&]
     {
-      borders.All.BorderEdges.push_back(
-        allEdges.Values[static_cast<std::size_t>(k)] + borders.All.FirstPoint[p]);
-    }
-  }
+      borders.All.FirstPoint.assign(allPoints.First.begin(), allPoints.First.end());
+      borders.All.Coordinates = std::move(allPlaces.Values);
+      borders.OwnPoint = std::move(allPoints.Values);
+      for (std::size_t p = 0; p + 1 < allEdges.First.size(); ++p)
+      {
+        for (int k = allEdges.First[p]; k < allEdges.First[p + 1]; ++k)
+        {
+          borders.All.BorderEdges.push_back(
+            allEdges.Values[static_cast<std::size_t>(k)] + borders.All.FirstPoint[p]);
+        }
+      }
+    });
   if (!lacksIds)
   {
     borders.All.GlobalIds = messages.AllGather(ids).Values;
-    if (!AreGlobalIdsRight(borders.All, borders.Tolerance))
-    {
-      borders.All.GlobalIds.clear();
-    }
+    processes.Together(
+      [&]
+      {
+        if (!AreGlobalIdsRight(borders.All, borders.Tolerance))
+        {
+          borders.All.GlobalIds.clear();
+        }
+      });
   }
   return borders;
 }

@@ -155,9 +155,13 @@ double ShiftFor(const SystemFactors& factors)
 DistributedSystem::DistributedSystem(const Messages& messages, const DistributedMesh& mesh,
   const DistributedMatrices& matrices, const DistributedGuide& guide)
   : Matrices(matrices)
-  , IsGiven(matrices.Vertices.size(), 0)
-  , IsNearGiven(matrices.Vertices.size(), 0)
 {
+  messages.Together(
+    [&]
+    {
+      this->IsGiven.assign(matrices.Vertices.size(), 0);
+      this->IsNearGiven.assign(matrices.Vertices.size(), 0);
+    });
   if (guide.IsConstrained)
   {
     this->GivenValues = NewVector(matrices.Energy);
@@ -165,22 +169,22 @@ DistributedSystem::DistributedSystem(const Messages& messages, const Distributed
     std::vector<Index> fan;
     const TriangleMesh& triangles = mesh.GetMesh();
     const auto isGiven = [&](Index v) { return guide.Kind[v] != ConstraintKind::None; };
-    Fill(this->GivenValues, matrices.Vertices.size(),
-      [&](std::size_t k, const PetscScalar&)
+    const auto readRow = [&](std::size_t k, const PetscScalar&)
+    {
+      const Index v = matrices.Vertices[k];
+      this->IsGiven[k] = isGiven(v) ? 1 : 0;
+      triangles.GetFan(v, fan);
+      bool isNear = isGiven(v);
+      for (const Index h : fan)
       {
-        const Index v = matrices.Vertices[k];
-        this->IsGiven[k] = isGiven(v) ? 1 : 0;
-        triangles.GetFan(v, fan);
-        bool isNear = isGiven(v);
-        for (const Index h : fan)
-        {
-          isNear = isNear || isGiven(triangles.Head(h)) ||
-            isGiven(triangles.Tail(TriangleMesh::Previous(h)));
-        }
-        this->IsNearGiven[k] = isNear ? 1 : 0;
-        given += isGiven(v) ? 1.0 : 0.0;
-        return isGiven(v) ? PetscScalar(guide.Value[v]) : PetscScalar(0.0);
-      });
+        isNear = isNear || isGiven(triangles.Head(h)) ||
+          isGiven(triangles.Tail(TriangleMesh::Previous(h)));
+      }
+      this->IsNearGiven[k] = isNear ? 1 : 0;
+      given += isGiven(v) ? 1.0 : 0.0;
+      return isGiven(v) ? PetscScalar(guide.Value[v]) : PetscScalar(0.0);
+    };
+    messages.Together([&] { Fill(this->GivenValues, matrices.Vertices.size(), readRow); });
     this->Given = static_cast<Index>(messages.Sum(given));
     this->IsConstrained = this->Given > 0;
   }
@@ -196,7 +200,8 @@ void DistributedSystem::MakeGuidance(const Messages& messages, const std::vector
   const OwnedVec diagonal = NewVector(this->Matrices.Mass);
   Require(MatGetDiagonal(this->Matrices.Mass, diagonal));
   // Areas are 0 where the guidance does not count.
-  std::vector<double> areas(vertices.size());
+  std::vector<double> areas;
+  messages.Together([&] { areas.resize(vertices.size()); });
   double largest = 0.0;
   Fill(diagonal, vertices.size(),
     [&](std::size_t k, const PetscScalar& value)
@@ -276,15 +281,19 @@ DistributedSystem::Solution DistributedSystem::SolveFree(Mat matrix, Vec right,
   const SystemFactors& factors, double tolerance, double scale,
   const std::function<bool(double)>& goOn) const
 {
-  std::vector<PetscInt> free;
-  for (std::size_t k = 0; k < this->IsGiven.size(); ++k)
-  {
-    if (!this->IsGiven[k])
-    {
-      free.push_back(this->Matrices.FirstRow + static_cast<PetscInt>(k));
-    }
-  }
   MPI_Comm communicator = PetscObjectComm(reinterpret_cast<PetscObject>(matrix));
+  std::vector<PetscInt> free;
+  DoOnAll(communicator,
+    [&]
+    {
+      for (std::size_t k = 0; k < this->IsGiven.size(); ++k)
+      {
+        if (!this->IsGiven[k])
+        {
+          free.push_back(this->Matrices.FirstRow + static_cast<PetscInt>(k));
+        }
+      }
+    });
   OwnedIndices rows;
   Require(ISCreateGeneral(
     communicator, static_cast<PetscInt>(free.size()), free.data(), PETSC_COPY_VALUES, rows.New()));

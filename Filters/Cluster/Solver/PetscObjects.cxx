@@ -3,10 +3,7 @@
 
 #include "Solver/PetscObjects.h"
 
-#include "Processes.h"
-
 #include <cstdio>
-#include <new>
 #include <string>
 
 namespace DirectionFields::Parallel
@@ -31,29 +28,6 @@ void EndAllForMemory(const char* message)
     message ? message : "");
   // The processes of PETSC_COMM_WORLD need not be the ones that wait.
   MPI_Abort(MPI_COMM_WORLD, 1);
-}
-
-void DoOnAll(MPI_Comm communicator, const std::function<void()>& work)
-{
-  int isShort = 0;
-  try
-  {
-    work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    isShort = 1;
-  }
-  int isAnyShort = 0;
-  MPI_Allreduce(&isShort, &isAnyShort, 1, MPI_INT, MPI_MAX, communicator);
-  if (isShort)
-  {
-    throw TooLittleMemory();
-  }
-  if (isAnyShort)
-  {
-    throw ProcessesError("");
-  }
 }
 
 void StartPetsc(MPI_Comm communicator)

@@ -4,10 +4,10 @@
 #ifndef PetscObjects_h
 #define PetscObjects_h
 
+#include "Mesh/Messages.h"
+
 #include <petscksp.h>
 
-#include <functional>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -75,16 +75,6 @@ void StartPetsc(MPI_Comm communicator);
 /// Ends all processes where there is too little memory on this one while the others are in
 /// functions of PETSc, which nothing can wake them from.
 void EndAllForMemory(const char* message);
-
-/// There is too little memory on this process, which all that it works with know.
-class TooLittleMemory : public std::bad_alloc
-{
-};
-
-/// Does work of each process's own between functions of PETSc, which must not communicate. Where
-/// there is too little memory on any process of the communicator, that one throws TooLittleMemory
-/// and the others a ProcessesError without words, which Processes::Together makes one error of.
-void DoOnAll(MPI_Comm communicator, const std::function<void()>& work);
 }
 
 #endif

@@ -75,6 +75,7 @@ class ColumnValues
 {
 public:
   ColumnValues(Mat matrix, const Blocks& blocks)
+    : Communicator(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)))
   {
     Require(MatCreateVecs(matrix, nullptr, this->Rows.New()));
     Require(VecCreateSeq(PETSC_COMM_SELF, blocks.OtherColumns, this->Others.New()));
@@ -97,12 +98,14 @@ public:
     Require(VecGetLocalSize(this->Others, &count));
     const PetscScalar* received = nullptr;
     Require(VecGetArrayRead(this->Others, &received));
-    std::vector<PetscScalar> others(received, received + count);
+    std::vector<PetscScalar> others;
+    DoOnAll(this->Communicator, [&] { others.assign(received, received + count); });
     Require(VecRestoreArrayRead(this->Others, &received));
     return others;
   }
 
 private:
+  MPI_Comm Communicator;
   OwnedVec Rows;
   OwnedVec Others;
   OwnedScatter Scatter;
