@@ -13,6 +13,7 @@
 #include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
 #include "Finishing/MeshAdvice.h"
+#include "Finishing/SurfacePatches.h"
 #include "Finishing/ThinParts.h"
 #include "Parametrization/ComponentMap.h"
 #include "Preparation/AffordableFeatures.h"
@@ -27,6 +28,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace DirectionFields
 {
@@ -142,6 +145,7 @@ struct FinishedMesh
   /// Seams whose sides could not be joined.
   Index OpenSeams = 0;
   BoundaryFigures Boundary;
+  Index Turned = 0;
 };
 
 /// Whether quads only are wanted.
@@ -167,14 +171,19 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
   const std::vector<ClosestPoints> lines =
     field.GetSurface().LinesOf(field.GetGeometry(), features);
   const RemeshOptions& options = request.Options;
+  const bool hasCloseLines = options.BoundarySpacing == BoundarySpacing::Free &&
+    (!options.Regions.empty() || request.HasCurves());
+  const std::optional<SurfacePatches> patches = hasCloseLines
+    ? std::optional<SurfacePatches>(std::in_place, field.GetSurface(), features, sizes.EdgeLength)
+    : std::nullopt;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
-    sizes.IsEven ? options.Sizing : sizes.AtPoints,
-    options.BoundarySpacing == BoundarySpacing::Free &&
-      (!options.Regions.empty() || request.HasCurves()) };
+    sizes.IsEven ? options.Sizing : sizes.AtPoints, hasCloseLines, patches ? &*patches : nullptr };
   finished.Boundary = FinishFaces(finished.Faces,
     { options.Element == Element::Quads, IsPure(options), options.SmoothingIterations,
       sizes.EdgeLength, options.BoundarySpacing },
     context, progress);
+  finished.Turned = CountTurned(finished.Faces, field.GetSurface(), field.GetInputTriangles(),
+    features, sizes.EdgeLength, context.Patches);
   return finished;
 }
 
@@ -250,6 +259,7 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
     ? static_cast<double>(onFeatures) / static_cast<double>(result.Kind.size())
     : 0.0;
   wishes.AddsPairs = options.AddIrregularPairs;
+  wishes.Turned = result.TurnedFaces;
   wishes.PartCrossed = request.Field.GetPartCrossed();
   for (std::size_t v = 0; !options.Sizing.empty() && v < result.Points.size(); ++v)
   {
@@ -307,6 +317,7 @@ void Report(const Request& request, const FeatureLines& features,
     EulerCharacteristic(static_cast<Index>(result.Points.size()), finished.Faces.Cells);
   result.Repaired = field.GetSurface().GetRepairs();
   result.Boundary = finished.Boundary;
+  result.TurnedFaces = finished.Turned;
   if (!request.Options.Regions.empty() || request.HasCurves())
   {
     const RemeshOptions& options = request.Options;

@@ -185,6 +185,9 @@ struct RemeshResult
   /// Vertices that are there because the map is no grid around them.
   Index KeptVertices = 0;
   Index FlippedTriangles = 0;
+  /// Faces that look to the other side than the surface below them, as beside a line that bends
+  /// more than edges can follow.
+  Index TurnedFaces = 0;
   Index Quads = 0;
   Index Triangles = 0;
   /// Largest distance of a middle of a face or edge from the surface, in its unit.

@@ -24,13 +24,23 @@ constexpr double Negligible = 1e-3;
 /// Lengths of the grid's edges, as parts of the wanted one, for which a bad mesh is made anew.
 constexpr std::array<double, 2> OtherLengths = { 0.98, 1.02 };
 
+/// Whether faces that are turned over are a reason to make another mesh. Without lines that are
+/// kept whatever the shape is, they are where the surface is too thin for its faces.
+bool HasHardLines(const RemeshResult& mesh)
+{
+  return std::any_of(mesh.Chains.begin(), mesh.Chains.end(),
+    [](const MeshChain& chain)
+    { return chain.Kind == ChainKind::Border || chain.Kind == ChainKind::Curve; });
+}
+
 MeshStanding StandingOf(const RemeshResult& mesh)
 {
   const auto points = std::count_if(mesh.Chains.begin(), mesh.Chains.end(),
     [](const MeshChain& chain) { return chain.Kind == ChainKind::Point; });
   const auto lost = static_cast<Index>(mesh.RegionsShown.Lost.size());
   return { std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh),
-    LeastQuality(mesh.Points, mesh.Faces),
+    std::min(LeastQuality(mesh.Points, mesh.Faces),
+      mesh.TurnedFaces > 0 && HasHardLines(mesh) ? 0.0 : 1.0),
     std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore),
     Negligible * mesh.EdgeLength, mesh.RegionsShown.Regions - lost + static_cast<Index>(points) };
 }

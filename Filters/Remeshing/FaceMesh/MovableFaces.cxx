@@ -36,6 +36,37 @@ const Roots& RootsOf(int size)
 }
 }
 
+SurfacePatch::SurfacePatch(std::vector<ClosestPoints::Corners> triangles)
+  : Places(triangles)
+{
+  constexpr double least = 0.2;
+  Vector3 sum = Vector3::Zero();
+  for (const ClosestPoints::Corners& t : triangles)
+  {
+    this->Normals.push_back((t[1] - t[0]).cross(t[2] - t[0]));
+    sum += this->Normals.back();
+  }
+  const bool isOneSided = std::all_of(this->Normals.begin(), this->Normals.end(),
+    [&](const Vector3& normal) { return normal.dot(sum) >= least * normal.norm() * sum.norm(); });
+  this->Side = isOneSided ? sum : Vector3(Vector3::Zero());
+}
+
+bool SurfacePatch::IsTurned(
+  const std::vector<Vector3>& points, const Faces::Face& face, double reach) const
+{
+  const Vector3 area = AreaVector(points, face);
+  constexpr double flat = 0.2;
+  const double along = area.dot(this->Side);
+  if (std::abs(along) > flat * area.norm() * this->Side.norm())
+  {
+    return along < 0.0;
+  }
+  const Vector3 middle = MiddleOf(points, face);
+  const Index t = this->Places.Find(middle).Triangle;
+  return t != None && this->Normals[t].dot(area) < 0.0 &&
+    (reach == 0.0 || this->Places.Find(middle, area, reach).Triangle == None);
+}
+
 double Straying(const ClosestPoints& line, const Vector3& a, const Vector3& b)
 {
   constexpr int samples = 8;
@@ -151,7 +182,7 @@ Vector3 MovableFaces::Projected(
   const Index line = this->Domain.Line[v];
   const ClosestPoints::Answer answer = line > 0
     ? this->Domain.Lines[line - 1].Find(place, Vector3::Zero(), reach)
-    : this->Domain.Surface.Find(place, normal, reach, this->Nearest[v]);
+    : this->SurfaceAt(v).Find(place, normal, reach, this->Nearest[v]);
   if (line <= 0 && answer.Place != None)
   {
     this->Nearest[v] = answer.Place;
@@ -195,6 +226,50 @@ int MovableFaces::CornerAt(Index f, Index v) const
   return static_cast<int>(std::find(face.begin(), face.end(), v) - face.begin());
 }
 
+Index MovableFaces::PatchOf(const Faces::Face& face) const
+{
+  const std::vector<Index>& patches = this->Domain.Patches.Of;
+  const int size = Faces::Size(face);
+  bool isBesideLine = false;
+  Index patch = None;
+  for (int c = 0; c < size; ++c)
+  {
+    isBesideLine = isBesideLine || this->Domain.Line[face[c]] != 0;
+    patch = std::max(patch, patches[face[c]]);
+  }
+  // Lines turn faces over: their vertices do not move away from them.
+  if (!isBesideLine)
+  {
+    return None;
+  }
+  for (int c = 0; patch == None && c < size; ++c)
+  {
+    const Index v = face[c];
+    const Index w = face[(c + 1) % size];
+    for (const Index f : this->Cells.At(v))
+    {
+      const Faces::Face& other = this->Cells.Face(f);
+      const bool isBeside = other != face && !this->Cells.IsLineEdge(v, w) &&
+        std::find(other.begin(), other.end(), w) != other.end();
+      for (int k = 0; isBeside && k < Faces::Size(other); ++k)
+      {
+        patch = std::max(patch, patches[other[k]]);
+      }
+    }
+  }
+  return patch;
+}
+
+bool MovableFaces::IsTurned(const Faces::Face& face) const
+{
+  if (!this->Domain.Patches.All)
+  {
+    return false;
+  }
+  const Index patch = this->PatchOf(face);
+  return patch != None && (*this->Domain.Patches.All)[patch].IsTurned(this->Points, face);
+}
+
 double MovableFaces::Quality(const Faces::Face& face) const
 {
   constexpr double flat = 0.05;
@@ -214,7 +289,7 @@ double MovableFaces::Quality(const Faces::Face& face) const
       quality = to.dot(from) < -leastTurn * to.norm() * from.norm() ? flat : quality;
     }
   }
-  return quality;
+  return quality > 0.0 && this->IsTurned(face) ? -quality : quality;
 }
 
 double MovableFaces::LeastQuality(Index v) const
@@ -229,7 +304,7 @@ double MovableFaces::LeastQuality(Index v) const
     // A triangle has no side of its own to be folded to.
     if (face[3] == None && AreaVector(this->Points, face).dot(normal) < 0.0)
     {
-      quality = -quality;
+      quality = -std::abs(quality);
     }
     least = std::min(least, quality);
   }

@@ -11,6 +11,33 @@
 
 namespace DirectionFields::Internal
 {
+/// A part of a surface between lines.
+struct SurfacePatch
+{
+  /// @param triangles of the part
+  explicit SurfacePatch(std::vector<ClosestPoints::Corners> triangles);
+
+  ClosestPoints Places;
+  /// The area vectors of the triangles, and their sum; zero where they do not all look to one side.
+  std::vector<Vector3> Normals;
+  Vector3 Side = Vector3::Zero();
+
+  /// Whether a face looks to the other side than the part below it.
+  /// @param reach not so if a triangle looks to the face's side within this distance of its middle;
+  ///              0 for any
+  bool IsTurned(
+    const std::vector<Vector3>& points, const Faces::Face& face, double reach = 0.0) const;
+};
+
+/// The parts of a surface that vertices keep to.
+struct VertexPatches
+{
+  /// Null where there are none.
+  const std::vector<SurfacePatch>* All = nullptr;
+  /// The part of each vertex, or None for the whole surface; empty where there are no parts.
+  std::vector<Index> Of = {};
+};
+
 /// The surface and the features on which vertices move.
 struct SmoothingDomain
 {
@@ -27,6 +54,8 @@ struct SmoothingDomain
   double MostStraying = 0.0;
   /// Vertices do not move over lines: their way to the surface is along their normals.
   bool KeepsSides = false;
+  /// Vertices that are free on the surface do not get over its lines.
+  VertexPatches Patches = {};
 };
 
 /// How far the edge between two places is from a line.
@@ -79,8 +108,9 @@ public:
   /// Moves each of these vertices, as far as it may move, half the way to Ideal, projected, one
   /// after the other, in this number of sweeps.
   void Relax(const std::vector<Index>& vertices, int times);
-  /// The scaled Jacobian of a face. Where lines are to stay close, a face in which a line turns
-  /// little counts as flat: it would lie beside the surface, in the hole that the line goes around.
+  /// The scaled Jacobian of a face, below 0 if it is turned over. Where lines are to stay close, a
+  /// face in which a line turns little counts as flat: it would lie beside the surface, in the hole
+  /// that the line goes around.
   double Quality(const Faces::Face& face) const;
   /// The least one of the faces at a vertex. Triangles whose normals oppose the others'
   /// count as negative.
@@ -94,12 +124,21 @@ public:
   double LargestDistance(Index v) const;
 
 private:
+  const ClosestPoints& SurfaceAt(Index v) const
+  {
+    const VertexPatches& patches = this->Domain.Patches;
+    const Index patch = patches.All ? patches.Of[v] : None;
+    return patch == None ? this->Domain.Surface : (*patches.All)[patch].Places;
+  }
   bool HasCloseLines() const { return this->Domain.MostStraying > 0.0; }
   /// Where lines are to stay close: a place on a line that is also drawn to the middle between its
   /// neighbours there, as an edge strays by the square of its length.
   Vector3 Spaced(Index v, const Vector3& ideal, const std::vector<Vector3>& points) const;
   Vector3 Projected(
     Index v, const Vector3& place, const Vector3& normal, const Vector3& otherwise) const;
+  /// The patch of a face with a corner on a line; None where its vertices do not tell it.
+  Index PatchOf(const Faces::Face& face) const;
+  bool IsTurned(const Faces::Face& face) const;
   int CornerAt(Index f, Index v) const;
 
   const VertexStars& Cells;

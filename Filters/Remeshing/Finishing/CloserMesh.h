@@ -18,7 +18,7 @@ struct MeshStanding
 {
   /// The larger one of the distances of mesh and surface from each other.
   double Farthest = 0.0;
-  /// The least scaled Jacobian of a face.
+  /// The least scaled Jacobian of a face; 0 at most where faces are turned over.
   double LeastQuality = 1.0;
   /// By how much the Euler characteristics of mesh and surface differ.
   int MissedHoles = 0;

@@ -34,14 +34,14 @@ void Improve(VertexStars& stars, MovableFaces& movable,
 
 void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPoints& surface,
   const std::vector<ClosestPoints>& lines, const std::vector<double>& edgeLength,
-  const Progress& progress)
+  const VertexPatches& patches, const Progress& progress)
 {
   if (settings.Steps == 0 && !settings.Joins)
   {
     return;
   }
   VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
-  SmoothingDomain domain{ surface, lines, {}, edgeLength, settings.MostStraying };
+  SmoothingDomain domain{ surface, lines, {}, edgeLength, settings.MostStraying, false, patches };
   for (const FaceMesh::Vertex& vertex : mesh.Vertices)
   {
     domain.Line.push_back(vertex.Line);

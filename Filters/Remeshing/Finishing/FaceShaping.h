@@ -6,6 +6,7 @@
 
 #include "Distance/ClosestPoints.h"
 #include "FaceMesh/FaceMesh.h"
+#include "FaceMesh/MovableFaces.h"
 #include "Progress.h"
 #include "PureQuads/TrianglePairs.h"
 
@@ -36,9 +37,10 @@ struct ShapingSettings
 /// @param surface    its triangles
 /// @param lines      the segments of each feature
 /// @param edgeLength wanted at each vertex
+/// @param patches    that vertices keep to
 void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPoints& surface,
   const std::vector<ClosestPoints>& lines, const std::vector<double>& edgeLength,
-  const Progress& progress = {});
+  const VertexPatches& patches, const Progress& progress = {});
 }
 
 #endif

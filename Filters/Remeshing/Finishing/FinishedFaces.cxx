@@ -9,6 +9,7 @@
 #include "Finishing/FaceSources.h"
 #include "Improvement/CloserLines.h"
 #include "Improvement/FoldedQuads.h"
+#include "PureQuads/InsertedRows.h"
 #include "PureQuads/TriangleParity.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ namespace
 /// joined anew, this number of times at most.
 constexpr double Good = 0.2;
 constexpr int Trials = 3;
+/// What a mesh counts as at most that has faces turned over.
+constexpr double OfTurned = -0.5;
 /// How often edges of lines are split that stray from them.
 constexpr int LineCutRounds = 3;
 /// How close they come. An edge of the wanted length does at circles with a radius of about three
@@ -63,6 +66,14 @@ std::vector<double> WantedLengths(
   return wanted;
 }
 
+/// The patches that the vertices of a mesh keep to.
+VertexPatches PatchesFor(const FaceMesh& mesh, const SurfaceContext& context)
+{
+  return context.Patches ? VertexPatches{ &context.Patches->GetAll(),
+    context.Patches->OfVertices(mesh, context.Triangles) }
+                         : VertexPatches();
+}
+
 /// Brings the edges of lines closer to them by moves and, this number of times, by cuts.
 void BringLinesCloser(FaceMesh& mesh, int cuts, const CloseLines& close, double edgeLength,
   const SurfaceContext& context, const Progress& progress)
@@ -71,8 +82,8 @@ void BringLinesCloser(FaceMesh& mesh, int cuts, const CloseLines& close, double 
   {
     const std::vector<double> wanted = WantedLengths(context, mesh.Points, edgeLength);
     const VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
-    SmoothingDomain domain{ context.Triangles, context.Lines, {}, wanted, close.MostStraying,
-      true };
+    SmoothingDomain domain{ context.Triangles, context.Lines, {}, wanted, close.MostStraying, true,
+      PatchesFor(mesh, context) };
     for (const FaceMesh::Vertex& vertex : mesh.Vertices)
     {
       domain.Line.push_back(vertex.Line);
@@ -86,72 +97,141 @@ void BringLinesCloser(FaceMesh& mesh, int cuts, const CloseLines& close, double 
   }
 }
 
-void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContext& context,
-  const Progress& progress)
+/// The ways in which the faces of one mesh are improved.
+class Improvement
 {
-  const auto shape = [&](const ShapingSettings& settings, const Progress& part)
+public:
+  Improvement(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContext& context)
+    : Mesh(mesh)
+    , Wanted(wanted)
+    , Context(context)
+    , HasCloseLines(wanted.Steps > 0 && context.HasCloseLines)
   {
-    ShapeFaces(mesh, settings, context.Triangles, context.Lines,
-      WantedLengths(context, mesh.Points, wanted.EdgeLength), part);
-  };
-  ShapingSettings settings;
-  settings.Steps = wanted.Steps;
-  settings.AreQuads = wanted.AreQuads;
-  settings.MostStraying = context.HasCloseLines && !wanted.IsPure ? Close.MostStraying : 0.0;
-  settings.RepairsFaces = false;
-  settings.MayMakeTriangles = true;
-  shape(settings, progress.Part(0.0, 0.4));
-  const bool hasCloseLines = wanted.Steps > 0 && context.HasCloseLines;
-  const auto bringLinesCloser = [&](int cuts, const Progress& part)
+    this->Settings.Steps = wanted.Steps;
+    this->Settings.AreQuads = wanted.AreQuads;
+    this->Settings.MostStraying =
+      context.HasCloseLines && !wanted.IsPure ? Close.MostStraying : 0.0;
+  }
+
+  void Run(const Progress& progress)
   {
-    if (hasCloseLines)
+    this->Settings.RepairsFaces = false;
+    this->Settings.MayMakeTriangles = true;
+    this->Shape(this->Settings, progress.Part(0.0, 0.4));
+    this->Settings.RepairsFaces = true;
+    if (!this->Wanted.AreQuads)
     {
-      BringLinesCloser(
-        mesh, cuts, wanted.IsPure ? CloseOfQuads : Close, wanted.EdgeLength, context, part);
+      this->BringLinesCloser(LineCutRounds, progress.Part(0.4, 1.0));
+      return;
     }
-  };
-  if (!wanted.AreQuads)
-  {
-    bringLinesCloser(LineCutRounds, progress.Part(0.4, 1.0));
-    return;
+    if (this->Wanted.IsPure)
+    {
+      const double first = this->HasCloseLines ? 0.5 : 0.4;
+      const double last = this->HasCloseLines ? 0.95 : 1.0;
+      this->BringLinesCloser(LineCutRounds, progress.Part(0.4, first));
+      this->JoinAll(progress.Part(first, last));
+      this->BringLinesCloser(0, progress.Part(last, 1.0));
+      return;
+    }
+    const double beforeLines = this->HasCloseLines ? 0.7 : 1.0;
+    this->Settings.Joins = JoinPolicy::Free;
+    this->Shape(this->Settings, progress.Part(0.4, beforeLines));
+    this->BringLinesCloser(LineCutRounds, progress.Part(beforeLines, 1.0));
+    CutFoldedQuads(this->Mesh.Cells, this->Mesh.Points);
   }
-  settings.RepairsFaces = true;
-  if (!wanted.IsPure)
+
+private:
+  void Shape(const ShapingSettings& settings, const Progress& part)
   {
-    const double beforeLines = hasCloseLines ? 0.7 : 1.0;
-    settings.Joins = JoinPolicy::Free;
-    shape(settings, progress.Part(0.4, beforeLines));
-    bringLinesCloser(LineCutRounds, progress.Part(beforeLines, 1.0));
-    CutFoldedQuads(mesh.Cells, mesh.Points);
-    return;
+    ShapeFaces(this->Mesh, settings, this->Context.Triangles, this->Context.Lines,
+      WantedLengths(this->Context, this->Mesh.Points, this->Wanted.EdgeLength),
+      PatchesFor(this->Mesh, this->Context), part);
   }
-  const double first = hasCloseLines ? 0.5 : 0.4;
-  const double last = hasCloseLines ? 0.95 : 1.0;
-  bringLinesCloser(LineCutRounds, progress.Part(0.4, first));
-  const Progress trials = progress.Part(first, last);
-  settings.MayMakeTriangles = false;
-  settings.Joins = JoinPolicy::AtAnyPrice;
-  ShapingSettings joining;
-  joining.Joins = JoinPolicy::Cheap;
-  FaceMesh best;
-  double most = -2.0;
-  for (int k = 0; k < Trials && most < Good; ++k)
+
+  void BringLinesCloser(int cuts, const Progress& part)
   {
-    const Progress part =
-      trials.Part(static_cast<double>(k) / Trials, static_cast<double>(k + 1) / Trials);
-    shape(joining, part.Part(0.0, 0.2));
-    EvenOutTriangles(mesh, wanted.Spacing != BoundarySpacing::Keep);
-    shape(settings, part.Part(0.2, 1.0));
-    const double quality = LeastQuality(mesh);
+    if (this->HasCloseLines)
+    {
+      Internal::BringLinesCloser(this->Mesh, cuts, this->Wanted.IsPure ? CloseOfQuads : Close,
+        this->Wanted.EdgeLength, this->Context, part);
+    }
+  }
+
+  /// The least scaled Jacobian, less where faces are turned over; of triangles, which are to go,
+  /// -1.
+  double Quality() const
+  {
+    const double least = LeastQuality(this->Mesh);
+    const bool isTurned = this->Context.Patches &&
+      !this->Context.Patches->FindTurned(this->Mesh, this->Context.Triangles).empty();
+    return isTurned ? std::min(least, OfTurned) : least;
+  }
+
+  /// Keeps the mesh if it is the best one so far.
+  void Consider(FaceMesh& best, double& most) const
+  {
+    const double quality = this->Quality();
     if (quality > most)
     {
       most = quality;
-      best = mesh;
+      best = this->Mesh;
     }
-    CutFoldedQuads(mesh.Cells, mesh.Points, Good);
   }
-  mesh = std::move(best);
-  bringLinesCloser(0, progress.Part(last, 1.0));
+
+  /// Makes quads of all triangles, as many as find another one.
+  void JoinAll(const Progress& progress)
+  {
+    this->Settings.MayMakeTriangles = false;
+    this->Settings.Joins = JoinPolicy::AtAnyPrice;
+    ShapingSettings joining;
+    joining.Joins = JoinPolicy::Cheap;
+    FaceMesh best;
+    double most = -2.0;
+    for (int k = 0; k < Trials && most < Good; ++k)
+    {
+      const Progress part =
+        progress.Part(static_cast<double>(k) / Trials, static_cast<double>(k + 1) / Trials);
+      this->Shape(joining, part.Part(0.0, 0.2));
+      EvenOutTriangles(this->Mesh, this->Wanted.Spacing != BoundarySpacing::Keep);
+      FaceMesh even = k == 0 ? this->Mesh : FaceMesh();
+      this->Shape(this->Settings, part.Part(0.2, 0.6));
+      this->Consider(best, most);
+      if (k == 0 && most<Good&& this->Wanted.Steps> 0)
+      {
+        std::swap(this->Mesh, even);
+        this->JoinByRows(part.Part(0.6, 1.0));
+        this->Consider(best, most);
+        std::swap(this->Mesh, even);
+      }
+      CutFoldedQuads(this->Mesh.Cells, this->Mesh.Points, Good);
+    }
+    this->Mesh = std::move(best);
+  }
+
+  /// Joins triangles where faces are good then, and the others by rows of faces, which take no
+  /// room along lines.
+  void JoinByRows(const Progress& progress)
+  {
+    ShapingSettings joining;
+    joining.Joins = JoinPolicy::Good;
+    this->Shape(joining, progress.Part(0.0, 0.5));
+    InsertRows(this->Mesh);
+    ShapingSettings after = this->Settings;
+    after.Joins.reset();
+    this->Shape(after, progress.Part(0.5, 1.0));
+  }
+
+  FaceMesh& Mesh;
+  const FinishedFaces& Wanted;
+  const SurfaceContext& Context;
+  bool HasCloseLines;
+  ShapingSettings Settings;
+};
+
+void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContext& context,
+  const Progress& progress)
+{
+  Improvement(mesh, wanted, context).Run(progress);
 }
 }
 
@@ -185,7 +265,8 @@ BoundaryFigures FinishFaces(FaceMesh& mesh, const FinishedFaces& wanted,
   following.Steps = wanted.Steps;
   following.AreQuads = false;
   ShapeFaces(mesh, following, context.Triangles, context.Lines,
-    WantedLengths(context, mesh.Points, wanted.EdgeLength), progress.Part(0.8, 1.0));
+    WantedLengths(context, mesh.Points, wanted.EdgeLength), PatchesFor(mesh, context),
+    progress.Part(0.8, 1.0));
   Release(mesh);
   figures.Points = BoundaryCount(mesh, context.Input, lines).Points;
   figures.Unevenness = UnevennessOf(mesh, context.Input, lines, context.Sizes);

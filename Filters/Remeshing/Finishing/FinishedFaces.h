@@ -6,6 +6,7 @@
 
 #include "Boundary/BoundarySpacing.h"
 #include "FaceMesh/FaceMesh.h"
+#include "Finishing/SurfacePatches.h"
 #include "Preparation/PreparedSurface.h"
 #include "Progress.h"
 
@@ -25,6 +26,8 @@ struct SurfaceContext
   const std::vector<double>& Sizes;
   /// Edges of lines are to be close to them everywhere, which may cost triangles.
   bool HasCloseLines = false;
+  /// Null where vertices may get over lines.
+  const SurfacePatches* Patches = nullptr;
 };
 
 /// What the faces are to be.

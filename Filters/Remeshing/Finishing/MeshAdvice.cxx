@@ -79,6 +79,18 @@ std::string AboutQuality(
         : "Smoothing Iterations above 0 would make most of them regular.");
 }
 
+std::string AboutTurned(const MeshWishes& wishes)
+{
+  if (wishes.Turned == 0)
+  {
+    return {};
+  }
+  return std::to_string(wishes.Turned) + (wishes.Turned == 1 ? " face is" : " faces are") +
+    " turned over: they look to the other side than the surface below them, beside an edge of it "
+    "that bends more than theirs can follow. An edge length of " +
+    Figure(0.5 * wishes.ShortestEdge) + " gives them room.";
+}
+
 std::string AboutDistance(const MeshWishes& wishes)
 {
   const double most = std::max(MostDistance * wishes.Extent, MostPerLength * wishes.EdgeLength);
@@ -231,9 +243,9 @@ std::vector<std::string> MeshAdvice(
   const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes)
 {
   std::vector<std::string> sentences;
-  for (std::string& sentence :
-    std::array{ AboutTriangles(faces, wishes), AboutQuality(points, faces, wishes),
-      AboutDistance(wishes), AboutNumber(faces, wishes), AboutSizes(points, faces, wishes) })
+  for (std::string& sentence : std::array{ AboutTriangles(faces, wishes),
+         AboutQuality(points, faces, wishes), AboutTurned(wishes), AboutDistance(wishes),
+         AboutNumber(faces, wishes), AboutSizes(points, faces, wishes) })
   {
     if (!sentence.empty())
     {

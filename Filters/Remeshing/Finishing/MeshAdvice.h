@@ -37,6 +37,8 @@ struct MeshWishes
   double OfBoundary = 0.0;
   /// The part of the vertices that are on features.
   double PartOnFeatures = 0.0;
+  /// Faces that look to the other side than the surface.
+  Index Turned = 0;
   /// The part of the kept edges that the directions given cross; 0 without such directions.
   double PartCrossed = 0.0;
   /// The wanted length of edges at each vertex of the mesh, in the unit of its points; empty for
@@ -45,8 +47,9 @@ struct MeshWishes
 };
 
 /// Tells the user the shortcomings of a mesh, and their remedies: a sentence each for many
-/// triangles, faces that are flat or folded, places far from the surface, another number of faces
-/// than was asked for, and sizes that are not reached. None for a mesh that is as it should be.
+/// triangles, faces that are flat, folded or turned over, places far from the surface, another
+/// number of faces than was asked for, and sizes that are not reached. None for a mesh that is as
+/// it should be.
 std::vector<std::string> MeshAdvice(
   const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes);
 

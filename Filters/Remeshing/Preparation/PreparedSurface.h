@@ -138,6 +138,16 @@ public:
 
   /// The triangles of the input, as far as they are used, wound consistently.
   std::vector<ClosestPoints::Corners> GetTriangles() const;
+  /// Their points.
+  std::vector<Triangle> GetUsedTriangles() const
+  {
+    std::vector<Triangle> triangles;
+    for (const UsedTriangle& used : this->Used)
+    {
+      triangles.push_back(used.Points);
+    }
+    return triangles;
+  }
   /// Not 0 for each triangle of the input that is used.
   std::vector<char> FindUsed(std::size_t inputTriangles) const
   {

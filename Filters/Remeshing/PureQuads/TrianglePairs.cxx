@@ -423,6 +423,7 @@ void JoinTriangles(VertexStars& faces, MovableFaces& places,
   const Index anywhere = 4 * faces.GetNumberOfFaces();
   const std::size_t count = policy == JoinPolicy::Free ? 1
     : policy == JoinPolicy::Cheap                      ? 3
+    : policy == JoinPolicy::Good                       ? 4
                                                        : std::size(Prices);
   for (std::size_t k = 0; k < count; ++k)
   {

@@ -19,6 +19,8 @@ enum class JoinPolicy
   Free,
   /// Two irregular vertices a pair.
   Cheap,
+  /// As many as it takes, but triangles stay where faces would become bad.
+  Good,
   /// Where no strip leaves faces good they become as good as they can, and vertices may become
   /// irregular; only triangles that find no other one stay.
   AtAnyPrice

@@ -44,7 +44,7 @@
  * - with a limit of the quality, cell data `Pass`: signed char. 1 for faces that keep all limits.
  * - field data `Faces`, `Quads`, `Triangles`, `IrregularVertices` (in the interior), `KeptVertices`
  *   (those that are no points of the grid, but could not be removed), `FlippedTriangles` (of the
- *   map): int.
+ *   map), `TurnedFaces` (that look to the other side than the surface below them): int.
  * - field data `EdgeLength`, the one that was asked for; `MaximumDistance`, how far the middle of a
  *   face or edge is from the surface; and `MaximumDistanceToMesh`, how far a point of the surface
  *   is from the mesh: double, in the input's unit.

@@ -39,12 +39,12 @@ constexpr const char* ReportNames[] = { "Eigenvalue", "Residual", "Iterations", 
   "CancelledPairs", "UnitSteps", ArrayNames::Repairs, "Distribution", "RotationEnergy",
   "MaximumRotation", "WrongTriangles", "TurningNumbers", "SeparatingDistance", "Spacing",
   "LineOffset", "Misfit", "BranchPoints", "NumberOfGlyphs", "Faces", "Quads", "Triangles",
-  "IrregularVertices", "KeptVertices", "FlippedTriangles", "EdgeLength", "MaximumDistance",
-  "MaximumDistanceToMesh", "Regions", "RegionsLost", "BordersKept", "CornersMissed",
-  "LargestAreaError", "LeastScaledJacobian", "MeanScaledJacobian", "LargestAspectRatio",
-  "LargestWarpage", "FailedFaces", "Pass", "EdgesAsWanted", "ErrorOfSizes", "BoundaryPoints",
-  "BoundaryPointsKept", "BoundaryUnevenness", "MeanAngleDifference", "MaximumAngleDifference",
-  "MatchedSingularities", "MeanMatchDistance", "MaximumMatchDistance" };
+  "IrregularVertices", "KeptVertices", "FlippedTriangles", "TurnedFaces", "EdgeLength",
+  "MaximumDistance", "MaximumDistanceToMesh", "Regions", "RegionsLost", "BordersKept",
+  "CornersMissed", "LargestAreaError", "LeastScaledJacobian", "MeanScaledJacobian",
+  "LargestAspectRatio", "LargestWarpage", "FailedFaces", "Pass", "EdgesAsWanted", "ErrorOfSizes",
+  "BoundaryPoints", "BoundaryPointsKept", "BoundaryUnevenness", "MeanAngleDifference",
+  "MaximumAngleDifference", "MatchedSingularities", "MeanMatchDistance", "MaximumMatchDistance" };
 
 /// Adds an array of vectors over the points; where there are none, removes one that an earlier run
 /// left in the input.

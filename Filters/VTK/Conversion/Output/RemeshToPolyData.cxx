@@ -83,6 +83,7 @@ void AddMesh(vtkPolyData* input, const TriangulatedPolyData& surface, const Reme
   AddNumber<vtkIntArray>("IrregularVertices", mesh.IrregularVertices, data);
   AddNumber<vtkIntArray>("KeptVertices", mesh.KeptVertices, data);
   AddNumber<vtkIntArray>("FlippedTriangles", mesh.FlippedTriangles, data);
+  AddNumber<vtkIntArray>("TurnedFaces", mesh.TurnedFaces, data);
   AddNumber<vtkDoubleArray>("EdgeLength", mesh.EdgeLength, data);
   AddNumber<vtkDoubleArray>("MaximumDistance", mesh.MaximumDistance, data);
   AddNumber<vtkDoubleArray>("MaximumDistanceToMesh", mesh.MaximumDistanceToMesh, data);
