@@ -43,10 +43,7 @@ bool IsOwn(const void* place)
 {
   Dl_info library{};
   const bool isKnown = dladdr(place, &library) != 0 && library.dli_fname;
-  return isKnown &&
-    (std::strstr(library.dli_fname, "libvtkDirectionFields") ||
-      std::strstr(library.dli_fname, "libcholmod") ||
-      std::strstr(library.dli_fname, "libsuitesparseconfig"));
+  return isKnown && std::strstr(library.dli_fname, "libvtkDirectionFields");
 }
 
 /// Whether memory is asked for by such code. Functions of the standard library's templates are

@@ -12,9 +12,9 @@ extern "C"
   /// Whether memory goes through this library, which glibc alone lets it.
   int HasFailingAllocations();
 
-  /// One of the next allocations fails. Only those by the project's own code and by CHOLMOD count,
-  /// since VTK ends the program where some of its smallest ones fail, and so does an empty sparse
-  /// matrix of Eigen that is moved.
+  /// One of the next allocations fails. Only those by the project's own code count, since VTK ends the
+  /// program where some of its smallest ones fail, and so does an empty sparse matrix of Eigen that
+  /// is moved.
   /// @param number how many are left before it; negative if none is to fail
   /// @param bytes  the least size of those that count
   void FailAllocation(long long number, long long bytes);

@@ -36,9 +36,9 @@ def field_of(surface, options):
     return field, heard
 
 
-def field_with(room, surface):
+def field_with(room, surface, options):
     """The field, and what was wrong, where the last process gets no more than some bytes."""
-    field, heard = field_of(surface, {})
+    field, heard = field_of(surface, options)
     limits = resource.getrlimit(resource.RLIMIT_AS)
     if room and rank == count - 1:
         with open("/proc/self/statm", encoding="ascii") as sizes:
@@ -51,12 +51,12 @@ def field_with(room, surface):
     return field, "".join(heard)
 
 
-def test_room(surface, rooms):
+def test_room(surface, options, rooms):
     for room in rooms:
-        field, text = field_with(room, surface)
+        field, text = field_with(room, surface, options)
         check(f"there is too little memory on process {count - 1}" in text, room, text)
         check(field.GetOutput().GetNumberOfCells() == 0, room)
-    field, text = field_with(None, surface)
+    field, text = field_with(None, surface, options)
     check(not text and field.GetOutput().GetPointData().HasArray("Direction0"), "after the errors", text)
 
 
@@ -93,7 +93,9 @@ def two(size):
     return np.concatenate([points, points + (0.0, 4.0, 0.0)]), np.concatenate([triangles, triangles + len(points)])
 
 
-test_room(Surfaces.potato(30), (3 << 20, 4 << 20, 5 << 20))
+test_room(Surfaces.potato(30), {}, (3 << 20, 4 << 20, 5 << 20))
+curved = {"Alignment": vtkPDirectionField.ALIGN_PRINCIPAL_CURVATURE}
+test_room(Surfaces.potato(40), curved, (1 << 20, 5 << 18, 3 << 19, 1 << 21, 3 << 20))
 failing = ctypes.CDLL(sys.argv[2])
 failing.StopFailingAllocations.restype = ctypes.c_longlong
 if failing.HasFailingAllocations():

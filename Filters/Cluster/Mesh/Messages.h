@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <type_traits>
@@ -46,6 +47,20 @@ void DoOnAll(MPI_Comm communicator, const Work& work)
   if (isAnyShort)
   {
     throw ProcessesError("");
+  }
+}
+
+/// Throws std::bad_alloc where there is no room for some bytes: before work in which a process that
+/// finds none cannot tell the others, who wait for it.
+inline void RequireMemory(std::size_t bytes)
+{
+  // The compiler may leave out allocations of no use, unless their address is.
+  void* volatile room = std::malloc(bytes);
+  const bool isThere = room != nullptr;
+  std::free(room);
+  if (!isThere)
+  {
+    throw std::bad_alloc();
   }
 }
 

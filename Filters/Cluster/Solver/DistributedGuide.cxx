@@ -16,6 +16,10 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
+/// Memory that curvatures take while they are made.
+constexpr std::size_t BytesOfCurvedVertex = 800;
+constexpr std::size_t BytesOfCurvature = 1 << 20;
+
 /// The user's vectors as a section, in the scale of the whole surface.
 std::vector<Complex> GivenSection(Processes& processes, const Messages& messages,
   const DistributedMesh& mesh, const PieceWithSurroundings& piece, const Options& options,
@@ -54,6 +58,12 @@ bool AnyOwned(const Messages& messages, const DistributedMesh& mesh, const IsThe
 void DrawToCurvature(const Messages& messages, const DistributedMesh& mesh,
   const PieceWithSurroundings& piece, const Options& options, DistributedGuide& guide)
 {
+  messages.Together(
+    [&]
+    {
+      const auto vertices = static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
+      RequireMemory(BytesOfCurvature + vertices * BytesOfCurvedVertex);
+    });
   guide.Curved = CurvatureOf(messages, mesh, piece, options.CurvatureScale);
   guide.Shares = CurvatureShares(messages, mesh, *guide.Curved);
   guide.Drawn = CurvatureSection(*guide.Curved, options.Degree, options.CurvatureDirection);
@@ -129,6 +139,10 @@ DistributedGuide MakeGuide(Processes& processes, const Messages& messages,
     try
     {
       DrawToCurvature(messages, mesh, piece, options, guide);
+    }
+    catch (const TooLittleMemory&)
+    {
+      throw;
     }
     catch (const std::bad_alloc&)
     {

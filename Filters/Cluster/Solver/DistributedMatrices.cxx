@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <utility>
 
 namespace DirectionFields::Parallel
@@ -19,20 +17,6 @@ namespace
 /// Memory of PETSc's matrices, hierarchy and vectors for an own row, and for everything else.
 constexpr std::size_t BytesOfRow = 2000;
 constexpr std::size_t BytesOfSolver = 1 << 21;
-
-/// Throws std::bad_alloc where the solver will not get its memory: where PETSc itself notices, the
-/// other processes wait in one of its functions, which nothing but the end of all wakes them from.
-void RequireMemory(std::size_t rows)
-{
-  // The compiler may leave out allocations of no use, unless their address is.
-  void* volatile room = std::malloc(BytesOfSolver + rows * BytesOfRow);
-  const bool isThere = room != nullptr;
-  std::free(room);
-  if (!isThere)
-  {
-    throw std::bad_alloc();
-  }
-}
 
 /// Own rows, compressed, with columns of the whole.
 struct Rows
@@ -115,7 +99,8 @@ DistributedMatrices AssembleMatrices(const Messages& members, const std::vector<
   DoOnAll(members.GetCommunicator(),
     [&]
     {
-      RequireMemory(matrices.Vertices.size());
+      // Where PETSc itself notices, the others wait in one of its functions.
+      RequireMemory(BytesOfSolver + matrices.Vertices.size() * BytesOfRow);
       for (const std::size_t c : parts)
       {
         const double ratio = mesh.GetGeometry().Lengths.Unit[c] / matrices.Unit;

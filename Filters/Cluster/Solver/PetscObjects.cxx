@@ -4,6 +4,7 @@
 #include "Solver/PetscObjects.h"
 
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 namespace DirectionFields::Parallel
@@ -13,9 +14,12 @@ namespace
 PetscErrorCode EndWhereMemoryIsShort(MPI_Comm communicator, int line, const char* function,
   const char* file, PetscErrorCode code, PetscErrorType type, const char* message, void* context)
 {
-  if (code == PETSC_ERR_MEM)
+  // PETSc 3.18 gives the line of the program that asked for memory as the code, and as the message
+  // its function.
+  const bool isMalloc = function && std::strstr(function, "Malloc");
+  if (code == PETSC_ERR_MEM || (isMalloc && type == PETSC_ERROR_INITIAL))
   {
-    EndAllForMemory(message);
+    EndAllForMemory(isMalloc ? "" : message);
   }
   return PetscReturnErrorHandler(communicator, line, function, file, code, type, message, context);
 }
