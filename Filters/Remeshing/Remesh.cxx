@@ -70,10 +70,7 @@ ShapeAlignment AlignmentOf(const RemeshOptions& options)
   return isDrawn ? ShapeAlignment{ options.AlignmentStrength, options.SingularityCost }
                  : ShapeAlignment();
 }
-}
 
-namespace
-{
 /// Copies the faces and the kinds of their vertices.
 void CopyFaces(const FaceMesh& mesh, RemeshResult& result)
 {
@@ -255,10 +252,12 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   wishes.OfBoundary = request.Unit * result.MaximumBoundaryDistance;
   const auto onFeatures = std::count_if(result.Kind.begin(), result.Kind.end(),
     [](VertexKind kind) { return kind == VertexKind::Feature || kind == VertexKind::Corner; });
-  wishes.PartOnFeatures = options.KeepFeatures && !result.Kind.empty()
+  wishes.HasHard = !options.Regions.empty() || request.Cut;
+  wishes.PartOnFeatures = (options.KeepFeatures || wishes.HasHard) && !result.Kind.empty()
     ? static_cast<double>(onFeatures) / static_cast<double>(result.Kind.size())
     : 0.0;
   wishes.AddsPairs = options.AddIrregularPairs;
+  wishes.HasGradation = options.Gradation > 0.0;
   wishes.Turned = result.TurnedFaces;
   wishes.PartCrossed = request.Field.GetPartCrossed();
   for (std::size_t v = 0; !options.Sizing.empty() && v < result.Points.size(); ++v)

@@ -167,6 +167,14 @@ RemeshOptions Remesh::InUnitOfInput(
     notes.push_back("Sizes are taken from 1/8 to 8 only: at " + Count(outside, "point") +
       " that of the Sizing Array is out of this range, and the nearest one is taken.");
   }
+  const auto unusable = static_cast<std::size_t>(std::count_if(given.Sizing.begin(),
+    given.Sizing.end(), [](double size) { return !(size > 0.0 && std::isfinite(size)); }));
+  if (unusable > 0)
+  {
+    notes.push_back("At " + Count(unusable, "point") +
+      " the Sizing Array has no positive number: sizes count as 1 there. Calculator makes others of "
+      "them.");
+  }
   if (!given.SizingIsLength && given.UseEdgeLength)
   {
     options.EdgeLength = std::clamp(given.EdgeLength / this->Unit,

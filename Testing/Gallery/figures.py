@@ -14,6 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import meshes
+from engineering import engineering, roof
 from gallery import Panel, producer
 from remeshed import RemeshedPanel
 from shown import ComparisonPanel, GivenPanel, LinesPanel
@@ -479,6 +480,8 @@ FIGURES = {
     "StripesEigenvector": stripes_eigenvector,
     "WhatItDoes": what_it_does,
     "Remeshed": remeshed,
+    "Engineering": engineering,
+    "Roof": roof,
     "Symmetries": symmetries,
     "Energies": energies,
     "UnitLength": unit_length,

@@ -4,13 +4,13 @@
 #include "Curves/CurveCut.h"
 
 #include "Curves/CoarseFirst.h"
+#include "Curves/CurveSentences.h"
 #include "Curves/PartRefinement.h"
 #include "Curves/SplittableMesh.h"
 #include "Distance/ClosestPoints.h"
 #include "Mesh/MergePoints.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Support/MortonCurve.h"
-#include "Support/Sentences.h"
 #include "Support/SortedEnds.h"
 
 #include <algorithm>
@@ -443,10 +443,7 @@ void AddPoints(const std::vector<Vector3>& points, Cutter& cutter, CurveCut& res
   }
   if (!left.empty())
   {
-    result.Notes.push_back(Numbered("Point", left) +
-      (left.size() > 1 ? " are no vertices" : " is no vertex") +
-      " of the mesh: farther from the surface than a hundredth of its diagonal. Points have to lie "
-      "on it.");
+    result.Notes.push_back(AboutFarPoints(left));
   }
 }
 }
@@ -459,18 +456,25 @@ CurveCut CutAlong(const Surface& surface, const GivenLines& given, const Progres
   CurveCut result;
   AddPoints(given.Points, cutter, result);
   std::vector<Index> left;
+  std::vector<Index> dots;
   for (std::size_t k = 0; k < given.Curves.size(); ++k)
   {
-    if (!cutter.Add(static_cast<Index>(k), given.Curves[k]))
+    if (IsDot(given.Curves[k]))
+    {
+      dots.push_back(static_cast<Index>(k));
+    }
+    else if (!cutter.Add(static_cast<Index>(k), given.Curves[k]))
     {
       left.push_back(static_cast<Index>(k));
     }
   }
   if (!left.empty())
   {
-    result.Notes.push_back("Parts of " + Numbered("curve", left) +
-      " are no lines of the mesh: they are farther from the surface than a hundredth of its "
-      "diagonal, or the surface ends between two of their points. Curves have to lie on it.");
+    result.Notes.push_back(AboutFarCurves(left));
+  }
+  if (!dots.empty())
+  {
+    result.Notes.push_back(AboutDots(dots));
   }
   cutter.Refine();
   result.Cut.Points = cutter.Mesh.GetPoints();

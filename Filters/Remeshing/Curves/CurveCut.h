@@ -48,7 +48,8 @@ struct CurveCut
 /// the way to those before and after it. Where curves cross there is a point.
 /// Points come first, and take those of the surface that are closer than a hundredth of the edges
 /// there. Parts of curves between points that are farther from the surface than a hundredth of its
-/// diagonal are left out, and so are those that do not come to their end on it. Points at the same
+/// diagonal are left out, and so are those that do not come to their end on it, and curves without
+/// length. Points at the same
 /// place across seams are one. Takes time by the number of triangles that come about, but for
 /// points that lie far from those before them in one triangle.
 /// Throws MeshError for a surface that cannot be processed, and Stopped.

@@ -35,6 +35,8 @@ constexpr double MostOff = 0.25;
 constexpr double MostCrossed = 0.1;
 /// Sizes are judged by this part of the faces, those that are to be the smallest or the largest.
 constexpr double Extremes = 0.1;
+/// The user is told where fewer edges have the wanted length. Of even ones about .75 to 1 have.
+constexpr double FewAsWanted = 0.6;
 
 bool IsMissed(double ratio)
 {
@@ -129,7 +131,10 @@ std::string AboutNumber(const Faces& faces, const MeshWishes& wishes)
   return "There are " + std::to_string(faces.Corners.size()) + " faces in place of " +
     std::to_string(wishes.NumberOfFaces) + ". " +
     (made > ManyTimes * wanted && wishes.PartOnFeatures > MostOnFeatures
-        ? "Its sharp edges need so many: Keep Features off would come closer."
+        ? (wishes.HasHard
+              ? "The borders, curves and points that are to be kept need so many: fewer "
+                "of them would come closer."
+              : "Its sharp edges need so many: Keep Features off would come closer.")
         : "A Number Of Faces of " +
           std::to_string(static_cast<Index>(std::min(1e9, std::ceil(wanted * wanted / made)))) +
           " would come closer.");
@@ -213,7 +218,13 @@ std::string AboutSizes(
   const double longest = MiddleRatio(sized, Extremes);
   if (!IsMissed(shortest) && !IsMissed(longest))
   {
-    return {};
+    const double share = EdgesAsWanted(points, faces, wishes);
+    return share < FewAsWanted ? Figure(100.0 * share) +
+        " % of the edges are as long as the sizes ask for, within 25 %: they differ more than a grid "
+        "of few irregular vertices can follow. " +
+        (wishes.HasGradation ? "A Gradation closer to 1 makes them grow more slowly."
+                             : "A Gradation of 1.3 makes them grow step by step.")
+                               : std::string();
   }
   return "Edges are " + TimesWanted(shortest) +
     " where the Sizing Array asks for the shortest, and " + TimesWanted(longest) +

@@ -23,6 +23,8 @@ struct MeshWishes
   bool IsSmoothed = true;
   /// Irregular vertices are added where sizes need them.
   bool AddsPairs = true;
+  /// Sizes grow from one edge to the next by a limited factor.
+  bool HasGradation = false;
   /// How many faces are wanted; 0 where a length of edges is.
   Index NumberOfFaces = 0;
   /// The wanted length of edges, that at thin parts, and the diagonal of the box around the
@@ -35,8 +37,10 @@ struct MeshWishes
   double ToSurface = 0.0;
   double ToMesh = 0.0;
   double OfBoundary = 0.0;
-  /// The part of the vertices that are on features.
+  /// The part of the vertices that are on lines or are given points, and whether these are more
+  /// than sharp edges.
   double PartOnFeatures = 0.0;
+  bool HasHard = false;
   /// Faces that look to the other side than the surface.
   Index Turned = 0;
   /// The part of the kept edges that the directions given cross; 0 without such directions.

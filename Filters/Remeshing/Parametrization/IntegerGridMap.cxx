@@ -185,7 +185,7 @@ const char* Sentence(MapFailure failure)
   switch (failure)
   {
     case MapFailure::TooManyCells:
-      return "its grid would have more than 100 million cells";
+      return "its grid would have more than 100 million cells, for which edges are to be longer";
     case MapFailure::NoSolution:
       return "the equations of its grid could not be solved";
     case MapFailure::OutOfRange:

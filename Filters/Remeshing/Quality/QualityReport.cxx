@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 namespace DirectionFields
 {
@@ -69,6 +70,13 @@ void Judge(const FaceQuality& quality, const QualityLimits& limits, QualityRepor
 
 QualityReport ReportQuality(const FaceQuality& quality, const QualityLimits& limits)
 {
+  if (!(limits.MinimumScaledJacobian >= 0.0 && limits.MinimumScaledJacobian <= 1.0 &&
+        limits.MaximumAspectRatio >= 0.0 && limits.MaximumWarpage >= 0.0 &&
+        limits.MaximumWarpage <= 2.0))
+  {
+    throw std::invalid_argument("Minimum Scaled Jacobian has to be between 0 and 1, Maximum Aspect "
+                                "Ratio at least 0, and Maximum Warpage between 0 and 2.");
+  }
   QualityReport report;
   const std::vector<double>& jacobians = quality.ScaledJacobian;
   if (!jacobians.empty())

@@ -44,6 +44,7 @@ struct QualityReport
   std::vector<std::string> Sentences;
 };
 
+/// Throws std::invalid_argument, its text a sentence for the user, for limits out of range.
 QualityReport ReportQuality(const FaceQuality& quality, const QualityLimits& limits = {});
 }
 
