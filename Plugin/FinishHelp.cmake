@@ -18,6 +18,7 @@ set(pictures
   "filters.FieldAlignedRemesh=remesh"
   "sources.DirectionFieldFile=files"
   "sources.SurfaceStrokes=curves"
+  "filters.ShadedSurface=degrees"
   "writers.DirectionFieldWriter=files"
   "writers.AbaqusMeshWriter=remesh")
 file(GLOB pages RELATIVE "${HELP}" "${HELP}/filters.*.html" "${HELP}/sources.*.html"

@@ -149,8 +149,8 @@ bool IsParaViewsChoice(
 /// smooth surface, whose filter has had several names.
 bool IsOfPicture(const std::string& name)
 {
-  return name == "PythonAnnotation" || name == "PPolyDataNormals" || name == "PolyDataNormals" ||
-    name == "SurfaceNormals";
+  return name == "PythonAnnotation" || name == "ShadedSurface" || name == "PPolyDataNormals" ||
+    name == "PolyDataNormals" || name == "SurfaceNormals";
 }
 
 /// Hides the legend of a display if no other one shows points with its colors.

@@ -185,12 +185,12 @@ def color(display, rgb):
 def show_surface(field, view):
     surface = field
     if not field.PointData.GetArray("Normals"):
-        # This splits the surface at sharp edges only, and keeps the orientation of the mesh.
-        # ParaView 5.13 has given the filter another name.
-        normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals
-        surface = follower(field, "PPolyDataNormals", "PolyDataNormals", "SurfaceNormals")
-        surface = surface or normals(registrationName=part_name("Surface", field), Input=field,
-                                     FeatureAngle=60.0, Consistency=0)
+        # This splits the surface at sharp edges only, and keeps the orientation of the mesh. States of
+        # older versions have ParaView's own filter.
+        surface = follower(field, "ShadedSurface", "PPolyDataNormals", "PolyDataNormals",
+                           "SurfaceNormals")
+        surface = surface or register(connect(check_properties("ShadedSurface", {}), field, {}),
+                                      part_name("Surface", field))
     display = simple.Show(surface, view)
     display.SetRepresentationType("Surface")
     color(display, SURFACE_COLOR)

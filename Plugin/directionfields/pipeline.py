@@ -9,8 +9,8 @@ from paraview import simple
 MAKERS = ("DirectionField", "ReadDirectionField", "DirectionFieldFile", "EditSingularities")
 # Those that draw a field: what they give may have directions, too, but the field is their input's.
 DRAWINGS = ("DirectionFieldGlyphs", "DirectionFieldStreamlines", "StripePattern",
-            "CompareDirectionFields", "PythonAnnotation", "PPolyDataNormals", "PolyDataNormals",
-            "SurfaceNormals")
+            "CompareDirectionFields", "PythonAnnotation", "ShadedSurface", "PPolyDataNormals",
+            "PolyDataNormals", "SurfaceNormals")
 # Those that make a new mesh along a field.
 REMESHERS = ("FieldAlignedRemesh",)
 # The names that Extract Surface has had.

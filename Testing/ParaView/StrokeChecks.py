@@ -17,10 +17,8 @@ def middle(view, source):
 
 
 def names():
-    """The kinds of sources; that of normals has had three names."""
-    normals = ("PPolyDataNormals", "SurfaceNormals")
-    kinds = [source.GetXMLName() for source in simple.GetSources().values()]
-    return sorted("PolyDataNormals" if kind in normals else kind for kind in kinds)
+    """The kinds of sources."""
+    return sorted(source.GetXMLName() for source in simple.GetSources().values())
 
 
 def points_of(source):

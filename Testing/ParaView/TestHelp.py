@@ -32,7 +32,7 @@ menu = [f"filters.{proxy.get('name')}.html"
 assert len(menu) == 9
 # Below it they are the guide, the filters in the menu's order, and the files.
 assert titles == ["index.html", "index.html", *menu, "sources.DirectionFieldFile.html",
-                  "sources.SurfaceStrokes.html", "writers.DirectionFieldWriter.html",
+                  "sources.SurfaceStrokes.html", "filters.ShadedSurface.html", "writers.DirectionFieldWriter.html",
                   "writers.AbaqusMeshWriter.html"], titles
 pages = {name for name in files if name.endswith(".html")}
 assert pages == set(titles), pages ^ set(titles)

@@ -75,7 +75,7 @@ def test_first():
     assert not messages, messages
     made = names()
     assert made == sorted(["PLYReader", "SurfaceStrokes", "GuidanceFromCurves", "DirectionField",
-                           "DirectionFieldGlyphs", "PolyDataNormals", "PythonAnnotation"]), made
+                           "DirectionFieldGlyphs", "ShadedSurface", "PythonAnnotation"]), made
     field = simple.GetActiveSource()
     assert field.GetXMLName() == "DirectionField" and field.UnitLength
     assert simple.FindSource("Field of bunny").SMProxy == field.SMProxy, list(simple.GetSources())
