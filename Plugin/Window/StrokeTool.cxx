@@ -131,6 +131,13 @@ bool StrokeTool::mouse(QMouseEvent* event)
   {
     return false;
   }
+  if (event->type() == QEvent::MouseMove && !(event->buttons() & Qt::LeftButton))
+  {
+    // Another window, or a computation, has had the release.
+    this->IsDrawing = false;
+    delete this->Line;
+    return false;
+  }
   if (event->localPos() != this->Path.last())
   {
     this->Path << event->localPos();
@@ -139,8 +146,9 @@ bool StrokeTool::mouse(QMouseEvent* event)
   if (event->type() == QEvent::MouseButtonRelease && event->button() == Qt::LeftButton)
   {
     this->IsDrawing = false;
-    delete this->Line;
+    // The way stays to be seen until the picture with the stroke is there.
     this->draw();
+    delete this->Line;
   }
   return true;
 }

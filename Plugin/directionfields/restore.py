@@ -4,6 +4,7 @@
 
 import re
 
+from paraview import servermanager
 from paraview import simple
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow, vtkStringOutputWindow
 
@@ -23,7 +24,7 @@ class Pipeline:
         for view in simple.GetViews():
             camera = {name: list(view.GetPropertyValue(name)) if name != "CameraParallelScale"
                       else view.GetPropertyValue(name) for name in CAMERA if view.GetProperty(name)}
-            displays = [(display, {name: display.GetPropertyValue(name) for name in SHOWN
+            displays = [(display, {name: display.GetProperty(name).GetElement(0) for name in SHOWN
                                    if display.GetProperty(name)})
                         for display in displays_of(view)]
             self.views.append((view, camera, displays))
@@ -44,11 +45,12 @@ class Pipeline:
             if view.SMProxy not in known:
                 simple.Delete(view)
         for view, camera, displays in self.views:
-            before = {display.SMProxy for display, _ in displays}
+            before = {display for display, _ in displays}
             for display in displays_of(view):
-                if display.SMProxy not in before and display.GetProperty("Visibility"):
-                    display.Visibility = 0
-            for proxy, properties in [(view, camera)] + displays:
+                if display not in before and display.GetProperty("Visibility"):
+                    servermanager._getPyProxy(display).Visibility = 0
+            for proxy, properties in [(view, camera)] + [
+                    (servermanager._getPyProxy(display), shown) for display, shown in displays]:
                 for name, value in properties.items():
                     setattr(proxy, name, value)
         source, view = self.active
@@ -83,7 +85,10 @@ class Properties:
 
 
 def displays_of(view):
-    return list(view.Representations) if view.GetProperty("Representations") else []
+    """The proxies of a view's displays. ParaView's Python objects of them would take a millisecond
+    each to make."""
+    displays = view.SMProxy.GetProperty("Representations")
+    return [displays.GetProxy(k) for k in range(displays.GetNumberOfProxies())] if displays else []
 
 
 class Messages:

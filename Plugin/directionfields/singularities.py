@@ -281,8 +281,10 @@ def alive():
     """The handles, unless their filter or view has been deleted."""
     if _handles is None:
         return None
-    known = [proxy_of(source) for source in simple.GetSources().values()]
-    if proxy_of(_handles.hand.edit) not in known or _handles.hand.view not in simple.GetViews():
+    # A list of all sources would take longer than to look these up.
+    proxies = servermanager.ProxyManager()
+    if not all(proxies.GetProxyName(group, proxy_of(proxy)) for group, proxy in (
+            ("sources", _handles.hand.edit), ("views", _handles.hand.view))):
         end()
     return _handles
 

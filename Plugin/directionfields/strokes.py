@@ -275,7 +275,9 @@ def show(field, strokes, view):
     before, scale = camera_of(view), view.CameraParallelScale
     if not followed:
         draw(simple.OutputPort(field, 0), view, {}, True)
-    simple.Show(strokes, view)
+    display = view.FindRepresentation(proxy_of(strokes), 0)
+    if display is None or not display.GetProperty("Visibility").GetElement(0):
+        simple.Show(strokes, view)
     put_camera(view, before)
     view.CameraParallelScale = scale
     simple.SetActiveSource(field)
