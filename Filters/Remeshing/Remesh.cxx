@@ -110,8 +110,8 @@ ParametrizationInput InputFor(const Request& request)
   PreparedField& field = request.Field;
   const SurfaceGeometry& geometry = field.GetGeometry();
   const std::vector<double> window(geometry.Mesh.GetComponents().size(), request.Sizes.MapLength);
-  FeatureLines features(
-    geometry, field.GetMatching(), field.GetFeatures(), field.GetFrameless(), window);
+  FeatureLines features(geometry, field.GetMatching(), field.GetFeatures(), field.GetFrameless(),
+    window, field.GetCorners());
   features.IsEnd.assign(geometry.Mesh.GetNumberOfVertices(), 0);
   for (const Index v : field.GetSeams().GetEnds())
   {
@@ -250,8 +250,8 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
   wishes.ToSurface = request.Unit * result.MaximumDistance;
   wishes.ToMesh = request.Unit * result.MaximumDistanceToMesh;
   wishes.OfBoundary = request.Unit * result.MaximumBoundaryDistance;
-  const auto onFeatures = std::count_if(result.Kind.begin(), result.Kind.end(),
-    [](VertexKind kind) { return kind == VertexKind::Feature || kind == VertexKind::Corner; });
+  const auto onFeatures = std::count_if(mesh.Vertices.begin(), mesh.Vertices.end(),
+    [](const FaceMesh::Vertex& vertex) { return vertex.Line != 0 && !vertex.IsBoundary; });
   wishes.HasHard = !options.Regions.empty() || request.Cut;
   wishes.PartOnFeatures = (options.KeepFeatures || wishes.HasHard) && !result.Kind.empty()
     ? static_cast<double>(onFeatures) / static_cast<double>(result.Kind.size())
@@ -464,10 +464,13 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   WorkingLengths lengths = LengthsFor(
     sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input), LargestValence(*this->Input));
   sizes.Shrink(thin.GetLengths(), *this->Input, area, options.UseEdgeLength);
+  if (!options.Sizing.empty())
+  {
+    // Sizes that are given have their values at the points that there are.
+    lengths.Split.clear();
+  }
   if (!directions.empty() || !options.Sizing.empty())
   {
-    // Fields and sizes that are given have their values at the points that there are.
-    lengths.Split.clear();
     lengths.MostNeedless = None;
   }
   if (!this->Cache || !this->Cache->IsFor(degree, kept, lengths, directions, own))

@@ -200,21 +200,23 @@ void UpdateFrameless(const IntrinsicGeometry& geometry, int degree,
 
 FeatureLines::FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& matching,
   const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
-  const std::vector<double>& window)
+  const std::vector<double>& window, const std::vector<char>& isCorner)
   : IsFeature(WithBoundary(geometry.Mesh, isFeature))
   , Line(geometry.Mesh.GetNumberOfEdges(), 0)
   , Axis(geometry.Mesh.GetNumberOfEdges(), 0)
   , Base(geometry.Mesh.GetNumberOfEdges(), None)
 {
-  this->FindChains(geometry.Mesh, isFrameless);
+  this->FindChains(geometry.Mesh, isFrameless, isCorner);
   this->FindAxes(geometry, matching, isFrameless, window);
 }
 
-void FeatureLines::FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless)
+void FeatureLines::FindChains(
+  const TriangleMesh& mesh, const std::vector<char>& isFrameless, const std::vector<char>& isCorner)
 {
   const std::vector<int> valence = FeatureValences(mesh, this->IsFeature);
   std::vector<char> isSeen(mesh.GetNumberOfEdges(), 0);
-  const auto isEnd = [&](Index v) { return valence[v] != 2 || isFrameless[v] != 0; };
+  const auto isEnd = [&](Index v)
+  { return valence[v] != 2 || isFrameless[v] != 0 || (!isCorner.empty() && isCorner[v] != 0); };
   const auto follow = [&](Step step)
   {
     Chain chain;

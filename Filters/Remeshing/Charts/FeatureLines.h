@@ -30,11 +30,12 @@ struct FeatureLines
   /// No two neighbours may be frameless.
   /// @param isFeature   not 0 for edges that are features; boundary edges always count
   /// @param isFrameless of each vertex
+  /// @param isCorner    not 0 for vertices of the boundary where lines end; empty for none
   /// @param window      length over which the direction of a curve is averaged before it is rounded
   ///                    to one of the field, in the input's unit; of each component
   FeatureLines(const IntrinsicGeometry& geometry, const FieldMatching& matching,
     const std::vector<char>& isFeature, const std::vector<char>& isFrameless,
-    const std::vector<double>& window);
+    const std::vector<double>& window, const std::vector<char>& isCorner = {});
 
   /// A feature edge of a chain, traversed along its half-edge or against it.
   struct Step
@@ -73,7 +74,8 @@ struct FeatureLines
   }
 
 private:
-  void FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless);
+  void FindChains(const TriangleMesh& mesh, const std::vector<char>& isFrameless,
+    const std::vector<char>& isCorner);
   void FindAxes(const IntrinsicGeometry& geometry, const FieldMatching& matching,
     const std::vector<char>& isFrameless, const std::vector<double>& window);
 };

@@ -88,7 +88,7 @@ std::string AboutTurned(const MeshWishes& wishes)
     return {};
   }
   return std::to_string(wishes.Turned) + (wishes.Turned == 1 ? " face is" : " faces are") +
-    " turned over: they look to the other side than the surface below them, beside an edge of it "
+    " turned over, to the other side than the surface below, beside an edge of it "
     "that bends more than theirs can follow. An edge length of " +
     Figure(0.5 * wishes.ShortestEdge) + " gives them room.";
 }

@@ -8,8 +8,10 @@
 #include "Computation/Stages.h"
 #include "Features/KeptFeatures.h"
 #include "Guidance/Guidance.h"
+#include "OwnField/SharpCorners.h"
 #include "OwnField/SizeMetric.h"
 
+#include <algorithm>
 #include <string>
 
 namespace DirectionFields::Internal
@@ -20,18 +22,25 @@ namespace
 /// would not pay the rest.
 constexpr double CostForSizes = 0.125;
 
-/// Vectors along the features, at the points of the surface.
-Guidance AlongFeatures(
-  const Surface& surface, const SurfaceGeometry& geometry, const std::vector<char>& isFeature)
+/// The directions that are given, or else those along the features, and those in sharp corners.
+Guidance GuidanceFor(const Surface& surface, const SurfaceGeometry& geometry,
+  const std::vector<char>& isFeature, const OwnFieldSettings& settings,
+  const std::vector<Vector3>& known)
 {
-  const std::vector<Vector3> directions = FeatureDirections(geometry, isFeature);
+  std::vector<Vector3> directions = !known.empty() ? known
+    : settings.FollowsFeatures
+    ? FeatureDirections(geometry, isFeature)
+    : std::vector<Vector3>(geometry.Mesh.GetNumberOfVertices(), Vector3::Zero());
+  const std::vector<Vector3> inCorners =
+    SharpCorners(geometry, settings.Degree, isFeature, settings.Face).Directions;
   Guidance guidance;
   guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
   for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
   {
-    if (!directions[v].isZero(0.0))
+    const Vector3& direction = inCorners[v].isZero(0.0) ? directions[v] : inCorners[v];
+    if (!direction.isZero(0.0))
     {
-      guidance.Vectors[geometry.Mesh.Point(v)] = directions[v];
+      guidance.Vectors[geometry.Mesh.Point(v)] = direction;
     }
   }
   return guidance;
@@ -40,14 +49,16 @@ Guidance AlongFeatures(
 
 std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature,
-  const OwnFieldSettings& settings, const Progress& progress)
+  const OwnFieldSettings& settings, const std::vector<Vector3>& known, const Progress& progress)
 {
   progress.Report(0.0);
   const std::vector<double> sizes = SizesOfMetric(geometry, settings.Sizes);
   Options options;
   options.Degree = settings.Degree;
-  options.ConstrainBoundary = true;
-  options.ConstrainGuidance = settings.FollowsFeatures;
+  options.ConstrainBoundary = known.empty();
+  const Guidance guidance = GuidanceFor(*surface, geometry, isFeature, settings, known);
+  options.ConstrainGuidance = std::any_of(guidance.Vectors.begin(), guidance.Vectors.end(),
+    [](const Vector3& vector) { return !vector.isZero(0.0); });
   options.MergePoints = MergePoints::Off;
   options.UnitLength = true;
   if (settings.Alignment.Strength > 0.0)
@@ -58,7 +69,6 @@ std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
       (sizes.empty() ? 1.0 : CostForSizes) * settings.Alignment.SingularityCost;
   }
   std::vector<std::string> notes;
-  const Guidance guidance = AlongFeatures(*surface, geometry, isFeature);
   Stages stages(surface, MergePoints::Off, sizes);
   const Guide guide(stages, options, guidance, notes);
   constexpr double afterEnergy = 0.55;

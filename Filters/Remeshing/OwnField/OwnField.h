@@ -37,6 +37,9 @@ struct OwnFieldSettings
   /// Whether the field runs along the features.
   bool FollowsFeatures = true;
   ShapeAlignment Alignment;
+  /// The usual length of an edge of the mesh, above 0, in the surface's unit; corners that are
+  /// smaller are left to the map.
+  double Face = 0.0;
   /// The wanted size at each point of the surface, above 0; empty for the same everywhere. The
   /// field is the smoothest one in the metric where lengths count in units of the size, and has the
   /// singularities that the sizes need.
@@ -48,9 +51,11 @@ struct OwnFieldSettings
 /// directions. Throws Stopped.
 /// @param surface   the surface that the geometry is of
 /// @param isFeature not 0 for each edge that is a feature
+/// @param known     a direction of the field at each vertex, zero where it is to be computed; empty
+///                  to compute it everywhere. It holds on the boundary and on features, too.
 std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature,
-  const OwnFieldSettings& settings, const Progress& progress);
+  const OwnFieldSettings& settings, const std::vector<Vector3>& known, const Progress& progress);
 }
 
 #endif

@@ -4,6 +4,9 @@
 #include "Preparation/PreparedField.h"
 
 #include "Guidance/Guidance.h"
+#include "OwnField/CrossedFeatures.h"
+#include "OwnField/SharpCorners.h"
+#include "Refinement/LongEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +26,9 @@ PreparedField::PreparedField(const Surface& input, int degree, KeptEdges kept,
   , InputTriangles(this->Prepared.GetTriangles())
   , IsFeature(this->Prepared.FindFeatures(this->Kept.Features))
   , IsFrameless(FramelessVertices(this->GetGeometry(), degree, this->IsFeature))
-  , Section(given.empty() ? this->ComputeField(progress.Part(0.4, 0.95)) : this->GivenField())
+  , IsCorner(SharpCorners(this->GetGeometry(), degree, this->IsFeature, this->Lengths.Face).IsEnd)
+  , Section(given.empty() ? this->ComputeField(progress.Part(0.4, 0.95))
+                          : this->GivenField(progress.Part(0.4, 0.95)))
   , Matching(this->GetGeometry(), degree, this->Section)
   , Joints(this->GetGeometry().Mesh, this->Prepared.GetOriginals())
   , Caches(this->GetGeometry().Mesh.GetComponents().size())
@@ -48,29 +53,6 @@ double AreaOf(const TriangleMesh& mesh, const std::vector<Vector3>& positions)
   }
   return area;
 }
-}
-
-double PreparedField::GetPartCrossed() const
-{
-  constexpr double mostOff = 15.0 / 180.0 * Pi;
-  const SurfaceGeometry& geometry = this->GetGeometry();
-  double all = 0.0;
-  double crossed = 0.0;
-  for (Index e = 0; !this->Given.empty() && e < geometry.Mesh.GetNumberOfEdges(); ++e)
-  {
-    const Index h = geometry.Mesh.HalfEdge(e);
-    const Index tail = geometry.Mesh.Tail(h);
-    const Complex value = this->IsFrameless[tail] != 0 ? 0.0 : this->Section[tail];
-    const bool isKept = this->IsFeature[e] != 0 || geometry.Mesh.Twin(h) == None;
-    if (isKept && value != 0.0)
-    {
-      const double length = std::sqrt(geometry.Lengths.SquaredLength[e]);
-      const Complex along = std::polar(1.0, -this->Degree * geometry.Transport.EdgeAngle[h]);
-      all += length;
-      crossed += std::abs(std::arg(value * along)) > this->Degree * mostOff ? length : 0.0;
-    }
-  }
-  return all > 0.0 ? crossed / all : 0.0;
 }
 
 double PreparedField::GetAreaLeft() const
@@ -107,13 +89,14 @@ Index PreparedField::CountNeedless() const
   return all - std::abs(sum);
 }
 
-std::vector<Complex> PreparedField::ComputeField(const Progress& progress) const
+std::vector<Complex> PreparedField::ComputeField(
+  const Progress& progress, const std::vector<Vector3>& known) const
 {
   const bool followsFeatures = this->Kept.Features.AreKept || this->Kept.HasHard();
   return OwnField(this->Prepared.GetSurface(), this->GetGeometry(), this->IsFeature,
-    { this->Degree, followsFeatures, this->Own.Alignment,
+    { this->Degree, followsFeatures, this->Own.Alignment, this->Lengths.Face,
       this->Own.Sizes.empty() ? this->Own.Sizes : this->Prepared.Continued(this->Own.Sizes) },
-    progress);
+    known, progress);
 }
 
 void PreparedField::SmoothForField(const Progress& progress)
@@ -148,12 +131,45 @@ bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLength
     this->IsFeature == this->Prepared.FindFeatures(kept.Features);
 }
 
-std::vector<Complex> PreparedField::GivenField() const
+std::vector<Complex> PreparedField::GivenField(const Progress& progress)
 {
+  // Over this distance, in lengths of edges, the field turns to features that it crosses.
+  constexpr double turning = 4.0;
+  constexpr double leastCrossed = 0.01;
+  const SurfaceGeometry& geometry = this->GetGeometry();
+  std::vector<Index> inCorners;
+  const SharpCorners corners(geometry, this->Degree, this->IsFeature, this->Lengths.Face);
+  for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (!corners.Directions[v].isZero(0.0))
+    {
+      inCorners.push_back(v);
+    }
+  }
+  const bool isFinished = inCorners.empty() && !this->Prepared.IsRefined();
   Guidance guidance;
-  guidance.Vectors = this->Prepared.Continued(this->Given);
-  std::vector<Complex> section = GuidanceSection(this->GetGeometry(), guidance, this->Degree);
-  Continue(this->GetGeometry(), this->Degree, section);
-  return section;
+  guidance.Vectors = isFinished ? this->Prepared.Continued(this->Given)
+                                : this->Prepared.ContinuedToCopies(this->Given);
+  std::vector<Complex> section = GuidanceSection(geometry, guidance, this->Degree);
+  const CrossedFeatures crossed(geometry, this->Degree, this->IsFeature, section);
+  this->PartCrossed = crossed.GetPart();
+  // On round bodies the given field is a better guide than jagged edges.
+  const bool turns = this->PartCrossed > leastCrossed && IsMostlyFlat(geometry);
+  const bool isKnown =
+    std::any_of(section.begin(), section.end(), [](const Complex& u) { return u != 0.0; });
+  if (!isKnown || (isFinished && !turns))
+  {
+    Continue(geometry, this->Degree, section);
+    return section;
+  }
+  const std::vector<char> isNear =
+    crossed.FindNear(turns ? turning * this->Lengths.Face : 0.0, inCorners);
+  std::vector<Vector3> known(section.size(), Vector3::Zero());
+  for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+  {
+    const bool isGiven = isNear[v] == 0 && section[v] != 0.0;
+    known[v] = isGiven ? guidance.Vectors[geometry.Mesh.Point(v)] : crossed.GetAlong()[v];
+  }
+  return this->ComputeField(progress, known);
 }
 }

@@ -64,9 +64,12 @@ public:
   const FieldMatching& GetMatching() const { return this->Matching; }
   const std::vector<char>& GetFeatures() const { return this->IsFeature; }
   const std::vector<char>& GetFrameless() const { return this->IsFrameless; }
-  /// The part of the length of features and boundary, from 0 to 1, that a given field crosses:
-  /// there it is more than 15 degrees off them. 0 for an OwnField, which follows them.
-  double GetPartCrossed() const;
+  /// Not 0 for the vertices of the boundary where lines end, as SharpCorners::IsEnd.
+  const std::vector<char>& GetCorners() const { return this->IsCorner; }
+  /// The part of the length of features and boundary, from 0 to 1, that a given field crosses
+  /// (CrossedFeatures); 0 for an OwnField, which follows them. Near these the field is not the
+  /// given one but turns along them.
+  double GetPartCrossed() const { return this->PartCrossed; }
   const Seams& GetSeams() const { return this->Joints; }
   /// The triangles of the input.
   const ClosestPoints& GetInputTriangles() const { return this->InputTriangles; }
@@ -79,8 +82,11 @@ public:
   double GetAreaLeft() const;
 
 private:
-  std::vector<Complex> ComputeField(const Progress& progress) const;
-  std::vector<Complex> GivenField() const;
+  /// @param known as OwnField
+  std::vector<Complex> ComputeField(
+    const Progress& progress, const std::vector<Vector3>& known = {}) const;
+  /// The given field, along features that it crosses, and continued to places where none is given.
+  std::vector<Complex> GivenField(const Progress& progress);
   /// Smooths the surface, more and more, until its field has few singularities that it does not
   /// need: those of noise are no shape that the faces could show.
   void SmoothForField(const Progress& progress);
@@ -96,6 +102,8 @@ private:
   ClosestPoints InputTriangles;
   std::vector<char> IsFeature;
   std::vector<char> IsFrameless;
+  std::vector<char> IsCorner;
+  double PartCrossed = 0.0;
   std::vector<Complex> Section;
   FieldMatching Matching;
   Seams Joints;

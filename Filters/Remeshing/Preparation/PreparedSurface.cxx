@@ -5,6 +5,7 @@
 
 #include "Charts/FeatureLines.h"
 #include "Mesh/MergePoints.h"
+#include "OwnField/SharpCorners.h"
 #include "Preparation/RegionBorders.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Refinement/FlatFlips.h"
@@ -113,6 +114,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
     }
   }
   this->Refine(*surface, kept.Features, lengths);
+  this->SplitInSharpCorners(*surface, degree, kept.Features, lengths.Face);
   constexpr int mostRounds = 4;
   bool isSplit = true;
   for (int k = 0; k < mostRounds && isSplit; ++k)
@@ -148,6 +150,7 @@ void PreparedSurface::Refine(
     {
       return;
     }
+    this->HasLongSplit = true;
     room -= static_cast<Index>(surface.Points.size()) - before;
     if (lengths.HasHub)
     {
@@ -410,6 +413,16 @@ PreparedSurface::MiddlePoints PreparedSurface::AddMiddles(
     }
   }
   return middles;
+}
+
+void PreparedSurface::SplitInSharpCorners(
+  Surface& surface, int degree, const FeatureSettings& settings, double face)
+{
+  if (face > 0.0)
+  {
+    const SharpCorners corners(*this->Geometry, degree, this->FindFeatures(settings), face);
+    this->Split(surface, corners.IsChord);
+  }
 }
 
 bool PreparedSurface::SplitBetweenFrameless(

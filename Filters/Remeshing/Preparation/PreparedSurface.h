@@ -136,6 +136,18 @@ public:
     return values;
   }
 
+  /// Vectors at the input's points, continued to copies of these, and zero in the middles of edges.
+  std::vector<Vector3> ContinuedToCopies(std::vector<Vector3> vectors) const
+  {
+    for (const std::array<Index, 2>& ends : this->Middles)
+    {
+      vectors.push_back(ends[0] == ends[1] ? vectors[ends[0]] : Vector3::Zero());
+    }
+    return vectors;
+  }
+  /// Whether edges were split since they were long.
+  bool IsRefined() const { return this->HasLongSplit; }
+
   /// The triangles of the input, as far as they are used, wound consistently.
   std::vector<ClosestPoints::Corners> GetTriangles() const;
   /// Their points.
@@ -198,10 +210,14 @@ private:
   bool Split(Surface& surface, const std::vector<char>& isSplit);
   /// Splits edges that are too long, and turns others to Delaunay.
   void Refine(Surface& surface, const FeatureSettings& settings, const WorkingLengths& lengths);
+  /// Splits the chords of SharpCorners.
+  void SplitInSharpCorners(
+    Surface& surface, int degree, const FeatureSettings& settings, double face);
   /// Returns whether any edge was split.
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
   bool IsDecimated = false;
+  bool HasLongSplit = false;
   bool HasHard = false;
   std::vector<Index> Points;
   double Stairs = 0.0;

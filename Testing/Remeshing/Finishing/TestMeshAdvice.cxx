@@ -16,16 +16,18 @@ using namespace DirectionFields::Internal;
 
 namespace
 {
-/// A star of five points of 40 degrees.
-Surface Star()
+/// A star of this many points, as far inside of each other as this radius; of five with 0.38 they
+/// have 40 degrees.
+Surface Star(int points = 5, double inside = 0.38)
 {
   Surface star;
   star.Points.emplace_back(0.0, 0.0, 0.0);
-  for (int k = 0; k < 10; ++k)
+  for (int k = 0; k < 2 * points; ++k)
   {
-    const double radius = k % 2 == 0 ? 1.0 : 0.38;
-    star.Points.emplace_back(radius * std::cos(k * Pi / 5.0), radius * std::sin(k * Pi / 5.0), 0.0);
-    star.Triangles.push_back({ 0, 1 + k, 1 + (k + 1) % 10 });
+    const double radius = k % 2 == 0 ? 1.0 : inside;
+    const double angle = k * Pi / points;
+    star.Points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    star.Triangles.push_back({ 0, 1 + k, 1 + (k + 1) % (2 * points) });
   }
   return star;
 }
@@ -64,22 +66,24 @@ TEST(MeshAdvice, MeshesThatAreAsTheyShouldBeHaveNone)
 TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
 {
   RemeshOptions options;
-  options.NumberOfFaces = 300;
+  // The points of the star are closer to each other than edges.
+  const Surface star = Star(16, 0.5);
+  options.NumberOfFaces = 40;
   options.KeepThinParts = false;
-  const RemeshResult mesh = Remeshed(Star(), options);
+  const RemeshResult mesh = Remeshed(star, options);
   ASSERT_GT(100 * mesh.Triangles, static_cast<Index>(mesh.Faces.size()));
   EXPECT_NE(NoteWith(mesh, "are triangles. Pure Quads"), "");
-  const std::string number = NoteWith(mesh, "in place of 300");
+  const std::string number = NoteWith(mesh, "in place of 40.");
   ASSERT_NE(number, "");
   options.PureQuads = true;
-  const RemeshResult pure = Remeshed(Star(), options);
+  const RemeshResult pure = Remeshed(star, options);
   EXPECT_EQ(pure.Triangles, 0);
   EXPECT_EQ(NoteWith(pure, "are triangles"), "");
   options.PureQuads = false;
   options.NumberOfFaces = static_cast<Index>(NumberAfter(number, "A Number Of Faces of "));
-  const RemeshResult more = Remeshed(Star(), options);
-  EXPECT_LT(std::abs(std::log(static_cast<double>(more.Faces.size()) / 300.0)),
-    std::abs(std::log(static_cast<double>(mesh.Faces.size()) / 300.0)));
+  const RemeshResult more = Remeshed(star, options);
+  EXPECT_LT(std::abs(std::log(static_cast<double>(more.Faces.size()) / 40.0)),
+    std::abs(std::log(static_cast<double>(mesh.Faces.size()) / 40.0)));
 }
 
 TEST(MeshAdvice, LimbsThatAreLostAreToldWithTheEdgeLengthThatComesCloser)

@@ -160,7 +160,11 @@ TEST(Seams, OfSheetsOfDifferentSizesAreJoined)
     options.Sizing.push_back(p % 13 > 6 && p < 13 * 25 ? 0.4 : 1.0);
   }
   const RemeshResult mesh = Remesh(std::make_shared<Surface>(book)).Compute(options);
-  EXPECT_TRUE(mesh.Notes.empty());
+  // Sizes that jump are not met beside the jump.
+  for (const std::string& note : mesh.Notes)
+  {
+    EXPECT_NE(note.find("as long as the sizes ask for"), std::string::npos) << note;
+  }
   EXPECT_EQ(mesh.EulerCharacteristicAfter, 1);
   for (const auto& [edge, faces] : FacesAtEdges(mesh))
   {
