@@ -6,7 +6,11 @@
 #include "Support/Threads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -14,6 +18,8 @@ namespace DirectionFields::Internal
 namespace
 {
 constexpr Index FewTriangles = 64;
+/// All pairs of so many segments of a triangle are compared.
+constexpr std::size_t FewSegments = 32;
 /// Crossings this much beyond the end of a piece, as a part of it, are no less crossings: rounding
 /// must not open a gap between two pieces.
 constexpr double Beyond = 1e-9;
@@ -41,8 +47,8 @@ bool IsAtZero(const Segment& segment, double part)
   return (segment.FromZero && part < AtZero) || (segment.ToZero && part > 1.0 - AtZero);
 }
 
-/// Adds the meeting of two segments of one triangle, if there is any.
-void Meet(const Segment& a, const Segment& b, std::vector<Meeting>& meetings)
+/// The meeting of two segments of one triangle, if there is any.
+std::optional<Meeting> MeetingOf(const Segment& a, const Segment& b)
 {
   const Complex along = a.End - a.Begin;
   const Complex other = b.End - b.Begin;
@@ -50,24 +56,166 @@ void Meet(const Segment& a, const Segment& b, std::vector<Meeting>& meetings)
   const double determinant = Cross(along, other);
   if (determinant == 0.0)
   {
-    return;
+    return {};
   }
   const double s = Cross(apart, other) / determinant;
   const double t = Cross(apart, along) / determinant;
   const auto isInside = [](double part) { return part >= -Beyond && part <= 1.0 + Beyond; };
   if (!isInside(s) || !isInside(t) || IsAtZero(a, s) || IsAtZero(b, t))
   {
-    return;
+    return {};
   }
   const double atA = a.Arc + s * std::abs(along);
   const double atB = b.Arc + t * std::abs(other);
   if (a.Line == b.Line && std::abs(a.Number - b.Number) <= 1)
   {
-    return;
+    return {};
   }
   const bool aIsLate = atA != atB ? atA > atB : a.Line > b.Line;
-  meetings.push_back(
-    aIsLate ? Meeting{ a.Line, b.Line, atA, atB } : Meeting{ b.Line, a.Line, atB, atA });
+  return aIsLate ? Meeting{ a.Line, b.Line, atA, atB } : Meeting{ b.Line, a.Line, atB, atA };
+}
+
+/// Finds the pairs of segments whose boxes overlap. A line that winds around crosses the same
+/// triangle thousands of times, in parallel to itself: the segments along either of two
+/// perpendicular directions are passed through across it, where few of them overlap.
+class Overlaps
+{
+public:
+  Overlaps(std::vector<Segment>::const_iterator begin, std::vector<Segment>::const_iterator end)
+  {
+    const auto lengthOf = [](const Segment& segment)
+    { return std::abs(segment.End - segment.Begin); };
+    const Segment& longest = *std::max_element(
+      begin, end, [&](const Segment& a, const Segment& b) { return lengthOf(a) < lengthOf(b); });
+    const double length = lengthOf(longest);
+    const Complex turn = length > 0.0 ? std::conj(longest.End - longest.Begin) / length : 1.0;
+    // Crossings beyond the ends count, and the turn rounds.
+    const double margin = 1e-6 * length;
+    for (auto segment = begin; segment != end; ++segment)
+    {
+      const Complex p = turn * segment->Begin;
+      const Complex q = turn * segment->End;
+      const Box box{ { std::min(p.real(), q.real()) - margin,
+                       std::min(p.imag(), q.imag()) - margin },
+        { std::max(p.real(), q.real()) + margin, std::max(p.imag(), q.imag()) + margin },
+        static_cast<std::size_t>(segment - begin) };
+      const bool isAlong = std::abs(p.real() - q.real()) >= std::abs(p.imag() - q.imag());
+      this->Boxes[isAlong ? 0 : 1].push_back(box);
+    }
+    // Those along the first direction are ordered by the second coordinate, others by the first.
+    for (const int family : { 0, 1 })
+    {
+      Sort(this->Boxes[family], 1 - family);
+    }
+  }
+
+  /// Calls visit(i, k) once for each pair, in any order.
+  template <typename Visit>
+  void ForEach(const Visit& visit)
+  {
+    for (const int family : { 0, 1 })
+    {
+      const std::vector<Box>& boxes = this->Boxes[family];
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+      {
+        VisitFrom(boxes[i], boxes, i + 1, 1 - family, visit);
+      }
+    }
+    Sort(this->Boxes[0], 0);
+    for (const int family : { 0, 1 })
+    {
+      // Each pair of one of both families is found from the box that begins first.
+      const std::vector<Box>& others = this->Boxes[1 - family];
+      std::size_t first = 0;
+      for (const Box& box : this->Boxes[family])
+      {
+        const auto isBefore = [&](const Box& other)
+        { return family == 0 ? other.Least[0] < box.Least[0] : other.Least[0] <= box.Least[0]; };
+        while (first < others.size() && isBefore(others[first]))
+        {
+          ++first;
+        }
+        VisitFrom(box, others, first, 0, visit);
+      }
+    }
+  }
+
+private:
+  struct Box
+  {
+    std::array<double, 2> Least;
+    std::array<double, 2> Most;
+    std::size_t Number;
+  };
+
+  static void Sort(std::vector<Box>& boxes, int axis)
+  {
+    std::sort(boxes.begin(), boxes.end(),
+      [axis](const Box& a, const Box& b) { return a.Least[axis] < b.Least[axis]; });
+  }
+
+  template <typename Visit>
+  static void VisitFrom(
+    const Box& box, const std::vector<Box>& others, std::size_t first, int axis, const Visit& visit)
+  {
+    for (std::size_t k = first; k < others.size() && others[k].Least[axis] <= box.Most[axis]; ++k)
+    {
+      const int across = 1 - axis;
+      if (others[k].Least[across] <= box.Most[across] &&
+        box.Least[across] <= others[k].Most[across])
+      {
+        visit(std::min(box.Number, others[k].Number), std::max(box.Number, others[k].Number));
+      }
+    }
+  }
+
+  std::array<std::vector<Box>, 2> Boxes;
+};
+
+/// Adds the meetings of the segments of one triangle, in the order of the segments.
+void AddMeetings(std::vector<Segment>::const_iterator begin,
+  std::vector<Segment>::const_iterator end, const std::function<bool(Index, Index)>& isSame,
+  std::vector<Meeting>& meetings)
+{
+  struct Found
+  {
+    std::size_t First, Second;
+    Meeting Where;
+  };
+  std::vector<Found> found;
+  const auto visit = [&](std::size_t a, std::size_t b)
+  {
+    if (isSame(begin[a].Line, begin[b].Line))
+    {
+      return;
+    }
+    if (const std::optional<Meeting> meeting = MeetingOf(begin[a], begin[b]))
+    {
+      found.push_back({ a, b, *meeting });
+    }
+  };
+  const auto count = static_cast<std::size_t>(end - begin);
+  if (count > FewSegments)
+  {
+    Overlaps(begin, end).ForEach(visit);
+    std::sort(found.begin(), found.end(),
+      [](const Found& one, const Found& other)
+      { return std::tie(one.First, one.Second) < std::tie(other.First, other.Second); });
+  }
+  else
+  {
+    for (std::size_t a = 0; a < count; ++a)
+    {
+      for (std::size_t b = a + 1; b < count; ++b)
+      {
+        visit(a, b);
+      }
+    }
+  }
+  for (const Found& one : found)
+  {
+    meetings.push_back(one.Where);
+  }
 }
 }
 
@@ -113,16 +261,9 @@ std::vector<Meeting> FindMeetings(const GivenField& field,
     {
       for (Index g = begin; g < end; ++g)
       {
-        for (std::size_t a = first[g]; a < first[g + 1]; ++a)
-        {
-          for (std::size_t b = a + 1; b < first[g + 1]; ++b)
-          {
-            if (!isSame(segments[a].Line, segments[b].Line))
-            {
-              Meet(segments[a], segments[b], found[begin / FewTriangles]);
-            }
-          }
-        }
+        AddMeetings(segments.begin() + static_cast<std::ptrdiff_t>(first[g]),
+          segments.begin() + static_cast<std::ptrdiff_t>(first[g + 1]), isSame,
+          found[begin / FewTriangles]);
       }
     });
   std::vector<Meeting> meetings;
