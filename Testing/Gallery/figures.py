@@ -16,6 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import meshes
 from engineering import engineering, roof
 from gallery import Panel, producer
+from pointed import pointed
 from remeshed import RemeshedPanel
 from shown import ComparisonPanel, GivenPanel, LinesPanel
 from striped import EigenStripesPanel, StripePanel
@@ -480,6 +481,7 @@ FIGURES = {
     "StripesEigenvector": stripes_eigenvector,
     "WhatItDoes": what_it_does,
     "Remeshed": remeshed,
+    "Pointed": pointed,
     "Engineering": engineering,
     "Roof": roof,
     "Symmetries": symmetries,

@@ -39,6 +39,10 @@ class RemeshedPanel(Panel):
     def number(self, name, component=0):
         return self.mesh.GetFieldData().GetArray(name).GetComponent(0, component)
 
+    def least_quality(self):
+        """The least scaled Jacobian of all faces."""
+        return vtk_to_numpy(self.mesh.GetCellData().GetArray("ScaledJacobian")).min()
+
     def edges(self):
         """The middles of the sides of all faces, and their lengths."""
         nexts = np.arange(len(self.ids)) + 1
