@@ -138,6 +138,21 @@ TEST(SharpCorners, ConesOfFewSidesKeepTheirEdgesAndApex)
   }
 }
 
+TEST(SharpCorners, TrianglesHaveThemBelow30Degrees)
+{
+  // A triangle at a corner has its angle, too; the scaled Jacobian of a regular one counts as 1.
+  const double degrees = 26.0;
+  RemeshOptions options;
+  options.Element = Element::Triangles;
+  options.NumberOfFaces = 1000;
+  const Surface wedge = Wedge(Radians(degrees));
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(wedge)).Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 1000.0, 100.0);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.9 * std::sin(Radians(degrees)) / std::sin(Pi / 3.0));
+  EXPECT_NEAR(AreaOf(mesh), AreaOf(wedge), 1e-9);
+}
+
 TEST(SharpCorners, HaveOneSingularityEach)
 {
   // The boundary turns by four right angles, and by one less at each corner that is a face's: the
