@@ -37,7 +37,7 @@ assert abs(found[0]["Eigenvalue"][0] / found[1]["Eigenvalue"][0] - 4.0) < 1e-4, 
 assert found[3] == found[0]
 
 # What one does with the field has the step that is asked for, also when time goes back.
-tools = (DirectionFieldStreamlines(Input=field), FieldAlignedRemesh(Input=field, NumberOfFaces=200),
+tools = (DirectionFieldStreamlines(Input=field), FieldAlignedRemesh(Input=field, NumberOfFaces=1000),
          StripePattern(Input=DirectionField(Input=series, Degree=2), Spacing=0.1),
          EditSingularities(Input=field, Singularities=OutputPort(field, 1)))
 for tool in tools:
