@@ -13,9 +13,26 @@ namespace DirectionFields
 {
 namespace
 {
-double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c)
+/// In squares of a unit.
+double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c, double unit)
 {
-  return 0.5 * (b - a).cross(c - a).norm();
+  const Vector3 ab = (b - a) / unit;
+  return 0.5 * ab.cross((c - a) / unit).norm();
+}
+
+/// In squares of a unit.
+std::vector<double> AreasIn(double unit, const RemeshResult& mesh)
+{
+  std::vector<double> areas;
+  areas.reserve(mesh.Faces.size());
+  for (const std::array<Index, 4>& face : mesh.Faces)
+  {
+    const Vector3& first = mesh.Points[face[0]];
+    const Vector3& third = mesh.Points[face[2]];
+    areas.push_back(AreaOf(first, mesh.Points[face[1]], third, unit) +
+      (face[3] == None ? 0.0 : AreaOf(first, third, mesh.Points[face[3]], unit)));
+  }
+  return areas;
 }
 
 /// The first number of a row of several.
@@ -147,7 +164,8 @@ std::vector<double> CarriedValues::Conserved(
   const std::vector<double>& values, int components, double* change) const
 {
   std::vector<double> carried = this->Means(values, components);
-  const std::vector<double> areas = AreasOf(this->Mesh);
+  const double unit = this->Overlaps.Unit;
+  const std::vector<double> areas = AreasIn(unit, this->Mesh);
   const bool hasRegions = !this->Mesh.Regions.empty();
   // Regions without faces leave their share to all others, in a second step.
   std::map<Index, std::pair<Integrals, std::vector<Index>>> parts;
@@ -164,7 +182,7 @@ std::vector<double> CarriedValues::Conserved(
   {
     const Triangle& corners = this->Given.Triangles[t];
     const double area = AreaOf(this->Given.Points[corners[0]], this->Given.Points[corners[1]],
-      this->Given.Points[corners[2]]);
+      this->Given.Points[corners[2]], unit);
     const double* const own = &values[At(static_cast<Index>(t), components)];
     whole.Add(own, area);
     const auto part = parts.find(hasRegions ? this->Regions[t] : 0);
@@ -223,15 +241,6 @@ std::vector<Index> CarriedValues::LargestOverlaps(const std::vector<Index>& clas
 
 std::vector<double> CarriedValues::AreasOf(const RemeshResult& mesh)
 {
-  std::vector<double> areas;
-  areas.reserve(mesh.Faces.size());
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    const Vector3& first = mesh.Points[face[0]];
-    const Vector3& third = mesh.Points[face[2]];
-    areas.push_back(AreaOf(first, mesh.Points[face[1]], third) +
-      (face[3] == None ? 0.0 : AreaOf(first, third, mesh.Points[face[3]])));
-  }
-  return areas;
+  return AreasIn(1.0, mesh);
 }
 }

@@ -39,15 +39,37 @@ struct SearchedFaces
   std::vector<Index> Face;
 };
 
-/// Adds a face as triangles around its middle.
-void AddFace(const RemeshResult& mesh, Index f, SearchedFaces& faces)
+/// The mesh, or what of it is searched, in the unit of areas.
+struct ScaledMesh
 {
-  const Faces::Face& face = mesh.Faces[f];
+  explicit ScaledMesh(const RemeshResult& mesh)
+    : Unit(UnitOfAreas(mesh))
+    , EdgeLength(mesh.EdgeLength / Unit)
+    , Mesh(mesh)
+  {
+    this->Points.reserve(mesh.Points.size());
+    for (const Vector3& point : mesh.Points)
+    {
+      this->Points.emplace_back(point / this->Unit);
+    }
+  }
+
+  double Unit;
+  double EdgeLength;
+  std::vector<Vector3> Points;
+  const RemeshResult& Mesh;
+};
+
+/// Adds a face as triangles around its middle.
+void AddFace(const ScaledMesh& scaled, Index f, SearchedFaces& faces)
+{
+  const Faces::Face& face = scaled.Mesh.Faces[f];
+  const std::vector<Vector3>& points = scaled.Points;
   const int size = Faces::Size(face);
-  const Vector3 middle = MiddleOf(mesh.Points, face);
+  const Vector3 middle = MiddleOf(points, face);
   for (int c = 0; c < size; ++c)
   {
-    faces.Corners.push_back({ mesh.Points[face[c]], mesh.Points[face[(c + 1) % size]], middle });
+    faces.Corners.push_back({ points[face[c]], points[face[(c + 1) % size]], middle });
     faces.Face.push_back(f);
   }
 }
@@ -64,7 +86,7 @@ struct Part
 class Search
 {
 public:
-  Search(const RemeshResult& mesh, SearchedFaces&& faces)
+  Search(const ScaledMesh& mesh, SearchedFaces&& faces)
     : Limit(NearFace * mesh.EdgeLength)
     , Face(std::move(faces.Face))
     , Tree(std::move(faces.Corners))
@@ -72,7 +94,7 @@ public:
     const double least = SmallestFace * mesh.EdgeLength * mesh.EdgeLength;
     for (const Index f : this->Face)
     {
-      this->Area.push_back(std::max(least, AreaOf(mesh.Points, mesh.Faces[f])));
+      this->Area.push_back(std::max(least, AreaOf(mesh.Points, mesh.Mesh.Faces[f])));
     }
   }
 
@@ -186,12 +208,13 @@ private:
   ClosestPoints Tree;
 };
 
-std::map<Index, Search> SearchesOf(const RemeshResult& mesh)
+std::map<Index, Search> SearchesOf(const ScaledMesh& mesh)
 {
+  const std::vector<Index>& regions = mesh.Mesh.Regions;
   std::map<Index, SearchedFaces> faces;
-  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.Mesh.Faces.size(); ++f)
   {
-    AddFace(mesh, static_cast<Index>(f), faces[mesh.Regions.empty() ? 0 : mesh.Regions[f]]);
+    AddFace(mesh, static_cast<Index>(f), faces[regions.empty() ? 0 : regions[f]]);
   }
   std::map<Index, Search> searches;
   for (auto& [region, own] : faces)
@@ -234,10 +257,18 @@ FaceOverlaps RowsOf(const std::vector<std::vector<Part>>& pieces, std::size_t fa
 }
 }
 
+double UnitOfAreas(const RemeshResult& mesh)
+{
+  const bool hasLength = mesh.EdgeLength > 0.0 && std::isfinite(mesh.EdgeLength);
+  // The inverse of the smallest numbers is none.
+  return hasLength ? std::ldexp(1.0, std::max(std::ilogb(mesh.EdgeLength), -1000)) : 1.0;
+}
+
 FaceOverlaps FindOverlaps(
   const Surface& surface, const RemeshResult& mesh, const std::vector<Index>& regions)
 {
-  const std::map<Index, Search> searches = SearchesOf(mesh);
+  const ScaledMesh scaled(mesh);
+  const std::map<Index, Search> searches = SearchesOf(scaled);
   const auto count = static_cast<Index>(surface.Triangles.size());
   const auto points = static_cast<Index>(surface.Points.size());
   std::vector<std::vector<Part>> pieces(NumberOfPieces(count, PieceSize));
@@ -252,12 +283,14 @@ FaceOverlaps FindOverlaps(
         const auto own = searches.find(mesh.Regions.empty() ? 0 : regions[t]);
         if (isThere && own != searches.end())
         {
-          own->second.Divide(
-            { surface.Points[corners[0]], surface.Points[corners[1]], surface.Points[corners[2]] },
-            t, pieces[begin / PieceSize]);
+          const auto at = [&](int c) -> Vector3
+          { return surface.Points[corners[c]] / scaled.Unit; };
+          own->second.Divide({ at(0), at(1), at(2) }, t, pieces[begin / PieceSize]);
         }
       }
     });
-  return RowsOf(pieces, mesh.Faces.size());
+  FaceOverlaps overlaps = RowsOf(pieces, mesh.Faces.size());
+  overlaps.Unit = scaled.Unit;
+  return overlaps;
 }
 }

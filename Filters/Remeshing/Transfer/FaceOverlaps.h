@@ -19,9 +19,15 @@ struct FaceOverlaps
   std::vector<std::size_t> Offsets;
   /// Ascending in each row.
   std::vector<Index> Triangles;
-  /// In the unit of the surface squared; above 0.
+  /// In squares of Unit; above 0.
   std::vector<double> Areas;
+  /// A length, in the unit of the surface, and a power of two: about that of the wanted edges, so
+  /// that areas are numbers however large or small the surface is.
+  double Unit = 1.0;
 };
+
+/// The unit of areas on a mesh, as in FaceOverlaps.
+double UnitOfAreas(const RemeshResult& mesh);
 
 /// Triangles are halved until their parts are smaller than a sixteenth of the faces around, and
 /// each part belongs to the face closest to its middle, of those that look the same way: sheets of

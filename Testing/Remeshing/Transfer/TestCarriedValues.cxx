@@ -105,9 +105,10 @@ TEST(FaceOverlaps, CoverEachTriangleOnce)
   for (const Example& at : examples)
   {
     std::vector<double> covered(at.Given.Triangles.size(), 0.0);
+    const double unit = at.Overlaps.Unit;
     for (std::size_t k = 0; k < at.Overlaps.Areas.size(); ++k)
     {
-      covered[at.Overlaps.Triangles[k]] += at.Overlaps.Areas[k];
+      covered[at.Overlaps.Triangles[k]] += at.Overlaps.Areas[k] * unit * unit;
     }
     for (std::size_t t = 0; t < covered.size(); ++t)
     {
@@ -126,7 +127,35 @@ TEST(FaceOverlaps, HaveTheAreasOfFaces)
     const double covered = std::accumulate(
       at.Overlaps.Areas.begin() + static_cast<std::ptrdiff_t>(at.Overlaps.Offsets[f]),
       at.Overlaps.Areas.begin() + static_cast<std::ptrdiff_t>(at.Overlaps.Offsets[f + 1]), 0.0);
-    EXPECT_NEAR(covered, areas[f], 0.35 * areas[f]);
+    EXPECT_NEAR(covered * at.Overlaps.Unit * at.Overlaps.Unit, areas[f], 0.35 * areas[f]);
+  }
+}
+
+/// Squares of the coordinates would overflow, or vanish: the parts are the same all the same, and so
+/// are values that keep their integral.
+TEST(FaceOverlaps, AreTheSameAtAnySize)
+{
+  const Example at(Meshes::Potato(3), 60);
+  const std::vector<double> noise = OnTriangles(at.Given, Noise);
+  const std::vector<double> carried = at.Carried().Conserved(noise, 1);
+  for (const int exponent : { 515, -515 })
+  {
+    const double size = std::ldexp(1.0, exponent);
+    Example other = at;
+    for (std::vector<Vector3>* const points : { &other.Given.Points, &other.Mesh.Points })
+    {
+      for (Vector3& point : *points)
+      {
+        point *= size;
+      }
+    }
+    other.Mesh.EdgeLength *= size;
+    other.Overlaps = FindOverlaps(other.Given, other.Mesh);
+    EXPECT_EQ(other.Overlaps.Unit, size * at.Overlaps.Unit);
+    EXPECT_EQ(other.Overlaps.Offsets, at.Overlaps.Offsets);
+    EXPECT_EQ(other.Overlaps.Triangles, at.Overlaps.Triangles);
+    EXPECT_EQ(other.Overlaps.Areas, at.Overlaps.Areas);
+    EXPECT_EQ(other.Carried().Conserved(noise, 1), carried);
   }
 }
 
