@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -109,7 +110,7 @@ public:
     }
   }
 
-  /// Calls visit(i, k) once for each pair, in any order.
+  /// Calls visit(i, k) once for each pair, in any order, until it is false.
   template <typename Visit>
   void ForEach(const Visit& visit)
   {
@@ -118,7 +119,10 @@ public:
       const std::vector<Box>& boxes = this->Boxes[family];
       for (std::size_t i = 0; i < boxes.size(); ++i)
       {
-        VisitFrom(boxes[i], boxes, i + 1, 1 - family, visit);
+        if (!VisitFrom(boxes[i], boxes, i + 1, 1 - family, visit))
+        {
+          return;
+        }
       }
     }
     Sort(this->Boxes[0], 0);
@@ -135,7 +139,10 @@ public:
         {
           ++first;
         }
-        VisitFrom(box, others, first, 0, visit);
+        if (!VisitFrom(box, others, first, 0, visit))
+        {
+          return;
+        }
       }
     }
   }
@@ -155,27 +162,30 @@ private:
   }
 
   template <typename Visit>
-  static void VisitFrom(
+  static bool VisitFrom(
     const Box& box, const std::vector<Box>& others, std::size_t first, int axis, const Visit& visit)
   {
     for (std::size_t k = first; k < others.size() && others[k].Least[axis] <= box.Most[axis]; ++k)
     {
       const int across = 1 - axis;
       if (others[k].Least[across] <= box.Most[across] &&
-        box.Least[across] <= others[k].Most[across])
+        box.Least[across] <= others[k].Most[across] &&
+        !visit(std::min(box.Number, others[k].Number), std::max(box.Number, others[k].Number)))
       {
-        visit(std::min(box.Number, others[k].Number), std::max(box.Number, others[k].Number));
+        return false;
       }
     }
+    return true;
   }
 
   std::array<std::vector<Box>, 2> Boxes;
 };
 
 /// Adds the meetings of the segments of one triangle, in the order of the segments.
-void AddMeetings(std::vector<Segment>::const_iterator begin,
+/// @return how many there are; not all of them where that is more than most
+std::size_t AddMeetings(std::vector<Segment>::const_iterator begin,
   std::vector<Segment>::const_iterator end, const std::function<bool(Index, Index)>& isSame,
-  std::vector<Meeting>& meetings)
+  std::size_t most, std::vector<Meeting>& meetings)
 {
   struct Found
   {
@@ -187,12 +197,13 @@ void AddMeetings(std::vector<Segment>::const_iterator begin,
   {
     if (isSame(begin[a].Line, begin[b].Line))
     {
-      return;
+      return true;
     }
     if (const std::optional<Meeting> meeting = MeetingOf(begin[a], begin[b]))
     {
       found.push_back({ a, b, *meeting });
     }
+    return found.size() <= most;
   };
   const auto count = static_cast<std::size_t>(end - begin);
   if (count > FewSegments)
@@ -216,24 +227,24 @@ void AddMeetings(std::vector<Segment>::const_iterator begin,
   {
     meetings.push_back(one.Where);
   }
-}
+  return found.size();
 }
 
-std::vector<Meeting> FindMeetings(const GivenField& field,
-  const std::vector<const std::vector<LinePiece>*>& lines, double length,
-  const std::function<bool(Index, Index)>& isSame)
+/// The pieces of all trails, as seen on the front.
+std::vector<Segment> SegmentsOf(const GivenField& field, const std::vector<Trail>& trails)
 {
   const TriangleMesh& mesh = field.GetMesh();
   std::vector<Segment> segments;
-  for (Index i = 0; i < static_cast<Index>(lines.size()); ++i)
+  for (Index i = 0; i < static_cast<Index>(trails.size()); ++i)
   {
-    const std::vector<LinePiece>& pieces = *lines[i];
-    for (Index k = 0; k < static_cast<Index>(pieces.size()) && pieces[k].Arc <= length; ++k)
+    const std::vector<LinePiece>& pieces = *trails[i].Pieces;
+    const auto count = static_cast<Index>(pieces.size());
+    for (Index k = 0; k < count && pieces[k].Arc <= trails[i].Length; ++k)
     {
       const LinePiece& piece = pieces[k];
       // Lines set out from singularities; the last piece of a line may lead into one.
       Segment segment{ piece.Triangle, i, k, piece.Begin, piece.End, piece.Arc, k == 0,
-        k + 1 == static_cast<Index>(pieces.size()) };
+        k + 1 == count };
       if (!mesh.IsFront(piece.Triangle))
       {
         segment.Triangle = mesh.Mirror(3 * piece.Triangle) / 3;
@@ -245,6 +256,15 @@ std::vector<Meeting> FindMeetings(const GivenField& field,
   }
   std::stable_sort(segments.begin(), segments.end(),
     [](const Segment& a, const Segment& b) { return a.Triangle < b.Triangle; });
+  return segments;
+}
+}
+
+std::optional<std::vector<Meeting>> FindMeetings(const GivenField& field,
+  const std::vector<Trail>& trails, const std::function<bool(Index, Index)>& isSame,
+  std::size_t most)
+{
+  const std::vector<Segment> segments = SegmentsOf(field, trails);
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
@@ -256,16 +276,21 @@ std::vector<Meeting> FindMeetings(const GivenField& field,
   first.push_back(segments.size());
   const auto groups = static_cast<Index>(first.size()) - 1;
   std::vector<std::vector<Meeting>> found(NumberOfPieces(groups, FewTriangles));
+  std::atomic<std::size_t> counted{ 0 };
   ParallelFor(groups, FewTriangles,
     [&](Index begin, Index end)
     {
-      for (Index g = begin; g < end; ++g)
+      for (Index g = begin; g < end && counted <= most; ++g)
       {
-        AddMeetings(segments.begin() + static_cast<std::ptrdiff_t>(first[g]),
-          segments.begin() + static_cast<std::ptrdiff_t>(first[g + 1]), isSame,
+        counted += AddMeetings(segments.begin() + static_cast<std::ptrdiff_t>(first[g]),
+          segments.begin() + static_cast<std::ptrdiff_t>(first[g + 1]), isSame, most,
           found[begin / FewTriangles]);
       }
     });
+  if (counted > most)
+  {
+    return {};
+  }
   std::vector<Meeting> meetings;
   for (const std::vector<Meeting>& part : found)
   {

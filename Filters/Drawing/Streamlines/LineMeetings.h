@@ -6,7 +6,9 @@
 
 #include "Streamlines/StreamlineTrace.h"
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -19,14 +21,22 @@ struct Meeting
   double Late, Early;
 };
 
-/// All meetings of streamlines of which neither has come farther than a length, in an order that
-/// depends on the streamlines only. Streamlines that start or end in the same singularity do not
-/// meet there. On surfaces that cannot be oriented those of both sides meet.
-/// @param lines  the pieces of each
+/// A streamline as far as others can meet it: the pieces that begin up to a length.
+struct Trail
+{
+  const std::vector<LinePiece>* Pieces;
+  double Length;
+};
+
+/// All meetings of the trails of streamlines, in an order that depends on these only. Streamlines
+/// that start or end in the same singularity do not meet there. On surfaces that cannot be oriented
+/// those of both sides meet.
 /// @param isSame pairs that are the same line and hence do not meet
-std::vector<Meeting> FindMeetings(const GivenField& field,
-  const std::vector<const std::vector<LinePiece>*>& lines, double length,
-  const std::function<bool(Index, Index)>& isSame);
+/// @param most   nothing is returned where there are more meetings than that: lines that wind
+///               around may have as many as the square of their pieces
+std::optional<std::vector<Meeting>> FindMeetings(const GivenField& field,
+  const std::vector<Trail>& trails, const std::function<bool(Index, Index)>& isSame,
+  std::size_t most);
 }
 
 #endif

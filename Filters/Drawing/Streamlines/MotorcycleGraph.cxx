@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -19,6 +20,15 @@ namespace
 constexpr double Never = std::numeric_limits<double>::infinity();
 /// The first round's length, in mean edges.
 constexpr double FirstRound = 8.0;
+/// The pieces that a line has at most after the first round. Each round that this has kept short
+/// doubles it: lines that wind around have many more pieces than those that they will end at.
+constexpr std::size_t FirstPieces = 4096;
+/// The most meetings that are looked at in one round, for all lines and for each one. Where there
+/// are more, most of them are of lines that have ended before, and a shorter round leaves them out.
+constexpr std::size_t MostMeetings = 100000;
+constexpr std::size_t MostMeetingsOfLine = 256;
+/// The part by which trails go on beyond their ends, against rounding.
+constexpr double BeyondEnd = 1e-6;
 /// A line runs into a singularity along a ray of it if it comes from that direction within this
 /// angle.
 constexpr double SameRay = Pi;
@@ -68,12 +78,32 @@ public:
 
   std::vector<TracedStreamline> Run(const Progress& progress)
   {
-    double time = FirstRound;
+    double before = 0.0;
+    double step = FirstRound;
     while (true)
     {
-      this->TraceTo(std::min(2.0 * time, this->MaximumLength));
+      double time = before + step;
+      const double all = std::min(2.0 * time, this->MaximumLength);
+      const double traced = this->TraceTo(all);
       this->FindReverses();
-      this->FindEnds(time);
+      if (traced < all)
+      {
+        // Lines are known to twice the time: those of a pair meet in the middle.
+        time = std::min(time, 0.5 * traced);
+        this->MostPieces *= 2;
+        this->LeavesOutTrails = true;
+      }
+      if (!(time > before))
+      {
+        progress.RequireToGoOn();
+        continue;
+      }
+      while (!this->FindEnds(time))
+      {
+        progress.RequireToGoOn();
+        this->LeavesOutTrails = true;
+        time = this->Between(before, time);
+      }
       std::size_t riding = 0;
       for (const Motorcycle& rider : this->Riders)
       {
@@ -84,13 +114,27 @@ public:
         break;
       }
       progress.Report(1.0 - static_cast<double>(riding) / this->Riders.size());
-      time *= 2.0;
+      step = std::min(2.0 * (time - before), time);
+      before = time;
     }
     return this->Finished();
   }
 
 private:
-  void TraceTo(double length)
+  /// The middle of a round that is too long.
+  double Between(double begin, double end) const
+  {
+    const double middle = begin + 0.5 * (end - begin);
+    if (!(middle > begin && middle < end))
+    {
+      this->Traced.Limit.RequireFew(std::numeric_limits<std::size_t>::max());
+    }
+    return middle;
+  }
+
+  /// Traces lines to a length, or until they have as many pieces as they may.
+  /// @return the length that all have, but for those that end before
+  double TraceTo(double length)
   {
     ParallelFor(static_cast<Index>(this->Riders.size()), 1,
       [&](Index begin, Index end)
@@ -103,7 +147,7 @@ private:
             continue;
           }
           TracedStreamline& line = rider.Line;
-          while (line.Length() < length)
+          while (line.Length() < length && line.Pieces.size() < this->MostPieces)
           {
             std::optional<LinePiece> piece = rider.Trace->Next();
             if (!piece)
@@ -125,6 +169,14 @@ private:
           }
         }
       });
+    for (const Motorcycle& rider : this->Riders)
+    {
+      if (rider.End == Never && !rider.IsTraced())
+      {
+        length = std::min(length, rider.Line.Length());
+      }
+    }
+    return length;
   }
 
   /// Turns each line that has run into a singularity into the one that comes from there.
@@ -187,16 +239,31 @@ private:
     return nearest;
   }
 
-  /// Finds when each line stops, up to a time.
-  void FindEnds(double time)
+  /// How far others can meet a line, up to a time.
+  double TrailOf(const Motorcycle& rider, double time) const
   {
-    std::vector<const std::vector<LinePiece>*> lines;
-    for (Motorcycle& rider : this->Riders)
+    return this->LeavesOutTrails && rider.Reverse == None
+      ? std::min(time, (1.0 + BeyondEnd) * rider.End)
+      : time;
+  }
+
+  /// Finds when each line stops, up to a time.
+  /// @return false where so many lines meet that nothing was done
+  bool FindEnds(double time)
+  {
+    std::vector<Trail> trails;
+    for (const Motorcycle& rider : this->Riders)
     {
-      lines.push_back(&rider.Line.Pieces);
+      trails.push_back({ &rider.Line.Pieces, this->TrailOf(rider, time) });
     }
-    std::vector<Meeting> meetings = FindMeetings(this->Traced.Field, lines, time,
-      [this](Index a, Index b) { return this->Riders[a].Reverse == b; });
+    std::optional<std::vector<Meeting>> found = FindMeetings(
+      this->Traced.Field, trails, [this](Index a, Index b) { return this->Riders[a].Reverse == b; },
+      MostMeetings + MostMeetingsOfLine * this->Riders.size());
+    if (!found)
+    {
+      return false;
+    }
+    std::vector<Meeting>& meetings = *found;
     for (Index i = 0; i < static_cast<Index>(this->Riders.size()); ++i)
     {
       Motorcycle& rider = this->Riders[i];
@@ -243,6 +310,7 @@ private:
         rider.End = rider.OwnEnd();
       }
     }
+    return true;
   }
 
   /// Where a line of a pair crosses itself, the other one crosses it: that is the same line turned
@@ -314,6 +382,11 @@ private:
   const TracedField& Traced;
   double MaximumLength;
   std::vector<Motorcycle> Riders;
+  /// The most pieces of a line as of this round.
+  std::size_t MostPieces = FirstPieces;
+  /// Whether the parts of lines behind their ends are left out of the search for meetings. They
+  /// change nothing but the time, unless a pair is found later.
+  bool LeavesOutTrails = false;
 };
 }
 

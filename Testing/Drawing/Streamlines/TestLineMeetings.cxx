@@ -30,17 +30,20 @@ std::vector<LinePiece> LineThrough(const Complex& begin, const Complex& end)
   return pieces;
 }
 
-std::vector<Meeting> MeetingsOf(const Lines& lines)
+/// All meetings, or none where there are more than most.
+std::vector<Meeting> MeetingsOf(const Lines& lines, std::size_t most = 1000000)
 {
   const Surface surface = Meshes::Square(4);
   const Result computed = Fields::Compute(surface, 4);
   const GivenField field(surface, Fields::Of(computed));
-  std::vector<const std::vector<LinePiece>*> pointers;
+  std::vector<Trail> trails;
   for (const std::vector<LinePiece>& line : lines)
   {
-    pointers.push_back(&line);
+    trails.push_back({ &line, 1e9 });
   }
-  return FindMeetings(field, pointers, 1e9, [](Index, Index) { return false; });
+  return FindMeetings(
+    field, trails, [](Index, Index) { return false; }, most)
+    .value_or(std::vector<Meeting>());
 }
 
 double SideOf(const Complex& p, const Complex& a, const Complex& b)
@@ -120,5 +123,7 @@ TEST(LineMeetings, OfTwoFamiliesAreAllTheirPairs)
     }
     ExpectAllMeetings(lines);
     EXPECT_EQ(MeetingsOf(lines).size(), 1600u);
+    EXPECT_EQ(MeetingsOf(lines, 1600).size(), 1600u);
+    EXPECT_EQ(MeetingsOf(lines, 1599).size(), 0u);
   }
 }

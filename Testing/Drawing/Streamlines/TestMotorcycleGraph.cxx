@@ -358,3 +358,32 @@ TEST(MotorcycleGraph, StopsLinesAtTrailsThatWereThereBefore)
   }
   EXPECT_GT(crossings, 10);
 }
+
+TEST(MotorcycleGraph, IsBoundedWhereLinesWindAround)
+{
+  // A spike, on which lines that set out side by side wind around thousands of times and would cross
+  // each other in every triangle, had they not ended at their first crossings.
+  Surface disk = Meshes::Disk(3);
+  disk.Points[5] = Vector3(-4.375, 7.0625, -4.1875);
+  disk.Points[36] = Vector3(-std::sqrt(1.0 / 3.0), 1.0 / 3.0, 0.0);
+  disk.Triangles[27] = { 21, 8, 9 };
+  disk.Triangles.push_back({ 2, 10, 3 });
+  const Result computed = Fields::Compute(disk, 1);
+  Surface torn;
+  for (const Index point : computed.OriginalPoint)
+  {
+    torn.Points.push_back(disk.Points[point]);
+  }
+  torn.Triangles = computed.SplitTriangles.empty() ? disk.Triangles : computed.SplitTriangles;
+  const GivenField field(torn, Fields::Of(computed));
+  StreamlineOptions options;
+  options.Seeds = SeedType::Singularities;
+  options.StopAtCrossings = true;
+  const Streamlines lines = TraceStreamlines(field, Fields::Of(computed), {}, options);
+  EXPECT_EQ(lines.Length.size(), 4u);
+  EXPECT_LT(lines.Points.size(), 1000u);
+  for (const std::array<StreamlineEnd, 2>& ends : lines.Ends)
+  {
+    EXPECT_NE(ends[1], StreamlineEnd::Length);
+  }
+}
