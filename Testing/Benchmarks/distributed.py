@@ -1,15 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a field costs that is not gathered: PYTHONPATH=build/lib/python3/dist-packages mpiexec -n 2 pvbatch --symmetric distributed.py [TRIANGLES]
+"""What a field costs that is not gathered: PYTHONPATH=build/lib/python3/dist-packages mpiexec -n 2 pvbatch --symmetric distributed.py [TRIANGLES [COMPONENTS]]
 
-A surface in slabs. Prints the V-cycles, and for each process its processor time and the most memory that it took beyond
-its piece, by the triangle of its own; one process alone solves as ever. With PETSC_OPTIONS=-log_view PETSc adds its tables, the
-messages of all V-cycles among them."""
+A surface in slabs, or several COMPONENTS beside each other, each of them in slabs. Prints the V-cycles, and for each process its
+processor time and the most memory that it took beyond its piece, by the triangle of its own; one process alone solves as ever. With
+PETSC_OPTIONS=-log_view PETSc adds its tables, the messages of all V-cycles among them."""
 import ctypes.util
 import os
 import sys
 import time
 
+import numpy as np
 from paraview import simple  # noqa: F401, starts MPI
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -26,10 +27,14 @@ def status(what):
 
 controller = vtkMultiProcessController.GetGlobalController()
 rank, count = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
-points, triangles = Surfaces.potato(int((int(sys.argv[1] if len(sys.argv) > 1 else 400000) / 12) ** 0.5) + 1)
+wanted, parts = (int(sys.argv[k]) if len(sys.argv) > k else default for k, default in ((1, 400000), (2, 1)))
+points, triangles = Surfaces.potato(int((wanted / parts / 12) ** 0.5) + 1)
+owner = np.tile(Surfaces.owners(points, triangles, "slabs", count), parts)
+points, triangles = (np.concatenate([points * (1.0, 1.0 + 0.1 * k, 1.0) + (0.0, 0.0, 4.0 * k) for k in range(parts)]),
+                     np.concatenate([triangles + k * len(points) for k in range(parts)]))
 size = len(triangles)
-piece = Surfaces.piece(points, triangles, {}, Surfaces.owners(points, triangles, "slabs", count), rank)
-del points, triangles
+piece = Surfaces.piece(points, triangles, {}, owner, rank)
+del points, triangles, owner
 # From here on the peak counts.
 with open("/proc/self/clear_refs", "w") as reset:
     reset.write("5")

@@ -104,4 +104,6 @@ if failing.HasFailingAllocations():
     test_failures(Surfaces.moebius(40, 8), {}, most, failing)
     test_failures(Surfaces.half(20), {**guided, "ConstrainBoundary": 1}, most, failing)
     test_failures(two(16), {}, most, failing)
+    # The larger one is solved for by both processes, the other one is moved.
+    test_failures(Surfaces.pair(16), {}, most, failing)
 end()

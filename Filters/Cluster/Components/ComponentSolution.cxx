@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <memory>
 #include <new>
 
 namespace DirectionFields::Parallel
@@ -28,14 +29,16 @@ struct Shares
   std::vector<int> Own;
   /// The components that lie across processes.
   std::vector<int> Across;
-  /// The part of this process's vertices that the own ones have.
+  /// The part of the vertices that this process solves for that the own ones have.
   double OwnPart = 0.0;
 };
 
 Shares SharesOf(const Messages& messages, const DistributedMesh& mesh, const MovedComponents& moved)
 {
   Shares shares;
-  double vertices = 0.0;
+  double own = moved.Here().empty() ? 0.0 : moved.GetGeometry().Positions.size();
+  double across = 0.0;
+  const auto& parts = mesh.GetMesh().GetComponents();
   for (int component = 0; component < mesh.CountComponents(); ++component)
   {
     if (mesh.ProcessOf(component) < 0)
@@ -43,17 +46,19 @@ Shares SharesOf(const Messages& messages, const DistributedMesh& mesh, const Mov
       if (!moved.IsMoved(component))
       {
         shares.Across.push_back(component);
+        for (const std::size_t part : mesh.PartsOf(component))
+        {
+          across += parts[part].Vertices();
+        }
       }
     }
     else if (mesh.ProcessOf(component) == messages.Own())
     {
       shares.Own.push_back(component);
-      vertices += mesh.GetMesh().GetComponents()[mesh.PartsOf(component).front()].Vertices();
+      own += parts[mesh.PartsOf(component).front()].Vertices();
     }
   }
-  shares.OwnPart = shares.Across.empty()
-    ? 1.0
-    : vertices / std::max<Index>(1, mesh.GetMesh().GetNumberOfVertices());
+  shares.OwnPart = shares.Across.empty() ? 1.0 : own / std::max(1.0, own + across);
   shares.Own.insert(shares.Own.end(), moved.Here().begin(), moved.Here().end());
   return shares;
 }
@@ -253,9 +258,11 @@ DistributedSolution SolveDistributed(Processes& processes, const Messages& messa
       rowOf.resize(section.size());
       reports.resize(static_cast<std::size_t>(mesh.CountComponents()));
     });
-  const MovedComponents moved(processes, messages, mesh, piece, guide);
-  const Shares shares = SharesOf(messages, mesh, moved);
-  SolveOwn(processes, messages, mesh, moved, shares, guide, options, goOn, section, reports);
+  auto moved = std::make_unique<MovedComponents>(processes, messages, mesh, piece, guide);
+  const Shares shares = SharesOf(messages, mesh, *moved);
+  SolveOwn(processes, messages, mesh, *moved, shares, guide, options, goOn, section, reports);
+  // Those that all solve for need its memory.
+  moved.reset();
   const ProcessGroups groups(messages, mesh, shares.Across);
   SolveShared(processes, messages, mesh, groups, shares, guide, options, goOn, rowOf, solution);
   ShareReports(messages, shares, groups, reports);

@@ -12,20 +12,17 @@ namespace DirectionFields::Parallel
 {
 namespace
 {
-/// A component is moved where it has at most this part of the triangles of a process.
-constexpr double MostOfProcess = 0.25;
-
 struct MovedTriangle
 {
-  int Component;
   vtkIdType Id;
+  int Component;
   std::array<vtkIdType, 3> Corners;
-  std::array<double, 9> Places;
 };
 
 struct MovedVertex
 {
   vtkIdType Number;
+  std::array<double, 3> Place;
   Complex Drawn = 0.0;
   Complex Value = 0.0;
   ConstraintKind Kind = ConstraintKind::None;
@@ -48,12 +45,10 @@ void AddTriangles(const DistributedMesh& mesh, const PieceWithSurroundings& piec
       const Index input = triangles.InputTriangle(t);
       if (IsOwn(piece, input))
       {
-        MovedTriangle triangle{ component, piece.FirstTriangle + input, {}, {} };
+        MovedTriangle triangle{ piece.FirstTriangle + input, component, {} };
         for (int k = 0; k < 3; ++k)
         {
-          const Index v = triangles.Tail(3 * t + k);
-          triangle.Corners[k] = piece.Number[triangles.Point(v)];
-          std::copy_n(mesh.GetGeometry().Positions[v].data(), 3, triangle.Places.data() + 3 * k);
+          triangle.Corners[k] = piece.Number[triangles.Point(triangles.Tail(3 * t + k))];
         }
         moved.push_back(triangle);
       }
@@ -75,6 +70,7 @@ void AddVertices(const DistributedMesh& mesh, const PieceWithSurroundings& piece
       {
         MovedVertex vertex;
         vertex.Number = piece.Number[mesh.GetMesh().Point(v)];
+        std::copy_n(mesh.GetGeometry().Positions[v].data(), 3, vertex.Place.data());
         vertex.Drawn = guide.IsDrawn ? guide.Drawn[v] : Complex(0.0);
         if (!guide.Kind.empty())
         {
@@ -88,25 +84,52 @@ void AddVertices(const DistributedMesh& mesh, const PieceWithSurroundings& piece
   }
 }
 
-/// The surface of triangles of several processes, in the order of the whole, as they come.
-Surface SurfaceOf(
-  const std::vector<MovedTriangle>& moved, std::unordered_map<vtkIdType, Index>& pointOf)
+/// The triangles of all processes in the order of the whole surface. Gives back the memory of the
+/// lists.
+std::vector<MovedTriangle> InOrder(std::vector<std::vector<MovedTriangle>>& lists)
+{
+  std::size_t count = 0;
+  for (const std::vector<MovedTriangle>& part : lists)
+  {
+    count += part.size();
+  }
+  std::vector<MovedTriangle> all;
+  all.reserve(count);
+  for (std::vector<MovedTriangle>& part : lists)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+    part = std::vector<MovedTriangle>();
+  }
+  std::sort(all.begin(), all.end(),
+    [](const MovedTriangle& a, const MovedTriangle& b) { return a.Id < b.Id; });
+  return all;
+}
+
+/// The surface of these triangles, with points as they come.
+/// @param pointOf gets the point of each number
+Surface SurfaceOf(const std::vector<MovedTriangle>& moved,
+  const std::vector<std::vector<MovedVertex>>& vertices,
+  std::unordered_map<vtkIdType, Index>& pointOf)
 {
   Surface surface;
+  surface.Triangles.reserve(moved.size());
   for (const MovedTriangle& triangle : moved)
   {
     Triangle corners;
     for (int k = 0; k < 3; ++k)
     {
-      const auto [entry, isNew] =
-        pointOf.try_emplace(triangle.Corners[k], static_cast<Index>(surface.Points.size()));
-      if (isNew)
-      {
-        surface.Points.emplace_back(triangle.Places.data() + 3 * k);
-      }
-      corners[k] = entry->second;
+      corners[k] =
+        pointOf.try_emplace(triangle.Corners[k], static_cast<Index>(pointOf.size())).first->second;
     }
     surface.Triangles.push_back(corners);
+  }
+  surface.Points.resize(pointOf.size(), Vector3::Zero());
+  for (const std::vector<MovedVertex>& part : vertices)
+  {
+    for (const MovedVertex& vertex : part)
+    {
+      surface.Points[pointOf.at(vertex.Number)] = Vector3(vertex.Place.data());
+    }
   }
   return surface;
 }
@@ -136,14 +159,14 @@ void MovedComponents::ChooseHomes(
   }
   messages.Sum(sizes.data(), static_cast<int>(sizes.size()));
   messages.Sum(loads.data(), static_cast<int>(loads.size()));
-  const double most = MostOfProcess * std::accumulate(sizes.begin(), sizes.end(), 0.0) /
-    static_cast<double>(loads.size());
+  const double share =
+    std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(loads.size());
   this->Home.assign(components, -1);
   std::vector<int> moved;
   for (std::size_t component = 0; component < components; ++component)
   {
     const auto c = static_cast<int>(component);
-    if (mesh.ProcessOf(c) < 0 && !mesh.IsCover(c) && sizes[component] <= most)
+    if (mesh.ProcessOf(c) < 0 && !mesh.IsCover(c) && sizes[component] <= share)
     {
       moved.push_back(static_cast<int>(component));
     }
@@ -187,19 +210,13 @@ MovedComponents::MovedComponents(Processes& processes, const Messages& messages,
   processes.Together(
     [&]
     {
-      std::vector<MovedTriangle> all;
-      for (const std::vector<MovedTriangle>& part : triangles)
-      {
-        all.insert(all.end(), part.begin(), part.end());
-      }
+      const std::vector<MovedTriangle> all = InOrder(triangles);
       if (all.empty())
       {
         return;
       }
-      std::sort(all.begin(), all.end(),
-        [](const MovedTriangle& a, const MovedTriangle& b) { return a.Id < b.Id; });
       std::unordered_map<vtkIdType, Index> pointOf;
-      this->Geometry = std::make_unique<SurfaceGeometry>(SurfaceOf(all, pointOf));
+      this->Geometry = std::make_unique<SurfaceGeometry>(SurfaceOf(all, vertices, pointOf));
       const TriangleMesh& here = this->Geometry->Mesh;
       for (const TriangleMesh::Component& part : here.GetComponents())
       {

@@ -18,10 +18,11 @@
 
 namespace DirectionFields::Parallel
 {
-/// Components that lie across processes, each of which has less than a fourth of the triangles that
-/// a process has in the mean: each is moved to one process, evenly among them, so that all are
-/// solved for at once, as on one process. No process becomes the home of more than a fourth above
-/// its share.
+/// Components that lie across processes, each of which has no more triangles than a process has in
+/// the mean: each is moved to one process, evenly among them, so that all are solved for at once,
+/// as on one process. That takes a third of the memory and half of the work that a triangle takes
+/// where all processes solve for it, so that a component of a process's share fits into its memory.
+/// No process becomes the home of more than twice its share.
 class MovedComponents
 {
 public:
