@@ -191,8 +191,26 @@ def check_sum_of_valences():
         assert valence + sum(4 - len(f) for f in faces) == 4 * euler
 
 
+def check_pairs_for_sizes():
+    """A layer has half of |grad l| / l^2 pairs for each unit of area: L / 2 (1 / l0 - 1 / l1) over a strip, 49 where
+    3000 faces of a square grow from 1 to 5. Around a pair at opposite corners of a quad two rows begin."""
+    steps = 10000
+    area = sum(1.0 / (1.0 + 4.0 * (k + 0.5) / steps) ** 2 for k in range(steps)) / steps
+    least = math.sqrt(area / 3000.0)
+    lengths = [least * (1.0 + 4.0 * (k + 0.5) / steps) for k in range(steps)]
+    pairs = sum(0.5 * 4.0 * least / length**2 for length in lengths) / steps
+    assert abs(pairs - 0.5 * (1.0 / least - 1.0 / (5.0 * least))) < 1e-3 * pairs
+    assert round(pairs) == 49
+    # A walk of edges that closes around the pair would not close in the grid: each corner of three faces, or five, is
+    # a turn by a quarter about it, forth and back.
+    three, five = 0.0, 1.0 + 1.0j
+    after = (lambda z: three + 1j * (z - three)), (lambda z: five - 1j * (z - five))
+    assert abs(after[1](after[0](0.0)) - 0.0) == 2.0
+
+
 def check():
     check_grid()
+    check_pairs_for_sizes()
     check_elimination()
     check_fixed_points()
     check_extraction()

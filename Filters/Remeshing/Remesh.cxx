@@ -177,7 +177,7 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
     sizes.IsEven ? options.Sizing : sizes.AtPoints, hasCloseLines, patches ? &*patches : nullptr };
   finished.Boundary = FinishFaces(finished.Faces,
     { options.Element == Element::Quads, IsPure(options), options.SmoothingIterations,
-      sizes.EdgeLength, options.BoundarySpacing },
+      sizes.EdgeLength, options.BoundarySpacing, sizes.HasRows },
     context, progress);
   finished.Turned = CountTurned(finished.Faces, field.GetSurface(), field.GetInputTriangles(),
     features, sizes.EdgeLength, context.Patches);
@@ -446,8 +446,7 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   sizes.IsEven = options.Sizing.empty();
   sizes.AtPoints = ClampedSizes(options.Sizing, this->Input->Points.size());
   const double area = RelativeArea(*this->Input, sizes.AtPoints);
-  sizes.LengthForArea = sizes.EdgeLength = EdgeLengthFor(area, options);
-  sizes.MapLength = sizes.EdgeLength;
+  sizes.LengthForArea = sizes.EdgeLength = sizes.MapLength = EdgeLengthFor(area, options);
   const int degree = DegreeOf(options.Element);
   if (this->Cut)
   {
@@ -459,6 +458,8 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   kept.Features = affordable.Settings;
   this->AboutFeatures = affordable.Sentences();
   const bool isOfSizes = options.AddIrregularPairs && !options.Sizing.empty();
+  sizes.HasRows = isOfSizes && directions.empty() && options.SizeSource == SizeSource::Sizing &&
+    sizes.AreUneven();
   const OwnShape own(AlignmentOf(options), isOfSizes ? sizes.AtPoints : std::vector<double>());
   // Smaller faces at thin parts have the working surface of the others, which is not made anew.
   WorkingLengths lengths = LengthsFor(
@@ -469,10 +470,8 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
     // Sizes that are given have their values at the points that there are.
     lengths.Split.clear();
   }
-  if (!directions.empty() || !options.Sizing.empty())
-  {
-    lengths.MostNeedless = None;
-  }
+  const bool isFree = directions.empty() && options.Sizing.empty();
+  lengths.MostNeedless = isFree ? lengths.MostNeedless : None;
   if (!this->Cache || !this->Cache->IsFor(degree, kept, lengths, directions, own))
   {
     this->Cache.reset();

@@ -7,6 +7,7 @@
 #include "Finishing/FaceSources.h"
 #include "Finishing/ThinParts.h"
 #include "Preparation/PreparedField.h"
+#include "Preparation/WantedSizes.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,11 @@ MeshStanding StandingOf(const RemeshResult& mesh)
 void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
   const Progress& progress, RemeshResult& result)
 {
-  ThinParts thin(*this->Input);
+  const std::vector<double> wanted = options.Sizing.empty()
+    ? std::vector<double>()
+    : ClampedSizes(options.Sizing, this->Input->Points.size());
+  const double smallest = wanted.empty() ? 1.0 : *std::min_element(wanted.begin(), wanted.end());
+  ThinParts thin(*this->Input, wanted);
   this->MakeOnce(options, directions, thin, 1.0, progress.Part(0.0, AfterFirst), result);
   const double edgeLength = result.EdgeLength;
   RemeshResult last;
@@ -64,7 +69,7 @@ void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
   for (int k = 0; k < most; ++k)
   {
     const RemeshResult& former = k == 0 ? result : last;
-    if (!(StandingOf(former).Farthest > edgeLength) ||
+    if (!(StandingOf(former).Farthest > smallest * edgeLength) ||
       !thin.Shrink(this->Cache->GetInputTriangles(),
         DistancesBothWays(*this->Input, former.Points, former.Faces, former.FaceSource),
         edgeLength))

@@ -5,6 +5,7 @@
 
 #include "Boundary/BoundaryEdits.h"
 #include "Boundary/BoundaryLine.h"
+#include "Dislocations/SizedRows.h"
 #include "Finishing/FaceShaping.h"
 #include "Finishing/FaceSources.h"
 #include "Improvement/CloserLines.h"
@@ -115,6 +116,19 @@ public:
 
   void Run(const Progress& progress)
   {
+    const bool hasRows = this->Wanted.HasSizedRows && this->Wanted.AreQuads &&
+      this->Wanted.Steps > 0 && this->Wanted.Spacing == BoundarySpacing::Free;
+    const double beforeRows = hasRows ? 0.3 : 1.0;
+    this->MakeRegular(progress.Part(0.0, beforeRows));
+    if (hasRows)
+    {
+      this->AddRows(progress.Part(beforeRows, 1.0));
+    }
+  }
+
+private:
+  void MakeRegular(const Progress& progress)
+  {
     this->Settings.RepairsFaces = false;
     this->Settings.MayMakeTriangles = true;
     this->Shape(this->Settings, progress.Part(0.0, 0.4));
@@ -140,7 +154,28 @@ public:
     CutFoldedQuads(this->Mesh.Cells, this->Mesh.Points);
   }
 
-private:
+  /// Rows of quads begin and end where sizes need it.
+  void AddRows(const Progress& progress)
+  {
+    const RowsDomain domain{ this->Context.Triangles, this->Context.Lines,
+      [this](const std::vector<Vector3>& points)
+      { return WantedLengths(this->Context, points, this->Wanted.EdgeLength); },
+      [this](const FaceMesh& mesh) { return PatchesFor(mesh, this->Context); } };
+    if (!AddSizedRows(this->Mesh, domain, progress.Part(0.0, 0.8)))
+    {
+      return;
+    }
+    ShapingSettings following = this->Settings;
+    following.AreQuads = false;
+    following.Joins.reset();
+    this->Shape(following, progress.Part(0.8, 0.9));
+    this->BringLinesCloser(this->Wanted.IsPure ? 0 : LineCutRounds, progress.Part(0.9, 1.0));
+    if (!this->Wanted.IsPure)
+    {
+      CutFoldedQuads(this->Mesh.Cells, this->Mesh.Points);
+    }
+  }
+
   void Shape(const ShapingSettings& settings, const Progress& part)
   {
     ShapeFaces(this->Mesh, settings, this->Context.Triangles, this->Context.Lines,

@@ -42,6 +42,9 @@ struct FinishedFaces
   /// Wanted, where the size is 1.
   double EdgeLength = 0.0;
   BoundarySpacing Spacing = BoundarySpacing::Free;
+  /// Rows of quads begin and end where sizes need it. No effect without steps, or where vertices of
+  /// the boundary are not free.
+  bool HasSizedRows = false;
 };
 
 /// Makes faces regular, all of them quads if that is wanted, and puts the vertices of the boundary

@@ -161,8 +161,10 @@ bool ThinParts::Shrink(
 {
   const Surface& surface = this->Given;
   const Neighbours neighbours(surface);
+  const auto lengthAt = [&](Index p)
+  { return this->Sizes.empty() ? edgeLength : this->Sizes[p] * edgeLength; };
   const auto isFartherThan = [&](Index p, double lengths)
-  { return neighbours.First[p] < neighbours.First[p + 1] && distance[p] > lengths * edgeLength; };
+  { return neighbours.First[p] < neighbours.First[p + 1] && distance[p] > lengths * lengthAt(p); };
   const auto points = static_cast<Index>(surface.Points.size());
   bool isLost = false;
   std::vector<Index> part;
@@ -188,7 +190,7 @@ bool ThinParts::Shrink(
     for (Index n = neighbours.First[p]; n < neighbours.First[p + 1]; ++n)
     {
       const Index q = neighbours.All[n];
-      if (isOfPart[q] == 0 && this->Thickness.At(q, triangles, edgeLength, p) < edgeLength)
+      if (isOfPart[q] == 0 && this->Thickness.At(q, triangles, lengthAt(q), p) < lengthAt(q))
       {
         isOfPart[q] = 1;
         part.push_back(q);
@@ -197,19 +199,20 @@ bool ThinParts::Shrink(
   }
   for (std::size_t k = 0; k < part.size(); ++k)
   {
-    double length = this->Share * this->Thickness.At(part[k], triangles, edgeLength);
+    const double wanted = lengthAt(part[k]);
+    double length = this->Share * this->Thickness.At(part[k], triangles, wanted);
     if (k < far)
     {
-      length = std::min(length, Shorter * this->Share * edgeLength);
+      length = std::min(length, Shorter * this->Share * wanted);
     }
-    const double least = std::max(Shortest, Halved * this->Share * this->Share) * edgeLength;
+    const double least = std::max(Shortest, Halved * this->Share * this->Share) * wanted;
     this->Lengths[part[k]] = std::min(this->Lengths[part[k]], std::max(least, length));
   }
   this->Share *= Shorter;
   LimitGrowth(surface, neighbours, this->Lengths);
-  for (double& length : this->Lengths)
+  for (Index p = 0; p < points; ++p)
   {
-    length = length < edgeLength ? length : Any;
+    this->Lengths[p] = this->Lengths[p] < lengthAt(p) ? this->Lengths[p] : Any;
   }
   return true;
 }

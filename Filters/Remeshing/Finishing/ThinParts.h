@@ -9,6 +9,7 @@
 #include "Surface.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -52,8 +53,10 @@ class ThinParts
 {
 public:
   /// The surface has to outlive this.
-  explicit ThinParts(const Surface& surface)
+  /// @param sizes wanted at each point relative to elsewhere; empty for the same everywhere
+  explicit ThinParts(const Surface& surface, std::vector<double> sizes = {})
     : Given(surface)
+    , Sizes(std::move(sizes))
     , Thickness(surface)
   {
   }
@@ -65,7 +68,7 @@ public:
   /// length.
   /// @param triangles  those of the surface
   /// @param distance   of each point of the surface from the mesh
-  /// @param edgeLength the wanted length of edges
+  /// @param edgeLength the wanted length of edges where the size is 1
   bool Shrink(
     const ClosestPoints& triangles, const std::vector<double>& distance, double edgeLength);
 
@@ -80,6 +83,7 @@ public:
 
 private:
   const Surface& Given;
+  std::vector<double> Sizes;
   Thicknesses Thickness;
   std::vector<double> Lengths;
   /// Of lengths at lost parts in their thickness.

@@ -10,6 +10,12 @@
 
 namespace DirectionFields::Internal
 {
+bool WantedSizes::AreUneven() const
+{
+  const auto [least, largest] = std::minmax_element(this->AtPoints.begin(), this->AtPoints.end());
+  return least != largest && *largest > *least;
+}
+
 std::vector<double> WantedSizes::PerLength() const
 {
   std::vector<double> perLength(this->AtVertices.size());

@@ -18,6 +18,9 @@ struct WantedSizes
 {
   /// Whether the size is 1 everywhere.
   bool IsEven = true;
+  /// Whether rows of quads begin and end for them: for those that the user gives. For those of an
+  /// error other lengths would do as well, and the rows make a front's faces worse for it.
+  bool HasRows = false;
   /// The size at each point of the input, and at each vertex of the prepared mesh.
   std::vector<double> AtPoints;
   std::vector<double> AtVertices;
@@ -29,6 +32,8 @@ struct WantedSizes
   /// EdgeLength is longer on thin surfaces.
   double LengthForArea = 0.0;
 
+  /// Whether they differ from point to point.
+  bool AreUneven() const;
   /// 1 / h of each vertex, h the length of the map's edges there.
   std::vector<double> PerLength() const;
   /// Half of the length of the mesh's edges at each vertex.

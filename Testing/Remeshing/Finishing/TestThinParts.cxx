@@ -64,6 +64,25 @@ TEST(ThinParts, LimbsThatWouldBeLostHaveSmallerFaces)
   EXPECT_NE(note->find("at 6 places where limbs"), std::string::npos) << *note;
 }
 
+/// Whether a limb is lost is a matter of the size that is wanted there.
+TEST(ThinParts, DistancesCountInUnitsOfTheSize)
+{
+  const Surface surface = Meshes::BallWithLimbs();
+  const ClosestPoints triangles(surface);
+  std::vector<double> distance;
+  for (const Vector3& point : surface.Points)
+  {
+    distance.push_back(0.4 * std::max(0.0, point.norm() - 1.0));
+  }
+  ThinParts even(surface);
+  ThinParts twice(surface, std::vector<double>(surface.Points.size(), 2.0));
+  ASSERT_TRUE(even.Shrink(triangles, distance, 0.6));
+  ASSERT_TRUE(twice.Shrink(triangles, distance, 0.3));
+  EXPECT_EQ(even.GetLengths(), twice.GetLengths());
+  EXPECT_FALSE(ThinParts(surface, std::vector<double>(surface.Points.size(), 8.0))
+                 .Shrink(triangles, distance, 0.6));
+}
+
 TEST(ThinParts, MeshesThatLoseNothingAreTheSame)
 {
   for (const Surface& surface : { Meshes::Potato(4), Meshes::Torus(60, 24), Meshes::Cube() })

@@ -3,6 +3,7 @@
 
 #include "Remesh.h"
 
+#include "Meshes/FacesAtEdges.h"
 #include "Meshes/Surfaces.h"
 
 #include <gtest/gtest.h>
@@ -15,24 +16,6 @@ using namespace DirectionFields;
 
 namespace
 {
-/// The number of faces at each edge.
-std::map<std::array<Index, 2>, int> FacesAtEdges(const RemeshResult& mesh)
-{
-  std::map<std::array<Index, 2>, int> faces;
-  for (const std::array<Index, 4>& face : mesh.Faces)
-  {
-    const int size = face[3] == None ? 3 : 4;
-    for (int c = 0; c < size; ++c)
-    {
-      const Index a = face[c];
-      const Index b = face[(c + 1) % size];
-      EXPECT_NE(a, b);
-      ++faces[{ std::min(a, b), std::max(a, b) }];
-    }
-  }
-  return faces;
-}
-
 /// Squares that have one side in common, the z axis, like the pages of a book.
 Surface Book(int pages, int cells)
 {
@@ -108,7 +91,7 @@ TEST(Seams, OfSurfacesWithOneSideAreClosedAgain)
       EXPECT_GT(mesh.Quads, 0.85 * static_cast<double>(mesh.Faces.size()));
       EXPECT_TRUE(!pureQuads || mesh.Triangles == 0);
       Index boundary = 0;
-      for (const auto& [edge, faces] : FacesAtEdges(mesh))
+      for (const auto& [edge, faces] : Meshes::FacesAtEdges(mesh.Faces))
       {
         EXPECT_LE(faces, 2);
         boundary += faces == 1 ? 1 : 0;
@@ -132,7 +115,7 @@ TEST(Seams, BetweenSheetsHaveTheSameVerticesOnAllSides)
       EXPECT_EQ(mesh.Triangles, 0);
       const auto isOnSpine = [&](Index v) { return mesh.Points[v].head<2>().norm() < 1e-9; };
       double length = 0.0;
-      for (const auto& [edge, faces] : FacesAtEdges(mesh))
+      for (const auto& [edge, faces] : Meshes::FacesAtEdges(mesh.Faces))
       {
         if (isOnSpine(edge[0]) && isOnSpine(edge[1]))
         {
@@ -166,7 +149,7 @@ TEST(Seams, OfSheetsOfDifferentSizesAreJoined)
     EXPECT_NE(note.find("as long as the sizes ask for"), std::string::npos) << note;
   }
   EXPECT_EQ(mesh.EulerCharacteristicAfter, 1);
-  for (const auto& [edge, faces] : FacesAtEdges(mesh))
+  for (const auto& [edge, faces] : Meshes::FacesAtEdges(mesh.Faces))
   {
     const bool isOnSpine =
       mesh.Points[edge[0]].head<2>().norm() < 1e-9 && mesh.Points[edge[1]].head<2>().norm() < 1e-9;

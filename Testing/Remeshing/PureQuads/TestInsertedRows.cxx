@@ -3,11 +3,11 @@
 
 #include "PureQuads/InsertedRows.h"
 
+#include "Meshes/FacesAtEdges.h"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 
 using namespace DirectionFields;
@@ -47,21 +47,6 @@ FaceMesh Grid(Index cells, const std::set<Index>& cut)
   return mesh;
 }
 
-std::map<std::array<Index, 2>, int> FacesAtEdges(const FaceMesh& mesh)
-{
-  std::map<std::array<Index, 2>, int> faces;
-  for (const Faces::Face& face : mesh.Cells.Corners)
-  {
-    for (int c = 0; c < Faces::Size(face); ++c)
-    {
-      const Index a = face[c];
-      const Index b = face[(c + 1) % Faces::Size(face)];
-      ++faces[{ std::min(a, b), std::max(a, b) }];
-    }
-  }
-  return faces;
-}
-
 double Area(const FaceMesh& mesh)
 {
   double sum = 0.0;
@@ -79,9 +64,9 @@ TEST(InsertedRows, MakeQuadsOfAllTrianglesAndChangeNoRim)
     { std::set<Index>{ 0 }, { 9, 14 }, { 0, 63 }, { 9, 54 }, { 1, 7, 20, 33, 46, 62 } })
   {
     FaceMesh mesh = Grid(8, cut);
-    const auto before = FacesAtEdges(mesh);
+    const auto before = Meshes::FacesAtEdges(mesh.Cells.Corners);
     EXPECT_EQ(InsertRows(mesh), 0);
-    const auto after = FacesAtEdges(mesh);
+    const auto after = Meshes::FacesAtEdges(mesh.Cells.Corners);
     for (const auto& [ends, faces] : before)
     {
       const auto found = after.find(ends);
@@ -115,7 +100,7 @@ TEST(InsertedRows, DoNotCrossLines)
     mesh.LineEdges.push_back({ { 9 * j + 4, 9 * (j + 1) + 4 }, 1 });
   }
   EXPECT_EQ(InsertRows(mesh), 0);
-  const auto edges = FacesAtEdges(mesh);
+  const auto edges = Meshes::FacesAtEdges(mesh.Cells.Corners);
   for (const std::array<Index, 2>& ends : line)
   {
     EXPECT_EQ(edges.count(ends), 1U);
