@@ -122,3 +122,20 @@ TEST(Bounded, NoiseOfOneEdgeLeavesTheConesOfTheShape)
   options.NumberOfThreads = 3;
   EXPECT_EQ(again.Points, Remesh(surface).Compute(options).Points);
 }
+
+/// A field on a body with little noise has fewer singularities than on one with much; they are those of noise all
+/// the same, where the body needs none of them.
+TEST(Bounded, NoiseOfLessThanAnEdgeDoesToo)
+{
+  for (const double noise : { 0.5, 0.7 })
+  {
+    const Surface surface = Meshes::Roughened(Meshes::Icosphere(5), noise, 7);
+    RemeshOptions options;
+    options.NumberOfFaces = 1500;
+    const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "") << noise;
+    EXPECT_LE(mesh.IrregularVertices, 30) << noise;
+    EXPECT_LE(mesh.Triangles, 15) << noise;
+    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 1500.0, 150.0);
+  }
+}

@@ -75,7 +75,7 @@ TEST(Remesh, PureQuadsAreAsRegularAsTheMeshWithTriangles)
   for (const auto& [surface, faces] :
     { std::pair<Surface, Index>(Meshes::PlateWithHole(48, 12, 0.6, true), 300),
       { Meshes::ChamferedCube(4), 200 }, { Meshes::DoubleTorus(), 300 },
-      { Meshes::Jittered(Meshes::Potato(4), 0.1, 2), 300 } })
+      { Meshes::Jittered(Meshes::Potato(4), 0.04, 2), 300 } })
   {
     RemeshOptions options;
     options.NumberOfFaces = faces;

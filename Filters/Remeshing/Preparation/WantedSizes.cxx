@@ -129,7 +129,7 @@ WorkingLengths LengthsFor(
   constexpr double split = 1.4;
   constexpr double mostMiddlesPerFace = 4.0;
   constexpr double fewestAcross = 4.0;
-  constexpr double mostPerFaces = 0.25;
+  constexpr double mostPerFaces = 0.03;
   constexpr double fewestNeedless = 64.0;
   // There is no map of more cells than this.
   constexpr double mostCells = 1e8;
