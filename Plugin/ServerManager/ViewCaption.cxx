@@ -19,6 +19,8 @@ namespace
 {
 // Points, as the summary of the button's picture.
 constexpr int FontSize = 14;
+/// A surface behind the sentences is seen through their ground, and they are read on any surface.
+constexpr double GroundOpacity = 0.8;
 }
 
 //------------------------------------------------------------------------------
@@ -32,6 +34,7 @@ ViewCaption::ViewCaption()
   text->SetJustificationToLeft();
   text->SetVerticalJustificationToTop();
   text->SetFontSize(FontSize);
+  text->SetBackgroundOpacity(GroundOpacity);
 }
 
 //------------------------------------------------------------------------------
@@ -107,4 +110,5 @@ void ViewCaption::ContrastWith(const double background[3])
 {
   const double ink = background[0] + background[1] + background[2] > 1.5 ? 0.15 : 1.0;
   this->GetTextProperty()->SetColor(ink, ink, ink);
+  this->GetTextProperty()->SetBackgroundColor(background[0], background[1], background[2]);
 }

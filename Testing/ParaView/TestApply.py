@@ -136,6 +136,24 @@ def test_captions():
     simple.ResetSession()
 
 
+def test_ground():
+    """The words are read over a pale surface, too: they stand on the color of the view's background."""
+    view = new_view()
+    view.UseColorPaletteForBackground, view.Background = 0, [0.2, 0.3, 0.4]
+    field = DirectionField(Input=simple.Plane(XResolution=8, YResolution=8))
+    display = simple.Show(field, view)
+    display.DiffuseColor = display.AmbientColor = [1.0, 1.0, 1.0]
+    display.Ambient, display.Diffuse, display.Specular, display.ShowSummary = 1.0, 0.0, 0.0, 1
+    simple.ResetCamera(view)
+    view.CameraPosition = [0.0, 0.0, 0.5]
+    def ground(name):
+        return pixels(picture_of(view, name), lambda r, g, b: (r > 50) & (r < 120) & (b > 110) & (b < 145))
+    assert 1000 < ground("ApplyGround.png") < SIZE[0] * SIZE[1] // 8
+    display.ShowSummary = 0
+    assert ground("ApplyNoGround.png") < 300
+    simple.ResetSession()
+
+
 def test_replaced():
     """Nothing of the field before lies among what stripes, an edit and a remesh show."""
     view = new_view()
@@ -306,6 +324,7 @@ def test_user():
 test_field()
 test_constraint_lines()
 test_captions()
+test_ground()
 test_replaced()
 test_stripes()
 test_no_stripes()
