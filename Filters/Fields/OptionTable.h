@@ -50,6 +50,7 @@ constexpr double AnyFinite = std::numeric_limits<double>::max();
   FLAG(UnitLength, Field)                                                                          \
   RANGE(SingularityCost, Field, 0, 4, "")                                                          \
   RANGE(CurvatureScale, Field, 0, 32, "")                                                          \
-  RANGE(NumberOfStarts, Field, 0, 1000, "")
+  RANGE(NumberOfStarts, Field, 0, 1000, "")                                                        \
+  FLAG(Preview, Field)
 
 #endif

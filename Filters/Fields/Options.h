@@ -116,6 +116,10 @@ struct Options
   /// but for one part in a thousand, and takes as many times as long. 0 for one start on surfaces
   /// of 1000 points and more, and up to 16 on smaller ones. Range 0 to 1000.
   int NumberOfStarts = 0;
+  /// With UnitLength: only scale the smoothest, aligned or constrained field to length 1. While
+  /// something is changed by hand that takes a fraction of the time, and the directions are those
+  /// that the descent begins at.
+  bool Preview = false;
   /// Threads to compute with; 0 for as many as the process may run at once, but no more than
   /// OMP_NUM_THREADS says. The number changes no byte of the result. Range 0 to 1024.
   int NumberOfThreads = 0;

@@ -201,6 +201,7 @@ def field(
     singularity_cost: float = 0.0,
     curvature_scale: float = 0.0,
     number_of_starts: int = 0,
+    preview: bool = False,
     tensors_at: Literal['points', 'triangles'] = 'points',
     tensor_direction: Literal['major', 'minor', 'larger_magnitude'] = 'major',
     tensor_strength: float = 1.0,

@@ -41,6 +41,7 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         singularity_cost: What one singularity costs a field of unit length.
         curvature_scale: Radius that curvature is averaged over, in edges; 0 finds it by the noise.
         number_of_starts: With unit_length, starts of which the best is kept; 0 chooses by size.
+        preview: With unit_length, only scale the first field to unit length, in less time.
         tensors_at: What has a tensor each.
         tensor_direction: Which principal direction lines follow; crosses follow both.
         tensor_strength: 1 for the principal directions without noise, 0 for the smoothest field.

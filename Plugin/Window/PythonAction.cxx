@@ -7,10 +7,10 @@
 #include "pqUndoStack.h"
 #include "vtkPythonInterpreter.h"
 
-//------------------------------------------------------------------------------
-void RunPythonAction(const QString& step, const QString& call)
+namespace
 {
-  BEGIN_UNDO_SET(step);
+void RunPython(const QString& name, const QString& call)
+{
   // The modules of plugins are known once ParaView's own are.
   const QString script = QString("try:\n"
                                  "  import paraview.simple\n"
@@ -21,8 +21,25 @@ void RunPythonAction(const QString& step, const QString& call)
                                  "  vtkOutputWindow.GetInstance().DisplayWarningText(\n"
                                  "    f'%1 needs a module of Python that is not there: "
                                  "{problem}\\n')\n")
-                           .arg(step, call);
+                           .arg(name, call);
   vtkPythonInterpreter::RunSimpleString(script.toUtf8().constData());
+}
+}
+
+//------------------------------------------------------------------------------
+void RunPythonAction(const QString& step, const QString& call)
+{
+  BEGIN_UNDO_SET(step);
+  RunPython(step, call);
   END_UNDO_SET();
+  pqApplicationCore::instance()->render();
+}
+
+//------------------------------------------------------------------------------
+void RunPythonBetweenSteps(const QString& name, const QString& call)
+{
+  BEGIN_UNDO_EXCLUDE();
+  RunPython(name, call);
+  END_UNDO_EXCLUDE();
   pqApplicationCore::instance()->render();
 }

@@ -7,6 +7,7 @@
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqQVTKWidget.h"
+#include "pqUndoStack.h"
 
 #include <QCursor>
 #include <QMouseEvent>
@@ -17,6 +18,8 @@ namespace
 {
 /// A hand that clicks moves the mouse by up to so many pixels.
 constexpr double CLICK = 3.0;
+/// A hand that has drawn nothing for so many milliseconds rests.
+constexpr int PAUSE = 800;
 
 /// The way of the mouse, over the picture, until it is a stroke on the surface.
 class StrokeLine : public QWidget
@@ -68,6 +71,9 @@ StrokeTool::StrokeTool(QObject* parent)
   : ViewTool(parent)
 {
   this->connect(&pqActiveObjects::instance(), SIGNAL(viewChanged(pqView*)), SLOT(follow()));
+  this->Rest.setSingleShot(true);
+  this->Rest.setInterval(PAUSE);
+  this->connect(&this->Rest, &QTimer::timeout, this, &StrokeTool::finish);
 }
 
 //------------------------------------------------------------------------------
@@ -96,6 +102,17 @@ void StrokeTool::follow()
   {
     this->View->setCursor(Qt::CrossCursor);
   }
+}
+
+//------------------------------------------------------------------------------
+void StrokeTool::finish()
+{
+  if (this->IsDrawing || this->IsBusy || ViewTool::isComputing())
+  {
+    this->Rest.start();
+    return;
+  }
+  RunPythonBetweenSteps(tr("Draw strokes"), "preview.finish()");
 }
 
 //------------------------------------------------------------------------------
@@ -157,17 +174,26 @@ bool StrokeTool::mouse(QMouseEvent* event)
 void StrokeTool::remove()
 {
   const QPointF place = this->pixel(this->View->renderWidget()->mapFromGlobal(QCursor::pos()));
-  this->run(tr("Remove stroke"), QString("remove_stroke(%1)").arg(Tuple(place)));
+  this->run(tr("Remove stroke"), "remove_stroke", Tuple(place));
 }
 
 //------------------------------------------------------------------------------
-void StrokeTool::run(const QString& step, const QString& call)
+void StrokeTool::run(const QString& step, const QString& function, const QString& arguments)
 {
-  if (!this->IsBusy && !ViewTool::isComputing())
+  if (this->IsBusy || ViewTool::isComputing())
   {
-    this->IsBusy = true;
-    RunPythonAction(step, call);
-    this->IsBusy = false;
+    return;
+  }
+  this->IsBusy = true;
+  RunPythonAction(
+    step, QString("preview.previewed(directionfields.%1, %2)").arg(function, arguments));
+  this->IsBusy = false;
+  this->Rest.start();
+  // Undo and redo bring previews back.
+  if (pqUndoStack* const stack = pqApplicationCore::instance()->getUndoStack())
+  {
+    this->connect(stack, &pqUndoStack::stackChanged, &this->Rest, qOverload<>(&QTimer::start),
+      Qt::UniqueConnection);
   }
 }
 
@@ -180,11 +206,11 @@ void StrokeTool::draw()
     const QString place = Tuple(this->pixel(this->Path.last()));
     if (this->IsDouble)
     {
-      this->run(tr("Make stroke soft or hard"), QString("toggle_stroke(%1)").arg(place));
+      this->run(tr("Make stroke soft or hard"), "toggle_stroke", place);
     }
     else
     {
-      this->run(tr("Select stroke"), QString("select_stroke(%1)").arg(place));
+      this->run(tr("Select stroke"), "select_stroke", place);
     }
     return;
   }
@@ -193,5 +219,5 @@ void StrokeTool::draw()
   {
     points << Tuple(this->pixel(position));
   }
-  this->run(tr("Draw stroke"), QString("draw_stroke([%1])").arg(points.join(", ")));
+  this->run(tr("Draw stroke"), "draw_stroke", QString("[%1]").arg(points.join(", ")));
 }

@@ -5,7 +5,8 @@
  * below, which directionfields.draw_stroke() adds to the pipeline when the button is let go; a click
  * selects the stroke below, or none; a double click makes it soft, or hard again. The keys Delete
  * and Backspace take the selected stroke away, or the one under the mouse, or the last one. Other
- * buttons and the wheel move the camera as always; Escape ends it.
+ * buttons and the wheel move the camera as always; Escape ends it. On large surfaces the field is a
+ * preview until the hand rests.
  */
 
 #ifndef StrokeTool_h
@@ -15,6 +16,7 @@
 
 #include <QPointer>
 #include <QPolygonF>
+#include <QTimer>
 
 class StrokeTool : public ViewTool
 {
@@ -30,6 +32,8 @@ public slots:
 private slots:
   /// Goes over to the active view.
   void follow();
+  /// Has previews computed whole.
+  void finish();
 
 private:
   explicit StrokeTool(QObject* parent);
@@ -37,8 +41,9 @@ private:
   bool mouse(QMouseEvent* event) override;
   void remove() override;
   void draw();
-  /// Calls a function of directionfields as one step to undo; another one is not begun meanwhile.
-  void run(const QString& step, const QString& call);
+  /// Calls a function of directionfields with these arguments as one step to undo; another one is
+  /// not begun meanwhile.
+  void run(const QString& step, const QString& function, const QString& arguments);
 
   bool IsDrawing = false;
   bool IsBusy = false;
@@ -46,6 +51,8 @@ private:
   bool IsDouble = false;
   QPolygonF Path;
   QPointer<QWidget> Line;
+  /// Runs since the last change of a field that may be a preview.
+  QTimer Rest;
 };
 
 #endif

@@ -7,6 +7,7 @@ import os
 from paraview import servermanager
 from paraview import simple
 
+from directionfields import preview
 from directionfields.files import read
 from directionfields.pipeline import (EXTRACTORS, MAKERS, fields_before, fields_of, follower,
                                       is_field, name_of, upstream)
@@ -156,6 +157,7 @@ def computed(mesh, degree, properties):
             raise ValueError(f"{name} has no cells: open a mesh, press Apply, and select it.")
         # The degree decides which alignments there are, hence it is set first.
         connect(field, surface, {"Degree": int(degree), **properties})
+        preview.begin([field])
         field.UpdatePipeline()
     if not is_field(field):
         why = messages.errors[0] if messages.errors else (

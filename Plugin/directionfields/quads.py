@@ -6,6 +6,7 @@ import collections
 
 from paraview import simple
 
+from directionfields import preview
 from directionfields.camera import is_untouched, place_camera
 from directionfields.compute import (check_properties, connect, given, has_field, register,
                                      surface_of)
@@ -37,6 +38,8 @@ def remesh_active():
         source = simple.GetActiveSource()
         with Pipeline():
             view = view_of_button()
+            # Quads of a preview would be made twice.
+            preview.finish()
             return draw(quads_for(source), view)
     except Exception as problem:  # A button has nobody to catch what it raises.
         complain("Remesh to quads", problem)

@@ -8,6 +8,7 @@ from paraview import simple
 from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
+from directionfields import preview
 from directionfields.camera import camera_of, put_camera
 from directionfields.compute import (check_properties, computed, connect, register, surface_of)
 from directionfields.laying import Screen, laid, surfaces_under
@@ -217,6 +218,7 @@ def add(mesh, surface, parts, view):
             strokes.Points = rows
             field = guided(mesh, surface, strokes, fields)
         else:
+            preview.begin([field])
             strokes.Points = rows
         show(field, strokes, view)
     _drawn = strokes.SMProxy.GetGlobalID()
@@ -256,6 +258,7 @@ def guided(mesh, surface, strokes, known):
         return field
     field = known[-1]
     with Messages() as messages:
+        preview.begin([field])
         field.Input = simple.OutputPort(guidance, 0)
         for key, value in GUIDED.items():
             setattr(field, key, value)
@@ -302,11 +305,16 @@ def put_strengths(strokes, strengths):
     strokes.Strengths = [float(x) for pair in sorted(strengths.items()) for x in pair]
 
 
+def fields_along(strokes):
+    """The fields that follow strokes."""
+    return [source for source in sources() if source.GetXMLName() == "DirectionField" and
+            proxy_of(guided_of([source])[2]) == proxy_of(strokes)]
+
+
 def soften(strokes, number, strength, view):
     """Sets the strength of a stroke, and shows that."""
     global _selected
-    fields = [source for source in sources() if source.GetXMLName() == "DirectionField" and
-              proxy_of(guided_of([source])[2]) == proxy_of(strokes)]
+    fields = fields_along(strokes)
     changed = {strokes: ["Strengths"]}
     changed.update({field: ["GuidanceStrengths"] for field in fields})
     strengths = strengths_of(strokes)
@@ -314,6 +322,7 @@ def soften(strokes, number, strength, view):
     if strength < 1.0:
         strengths[float(number)] = strength
     with Properties(changed):
+        preview.begin(fields)
         put_strengths(strokes, strengths)
         for field in fields:
             # States of older versions have none.
@@ -416,6 +425,7 @@ def take_away(strokes, number, view):
         raise ValueError(f"{name_of(strokes)} has no stroke {number}.")
     simple.ClearSelection(strokes)
     _selected = None
+    preview.begin(fields_along(strokes))
     if len(rest):
         strokes.Points = [float(x) for x in rest.ravel()]
         put_strengths(strokes, {known: strength for known, strength in

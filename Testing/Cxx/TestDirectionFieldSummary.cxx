@@ -160,6 +160,10 @@ void TestGuidance()
   const double less = 100.0 * (1.0 - energy->GetComponent(0, 1) / energy->GetComponent(0, 0));
   CHECK(unit.find(", 32 points constrained, unit length with " + std::to_string(std::lround(less)) +
           " % less energy") != std::string::npos);
+  disk->PreviewOn();
+  const std::string preview = Summary(disk);
+  const std::string end = ", 32 points constrained, unit length, a preview";
+  CHECK(preview.size() > end.size() && preview.substr(preview.size() - end.size()) == end);
 
   // On a plane the smoothest field has unit length already.
   vtkNew<vtkDirectionField> plane;

@@ -5,9 +5,12 @@ drawn in the ParaView window."""
 import functools
 import os
 import sys
+import time
 
 from paraview import servermanager
 from paraview.simple import *
+# The modules of plugins are known once ParaView's own are.
+from directionfields import preview
 
 sys.path.insert(0, os.environ["HOME"])
 import Steps
@@ -70,6 +73,29 @@ def check_off(view):
     check_lines(view, 2)
 
 
+def follow_previews():
+    """From now on surfaces of any size have previews, and what becomes of these is written down."""
+    put = preview.put
+
+    def noted(field, value):
+        preview.values.append(value)
+        put(field, value)
+    preview.values, preview.put, preview.LARGE = [], noted, 0
+
+
+def wait():
+    """Until the hand has rested; the timer is heard before the next step."""
+    assert preview.values == [1], preview.values
+    time.sleep(1.0)
+
+
+def check_finished(view):
+    assert preview.values == [1, 0], preview.values
+    check_lines(view, 3)
+
+
 steps = (start, functools.partial(check_lines, number=1), check_kept, check_selected, check_hard, check_soft,
          functools.partial(check_lines, number=2), check_off)
-Steps.take_next([functools.partial(check, GetActiveView()) for check in steps])
+Steps.take_next([functools.partial(check, GetActiveView()) for check in steps] +
+                [follow_previews, wait, lambda: None,
+                 functools.partial(check_finished, GetActiveView())])

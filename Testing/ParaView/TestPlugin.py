@@ -149,7 +149,8 @@ def test_panel():
         groups[group.GetXMLLabel()] = [
             group.GetProperty(k).GetXMLName() for k in range(group.GetNumberOfProperties())]
     assert list(groups) == ["Alignment", "Guidance", "Constraints", "Mesh", "Solver"], groups
-    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "NumberOfStarts", "Input"}
+    outside = {"Degree", "EnergyBias", "UnitLength", "SingularityCost", "NumberOfStarts", "Preview",
+               "Input"}
     assert sorted(sum(groups.values(), [])) == sorted(set(field.ListProperties()) - outside), groups
 
     curvature = {"ConstrainCurvature"}

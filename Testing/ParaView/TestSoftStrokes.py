@@ -16,6 +16,8 @@ plugin, output_directory = sys.argv[1:3]
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 import directionfields
 
+from directionfields import preview
+
 import StrokeChecks
 from StrokeChecks import caption, middle, names, new_view, points_of
 
@@ -108,9 +110,60 @@ def test_soft():
     simple.ResetSession()
 
 
+def directions(field):
+    return vtk_to_numpy(servermanager.Fetch(field).GetPointData().GetArray("Direction0"))
+
+
+def test_previews():
+    """On a large surface the field along a stroke, a further one, a soft one and one less is a preview
+    until the hand rests, and then the one that comes without; neither a state nor a script has any."""
+    view = new_view()
+    source = simple.Plane(XResolution=150, YResolution=140)
+    simple.Show(source, view)
+    simple.ResetCamera(view)
+    x, y = middle(view, source)
+    first, second = ([(x - 60, y + at), (x + 60, y + at + rise)] for at, rise in ((-40, 30), (45, 0)))
+    strokes = preview.previewed(directionfields.draw_stroke, first)
+    field = next(one for one in simple.GetSources().values() if one.GetXMLName() == "DirectionField")
+    assert preview.is_preview(field) and ", a preview" in caption(field), caption(field)
+    preview.finish()
+    simple.Render(view)
+    assert "preview" not in caption(field), caption(field)
+    for change, arguments in (("draw_stroke", [second]), ("toggle_stroke", [(x, y + 45)]),
+                              ("remove_stroke", [(x, y - 25)])):
+        before = list(strokes.Points), list(strokes.Strengths)
+        preview.previewed(getattr(directionfields, change), *arguments)
+        assert (list(strokes.Points), list(strokes.Strengths)) != before, change
+        assert preview.is_preview(field) and ", a preview" in caption(field), caption(field)
+        state = os.path.join(output_directory, "TestPreview.pvsm")
+        simple.SaveState(state)
+        with open(state, encoding="utf8") as file:
+            assert '"Preview"' not in file.read()
+        early = directions(field).copy()
+        preview.finish()
+        simple.Render(view)
+        assert not preview.is_preview(field) and "preview" not in caption(field), caption(field)
+        late = directions(field).copy()
+        # One stroke that is straight leaves the same field to both.
+        assert change == "remove_stroke" or np.abs(early - late).max() > 1e-3, change
+        other = DirectionField(Input=field.Input, UnitLength=1, ConstrainGuidance=1,
+                               GuidanceStrengths="GuidanceStrengths")
+        assert (directions(other) == late).all(), change
+        simple.Delete(other)
+    # A script has nobody who ends its previews, and small surfaces need none.
+    directionfields.draw_stroke(first)
+    assert not preview.is_preview(field)
+    preview.previewed(directionfields.draw_stroke, second)
+    directionfields.remesh_active()
+    assert not preview.is_preview(field)
+    simple.ResetSession()
+    assert not messages, messages
+
+
 window = Messages.collect(messages)
 try:
     test_soft()
+    test_previews()
 finally:
     vtkOutputWindow.SetInstance(window)
 print("passed")

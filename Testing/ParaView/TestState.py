@@ -66,7 +66,8 @@ weights = Calculator(Input=others, ResultArrayName="Weights", Function="coordsZ-
 strengths = Calculator(Input=weights, ResultArrayName="Strengths", Function="0.5+0*coordsX")
 field = DirectionField(registrationName="field", Input=strengths)
 values = {name: chosen[name] if name in chosen else other_value(field.SMProxy.GetProperty(name))
-          for name in field.ListProperties() if name != "Input"}
+          for name in field.ListProperties()
+          if name != "Input" and not field.SMProxy.GetProperty(name).GetIsInternal()}
 assert set(chosen) <= set(values)
 for name, value in values.items():
     setattr(field, name, value)

@@ -101,7 +101,10 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
       problem.IsGiven[guide.Given.Vertices[k]] = 1;
       u[guide.Given.Vertices[k]] = guide.Given.Values[static_cast<Eigen::Index>(k)];
     }
-    free = &this->Stage.FreeSystemOf(guide);
+    if (!options.Preview)
+    {
+      free = &this->Stage.FreeSystemOf(guide);
+    }
   }
   UnitLengthSettings settings;
   settings.SingularityCost = options.SingularityCost * 2.0 * Pi * std::log(2.0);
@@ -109,19 +112,21 @@ void UnitStage::Improve(const ComponentGuide& guide, const Options& options,
   settings.Rate = this->Stage.Sigma();
   // Soft constraints are in the free system's energy.
   settings.Pull = isDrawn ? strength : 0.0;
-  if (free && free->Free.IsEmpty())
+  if (options.Preview || (free && free->Free.IsEmpty()))
   {
     MakeUnit(u);
     report.UnitEnergyBefore = report.UnitEnergyAfter = problem.Energy(u);
-    return;
   }
-  const UnitLengthReport made =
-    MakeUnitLength(problem, free ? free->Hierarchy : this->Stage.GetHierarchy(),
-      free ? &free->Free : nullptr, settings, progress, u);
-  report.UnitEnergyBefore = made.EnergyBefore;
-  report.UnitEnergyAfter = made.EnergyAfter;
-  report.CancelledPairs = made.CancelledPairs;
-  report.UnitSteps = made.Steps;
+  else
+  {
+    const UnitLengthReport made =
+      MakeUnitLength(problem, free ? free->Hierarchy : this->Stage.GetHierarchy(),
+        free ? &free->Free : nullptr, settings, progress, u);
+    report.UnitEnergyBefore = made.EnergyBefore;
+    report.UnitEnergyAfter = made.EnergyAfter;
+    report.CancelledPairs = made.CancelledPairs;
+    report.UnitSteps = made.Steps;
+  }
   const SectionProducts products(matrices, u);
   report.SmoothnessEnergy =
     this->Stage.PerArea(std::max(0.0, RealDot(u, products.Energy)) / RealDot(u, products.Mass));

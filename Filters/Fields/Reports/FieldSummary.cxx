@@ -110,6 +110,10 @@ std::string DescribeUnitLength(
   const double percent = before > 0.0 ? 100.0 * (before - after) / before : 0.0;
   Internal::Sentence text;
   text << ", unit length";
+  if (options.Preview)
+  {
+    text << ", a preview";
+  }
   // On a plane the smoothest field has unit length as it is.
   if (const long change = std::lround(percent))
   {

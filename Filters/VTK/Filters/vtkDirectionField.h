@@ -377,6 +377,17 @@ public:
   vtkGetMacro(NumberOfStarts, int);
   ///@}
 
+  ///@{
+  /**
+   * With UnitLength: the field before the descent, scaled to the length 1 and no more, in a
+   * fraction of the time. The plugin shows it while a user draws, and computes the whole field once
+   * the hand rests. Default off.
+   */
+  vtkSetMacro(Preview, bool);
+  vtkGetMacro(Preview, bool);
+  vtkBooleanMacro(Preview, bool);
+  ///@}
+
 protected:
   vtkDirectionField();
   ~vtkDirectionField() override;
@@ -433,6 +444,7 @@ private:
   bool UnitLength;
   double SingularityCost;
   int NumberOfStarts;
+  bool Preview;
 
   /// Data of the last input, so that another strength or constraint does not start from nothing.
   std::unique_ptr<DirectionFields::DirectionFieldCache> Last;
