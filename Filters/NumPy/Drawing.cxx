@@ -67,6 +67,7 @@ ChosenMesh ReadRemeshOptions(Keywords& keywords)
   keywords("keep_features", options.KeepFeatures);
   keywords("feature_angle", options.FeatureAngle, 0.0, 180.0, " degrees");
   keywords("minimum_feature_length", options.MinimumFeatureLength, 0.0);
+  keywords("keep_soft_features", options.KeepSoftFeatures);
   keywords.Choice("alignment", options.Alignment, { "shape", "smooth" });
   keywords("alignment_strength", options.AlignmentStrength, 0.0, 1.0);
   keywords("singularity_cost", options.SingularityCost, 0.0, 4.0);

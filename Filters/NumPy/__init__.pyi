@@ -290,6 +290,7 @@ def remesh(
     keep_features: bool = True,
     feature_angle: float = 40.0,
     minimum_feature_length: float = 0.5,
+    keep_soft_features: bool = True,
     alignment: Literal['shape', 'smooth'] = 'shape',
     alignment_strength: float = 0.25,
     singularity_cost: float = 1.5,

@@ -44,21 +44,21 @@ constexpr double AfterFinishing = 0.97;
 constexpr double Noticeably = 1.05;
 /// Places on the boundary where its distance is measured, in wanted lengths of edges.
 constexpr double Halfway = 0.5;
+/// In wanted lengths of edges: of features that end freely, and to both sides of soft ones.
+constexpr double ShortestFeature = 6.0, SoftRoom = 0.45;
 
 int DegreeOf(Element element)
 {
   return element == Element::Quads ? 4 : 6;
 }
 
-/// Features that end freely, or are closed, are longer than this, in wanted lengths of edges.
-constexpr double ShortestFeature = 6.0;
-
 KeptEdges KeptOf(
   const RemeshOptions& options, const CurveCut* cut, const ChosenPoints& points, double edgeLength)
 {
   return { { options.KeepFeatures, options.FeatureAngle, options.MinimumFeatureLength,
              ShortestFeature * edgeLength },
-    options.Regions, cut ? cut->Edges : std::vector<std::array<Index, 2>>(), points.OnSurface() };
+    options.Regions, cut ? cut->Edges : std::vector<std::array<Index, 2>>(), points.OnSurface(),
+    options.KeepFeatures && options.KeepSoftFeatures ? SoftRoom * edgeLength : 0.0 };
 }
 
 /// How the mesh's own field is drawn to the principal curvatures. Their two lines are no part of a

@@ -108,6 +108,11 @@ struct RemeshOptions
   /// than a 20th of the faces, the least sharp are left out, and a note says so.
   double FeatureAngle = DefaultFeatureAngle;
   double MinimumFeatureLength = DefaultMinimumFeatureLength;
+  /// With KeepFeatures and a FeatureAngle from 15 to 90 degrees edges that are bent less become
+  /// edges of the new mesh, too, from half of that angle and 15 degrees on, where they stand out
+  /// and have room: rims of fillets of few triangles, and worn edges. Where the mesh would be worse
+  /// for it they are left out.
+  bool KeepSoftFeatures = true;
   /// The region of each triangle of the surface, any numbers; empty for one region. Borders between
   /// regions become edges of the new mesh, and places where three meet vertices, whatever the
   /// features are; but for borders that run in stairs along the triangles, as those do that were
@@ -266,6 +271,10 @@ private:
   /// Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
+  /// Makes a mesh with soft features, and one without where that one is bad. Returns the options of
+  /// the better one.
+  RemeshOptions MakeFirst(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    const Internal::ThinParts& thin, const Progress& progress, RemeshResult& result);
   /// Makes one mesh, with smaller faces at thin parts.
   /// @param gridLength of the grid's edges, as a part of the wanted one
   void MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,

@@ -87,11 +87,11 @@ bool AreSame(const RemeshOptions& a, const RemeshOptions& b)
   {
     // This does not compile where an option is not among them.
     const auto& [element, faces, usesLength, length, sizing, areLengths, source, error, gradation,
-      pairs, pure, spacing, thin, features, angle, shortest, regions, names, alignment, strength,
-      cost, smoothing, threads] = options;
+      pairs, pure, spacing, thin, features, angle, shortest, soft, regions, names, alignment,
+      strength, cost, smoothing, threads] = options;
     return std::tie(element, faces, usesLength, length, sizing, areLengths, source, error,
-      gradation, pairs, pure, spacing, thin, features, angle, shortest, regions, names, alignment,
-      strength, cost, smoothing, threads);
+      gradation, pairs, pure, spacing, thin, features, angle, shortest, soft, regions, names,
+      alignment, strength, cost, smoothing, threads);
   };
   return all(a) == all(b);
 }

@@ -34,6 +34,52 @@ bool HasHardLines(const RemeshResult& mesh)
     { return chain.Kind == ChainKind::Border || chain.Kind == ChainKind::Curve; });
 }
 
+/// What soft features cost.
+struct SoftFeatureStanding
+{
+  /// Where quads are wanted.
+  Index Triangles;
+  double LeastQuality;
+  int MissedHoles;
+  /// PreparedField::GetPartCrossed.
+  double PartCrossed;
+};
+
+SoftFeatureStanding SoftFeatureStandingOf(
+  const RemeshResult& mesh, Element element, double partCrossed)
+{
+  return { element == Element::Quads ? mesh.Triangles : 0, LeastQuality(mesh.Points, mesh.Faces),
+    std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore), partCrossed };
+}
+
+/// A mesh with a worse face than this may be better without soft features.
+constexpr double InDoubt = 0.3;
+/// Fields that are given cross soft features where that is more of their length.
+constexpr double LeastCrossed = 0.01;
+
+bool IsInDoubt(const SoftFeatureStanding& mesh)
+{
+  return mesh.Triangles > 0 || mesh.LeastQuality < InDoubt || mesh.MissedHoles > 0 ||
+    mesh.PartCrossed > LeastCrossed;
+}
+
+/// Whether a mesh without soft features is the better one.
+bool IsWorthLeavingOut(const SoftFeatureStanding& with, const SoftFeatureStanding& without)
+{
+  constexpr double leastGain = 0.02;
+  if (without.MissedHoles != with.MissedHoles)
+  {
+    return without.MissedHoles < with.MissedHoles;
+  }
+  if (without.PartCrossed < with.PartCrossed - LeastCrossed)
+  {
+    return true;
+  }
+  return without.Triangles < with.Triangles ||
+    (without.Triangles == with.Triangles && with.LeastQuality < InDoubt &&
+      without.LeastQuality > with.LeastQuality + leastGain);
+}
+
 MeshStanding StandingOf(const RemeshResult& mesh)
 {
   const auto points = std::count_if(mesh.Chains.begin(), mesh.Chains.end(),
@@ -47,15 +93,44 @@ MeshStanding StandingOf(const RemeshResult& mesh)
 }
 }
 
-void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
+  const std::vector<Vector3>& directions, const ThinParts& thin, const Progress& progress,
+  RemeshResult& result)
+{
+  this->MakeOnce(options, directions, thin, 1.0, progress, result);
+  if (!this->Cache->GetSurface().HasSoft())
+  {
+    return options;
+  }
+  const auto standingOf = [&](const RemeshResult& mesh)
+  { return SoftFeatureStandingOf(mesh, options.Element, this->Cache->GetPartCrossed()); };
+  const SoftFeatureStanding with = standingOf(result);
+  if (!IsInDoubt(with))
+  {
+    return options;
+  }
+  RemeshOptions without = options;
+  without.KeepSoftFeatures = false;
+  RemeshResult other;
+  this->MakeOnce(without, directions, thin, 1.0, progress, other);
+  if (!IsWorthLeavingOut(with, standingOf(other)))
+  {
+    return options;
+  }
+  result = std::move(other);
+  return without;
+}
+
+void Remesh::Make(const RemeshOptions& given, const std::vector<Vector3>& directions,
   const Progress& progress, RemeshResult& result)
 {
-  const std::vector<double> wanted = options.Sizing.empty()
+  const std::vector<double> wanted = given.Sizing.empty()
     ? std::vector<double>()
-    : ClampedSizes(options.Sizing, this->Input->Points.size());
+    : ClampedSizes(given.Sizing, this->Input->Points.size());
   const double smallest = wanted.empty() ? 1.0 : *std::min_element(wanted.begin(), wanted.end());
   ThinParts thin(*this->Input, wanted);
-  this->MakeOnce(options, directions, thin, 1.0, progress.Part(0.0, AfterFirst), result);
+  const RemeshOptions options =
+    this->MakeFirst(given, directions, thin, progress.Part(0.0, AfterFirst), result);
   const double edgeLength = result.EdgeLength;
   RemeshResult last;
   bool isLastTaken = true;

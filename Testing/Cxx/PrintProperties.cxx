@@ -153,6 +153,7 @@ void PrintRemesh()
   RANGE(MaximumError);
   VALUE(KeepThinParts);
   VALUE(KeepFeatures);
+  VALUE(KeepSoftFeatures);
   RANGE(FeatureAngle);
   RANGE(Alignment);
   RANGE(AlignmentStrength);

@@ -59,6 +59,7 @@ void TestParameters()
   filter->SetMaximumError(0.5);
   filter->KeepThinPartsOff();
   filter->KeepFeaturesOff();
+  filter->KeepSoftFeaturesOff();
   filter->SetFeatureAngle(200.0);
   CHECK(filter->GetAlignment() == vtkFieldAlignedRemesh::SHAPE);
   filter->SetAlignment(5);
@@ -69,13 +70,13 @@ void TestParameters()
   filter->SetNumberOfThreads(2);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line :
-    { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n", "EdgeLength: 0.25\n",
-      "SizingArray: Size\n", "RegionArray: Material\n", "ConservedArray: Load\n",
-      "Gradation: 1.25\n", "AddIrregularPairs: 0\n", "PureQuads: 1\n", "BoundarySpacing: 2\n",
-      "SizeSource: 1\n", "MaximumError: 0.5\n", "KeepThinParts: 0\n", "KeepFeatures: 0\n",
-      "FeatureAngle: 180\n", "Alignment: 1\n", "AlignmentStrength: 1\n", "SingularityCost: 4\n",
-      "SmoothingIterations: 3\n", "KeepStages: 0\n", "NumberOfThreads: 2\n" })
+  for (const char* line : { "Element: 1\n", "SizeMode: 1\n", "NumberOfFaces: 1\n",
+         "EdgeLength: 0.25\n", "SizingArray: Size\n", "RegionArray: Material\n",
+         "ConservedArray: Load\n", "Gradation: 1.25\n", "AddIrregularPairs: 0\n", "PureQuads: 1\n",
+         "BoundarySpacing: 2\n", "SizeSource: 1\n", "MaximumError: 0.5\n", "KeepThinParts: 0\n",
+         "KeepFeatures: 0\n", "KeepSoftFeatures: 0\n", "FeatureAngle: 180\n", "Alignment: 1\n",
+         "AlignmentStrength: 1\n", "SingularityCost: 4\n", "SmoothingIterations: 3\n",
+         "KeepStages: 0\n", "NumberOfThreads: 2\n" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

@@ -224,6 +224,7 @@ Filter Remesh(vtkPolyData* mesh, const OptionBytes& options)
     remesh->SetElement(static_cast<int>(options[0] % 2));
     remesh->SetPureQuads(options.Bit(0, 1));
     remesh->SetKeepFeatures(!options.Bit(0, 2));
+    remesh->SetKeepSoftFeatures(!options.Bit(0, 3));
     remesh->SetNumberOfFaces(1 + static_cast<int>(options[1] / (options.AreFew ? 4 : 1)));
     remesh->SetSmoothingIterations(static_cast<int>(options[2] % 4));
     remesh->SetFeatureAngle(options[3] < 128 ? 30.0 : options[3] - 120.0);

@@ -39,6 +39,7 @@ RemeshOptions ReadOptions(const Bytes& bytes)
   options.AlignmentStrength = Real(bytes.At(12), options.AlignmentStrength, 0.0, 1.0);
   options.SingularityCost = Real(bytes.At(13), options.SingularityCost, 0.0, 4.0);
   options.KeepThinParts = bytes.At(14) % 2 == 0;
+  options.KeepSoftFeatures = bytes.At(6) / 2 % 2 == 0;
   options.NumberOfThreads = bytes.At(10) < FirstInvalid ? static_cast<int>(bytes.At(10) % 4) : -1;
   return options;
 }

@@ -21,8 +21,8 @@ ENUMERATIONS = {
     "BoundarySpacing": ["Free", "Even", "Keep"],
     "Alignment": ["Shape", "Smooth"],
 }
-ADVANCED = ("GatherLimit", "Gradation", "AddIrregularPairs", "AlignmentStrength", "SingularityCost", "SmoothingIterations",
-            "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "ConservedArray", "KeepStages", "NumberOfThreads")
+ADVANCED = ("GatherLimit", "Gradation", "AddIrregularPairs", "KeepSoftFeatures", "AlignmentStrength", "SingularityCost",
+            "SmoothingIterations", "MinimumScaledJacobian", "MaximumAspectRatio", "MaximumWarpage", "ConservedArray", "KeepStages", "NumberOfThreads")
 
 
 def number(data, name):

@@ -9,23 +9,33 @@
 
 namespace DirectionFields::Internal
 {
-FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isHard)
+namespace
+{
+/// Whether the flags, empty for none, have one at an edge.
+bool IsAt(const std::vector<char>& flags, Index e)
+{
+  return !flags.empty() && flags[e] != 0;
+}
+}
+
+FeaturePaths::FeaturePaths(
+  const TriangleMesh& mesh, const std::vector<char>& isHard, const std::vector<char>& isSoft)
 {
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
-    if (isHard[e] != 0)
+    if (IsAt(isHard, e) || IsAt(isSoft, e))
     {
       const Index a = mesh.Point(mesh.Tail(mesh.HalfEdge(e)));
       const Index b = mesh.Point(mesh.Head(mesh.HalfEdge(e)));
       const std::array<Index, 2> ends = SortedEnds(a, b);
-      this->Paths.push_back({ ends, { ends[0], ends[1] }, true });
+      this->Paths.push_back({ ends, { ends[0], ends[1] }, IsAt(isHard, e), IsAt(isSoft, e) });
     }
   }
   this->Sort();
 }
 
 FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
-  const Decimation& decimation, const std::vector<char>& isHard)
+  const Decimation& decimation, const std::vector<char>& isHard, const std::vector<char>& isSoft)
 {
   // The neighbours along the features; where there are more than two the vertex is still there.
   std::vector<std::array<Index, 2>> neighbours(mesh.GetNumberOfVertices(), { None, None });
@@ -45,7 +55,8 @@ FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& is
   {
     Path path;
     // Where only two features meet, both are hard or none is.
-    path.IsHard = !isHard.empty() && isHard[first] != 0;
+    path.IsHard = IsAt(isHard, first);
+    path.IsSoft = IsAt(isSoft, first);
     path.Points.push_back(mesh.Point(start));
     Index before = start;
     Index v = next;
@@ -94,16 +105,28 @@ const FeaturePaths::Path* FeaturePaths::Find(Index p, Index q) const
   return found != this->Paths.end() && found->Ends == ends ? &*found : nullptr;
 }
 
-std::vector<char> FeaturePaths::FindHard(const TriangleMesh& mesh) const
+template <typename Condition>
+std::vector<char> FeaturePaths::FindEdges(
+  const TriangleMesh& mesh, const Condition& condition) const
 {
-  std::vector<char> isHard(mesh.GetNumberOfEdges(), 0);
+  std::vector<char> isFound(mesh.GetNumberOfEdges(), 0);
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
     const Index h = mesh.HalfEdge(e);
     const Path* path = this->Find(mesh.Point(mesh.Tail(h)), mesh.Point(mesh.Head(h)));
-    isHard[e] = mesh.Twin(h) != None && path != nullptr && path->IsHard ? 1 : 0;
+    isFound[e] = mesh.Twin(h) != None && path != nullptr && condition(*path) ? 1 : 0;
   }
-  return isHard;
+  return isFound;
+}
+
+std::vector<char> FeaturePaths::FindHard(const TriangleMesh& mesh) const
+{
+  return this->FindEdges(mesh, [](const Path& path) { return path.IsHard; });
+}
+
+std::vector<char> FeaturePaths::FindHardAndSoft(const TriangleMesh& mesh) const
+{
+  return this->FindEdges(mesh, [](const Path& path) { return path.IsHard || path.IsSoft; });
 }
 
 Index FeaturePaths::MiddleOf(Index p, Index q) const
@@ -126,10 +149,10 @@ void FeaturePaths::Halve(const std::vector<Split>& splits)
     const auto middle = static_cast<std::ptrdiff_t>(path->Points.size() / 2);
     const bool isInner = path->Points.size() > 2;
     Path first{ { path->Ends[0], split.Middle },
-      { path->Points.begin(), path->Points.begin() + middle }, path->IsHard };
+      { path->Points.begin(), path->Points.begin() + middle }, path->IsHard, path->IsSoft };
     Path second{ { path->Ends[1], split.Middle },
       { path->Points.rbegin(), path->Points.rend() - (isInner ? middle + 1 : middle) },
-      path->IsHard };
+      path->IsHard, path->IsSoft };
     for (Path* half : { &first, &second })
     {
       half->Points.push_back(split.Middle);

@@ -19,10 +19,13 @@ public:
   FeaturePaths() = default;
   /// @param isFeature not 0 for edges that are features; boundary edges always count
   /// @param isHard    not 0 for features that are kept whatever their shape; empty for none
+  /// @param isSoft    not 0 for those that are bent less than others; empty for none
   FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
-    const Decimation& decimation, const std::vector<char>& isHard);
-  /// The hard edges of a mesh that is not decimated: each a path by itself.
-  FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isHard);
+    const Decimation& decimation, const std::vector<char>& isHard,
+    const std::vector<char>& isSoft = {});
+  /// The hard and soft edges of a mesh that is not decimated: each a path by itself.
+  FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isHard,
+    const std::vector<char>& isSoft = {});
 
   struct Path
   {
@@ -32,11 +35,15 @@ public:
     std::vector<Index> Points;
     /// It is kept whatever its shape.
     bool IsHard = false;
+    /// It is bent less than other features.
+    bool IsSoft = false;
   };
   /// The path between two points, or null.
   const Path* Find(Index p, Index q) const;
   /// Not 0 for each inner edge of a mesh that is a hard path.
   std::vector<char> FindHard(const TriangleMesh& mesh) const;
+  /// The same for paths that are hard or soft.
+  std::vector<char> FindHardAndSoft(const TriangleMesh& mesh) const;
   /// An edge that gets a point in its middle.
   struct Split
   {
@@ -50,6 +57,8 @@ public:
   void Halve(const std::vector<Split>& splits);
 
 private:
+  template <typename Condition>
+  std::vector<char> FindEdges(const TriangleMesh& mesh, const Condition& condition) const;
   void Sort();
   std::vector<Path> Paths;
 };

@@ -125,7 +125,15 @@ void PreparedField::SmoothForField(const Progress& progress)
 bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
   const std::vector<Vector3>& given, const OwnShape& own) const
 {
-  return this->Degree == degree && this->Kept.Regions == kept.Regions &&
+  // Soft features are those of the features' settings, but for the shortest length.
+  const bool hasSameRoom = this->Kept.SoftRoom == kept.SoftRoom ||
+    (this->Kept.SoftRoom > 0.0 && kept.SoftRoom > 0.0 && !this->Prepared.DependsOnRoom());
+  const bool hasSameSoft = hasSameRoom &&
+    (kept.SoftRoom == 0.0 ||
+      (this->Kept.Features.AreKept == kept.Features.AreKept &&
+        this->Kept.Features.Angle == kept.Features.Angle &&
+        this->Kept.Features.MinimumLength == kept.Features.MinimumLength));
+  return this->Degree == degree && hasSameSoft && this->Kept.Regions == kept.Regions &&
     this->Kept.Curves == kept.Curves && this->Kept.Points == kept.Points && this->Given == given &&
     this->Lengths == lengths && (!given.empty() || this->Own == own) &&
     this->IsFeature == this->Prepared.FindFeatures(kept.Features);

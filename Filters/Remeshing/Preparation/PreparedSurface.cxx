@@ -13,6 +13,7 @@
 #include "Refinement/SmoothedPoints.h"
 #include "Refinement/SplitTriangle.h"
 #include "Refinement/Thinning.h"
+#include "SoftFeatures/SoftFeatures.h"
 #include "Support/SortedEnds.h"
 
 #include <algorithm>
@@ -98,20 +99,21 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
     this->Stairs = DropStairs(geometry, isHard, lengths.Face);
     AddCurves(geometry.Mesh, kept.Curves, this->GetOriginals(), isHard);
     progress.Report(0.3);
-    surface->Triangles = this->Decimated(
-      geometry, kept.Features, isHard, this->Continued(lengths.Decimated), progress.Part(0.3, 0.9));
+    surface->Triangles = this->Decimated(geometry, kept, isHard, lengths, progress.Part(0.3, 0.9));
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
   }
   else
   {
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
-    if (this->HasHard)
+    std::vector<char> isHard = EdgesBetween(this->Geometry->Mesh, own);
+    this->Stairs = DropStairs(*this->Geometry, isHard, lengths.Face);
+    AddCurves(this->Geometry->Mesh, kept.Curves, this->GetOriginals(), isHard);
+    SoftFeatures soft;
+    if (kept.SoftRoom > 0.0)
     {
-      std::vector<char> isHard = EdgesBetween(this->Geometry->Mesh, own);
-      this->Stairs = DropStairs(*this->Geometry, isHard, lengths.Face);
-      AddCurves(this->Geometry->Mesh, kept.Curves, this->GetOriginals(), isHard);
-      this->Paths = FeaturePaths(this->Geometry->Mesh, isHard);
+      soft = this->FindAll(*this->Geometry, kept, isHard, lengths).Soft;
     }
+    this->Paths = FeaturePaths(this->Geometry->Mesh, isHard, soft.IsRim);
   }
   this->Refine(*surface, kept.Features, lengths);
   this->SplitInSharpCorners(*surface, degree, kept.Features, lengths.Face);
@@ -241,24 +243,35 @@ PreparedSurface::UsedTriangle PreparedSurface::UsedTriangle::Of(
 }
 
 std::vector<Triangle> PreparedSurface::Decimated(const SurfaceGeometry& geometry,
-  const FeatureSettings& settings, const std::vector<char>& isHard,
-  const std::vector<double>& edgeLength, const Progress& progress)
+  const KeptEdges& kept, const std::vector<char>& isHard, const WorkingLengths& lengths,
+  const Progress& progress)
 {
   const TriangleMesh& mesh = geometry.Mesh;
-  const std::vector<char> isFeature = Internal::FindFeatures(geometry, settings, isHard);
+  const AllFeatures features = this->FindAll(geometry, kept, isHard, lengths);
   progress.Report(0.15);
-  const Decimation::Limits limits = DecimationLimits(geometry, edgeLength, this->StayAt(mesh));
-  Decimation decimation(mesh, geometry.Positions, isFeature, limits);
+  const Decimation::Limits limits =
+    DecimationLimits(geometry, this->Continued(lengths.Decimated), this->StayAt(mesh));
+  Decimation decimation(mesh, geometry.Positions, features.All, limits);
   decimation.Run(progress.Part(0.15, 1.0));
-  this->Paths = FeaturePaths(mesh, isFeature, decimation, isHard);
+  this->Paths = FeaturePaths(mesh, features.All, decimation, isHard, features.Soft.IsRim);
   return TrianglesLeft(mesh, decimation);
+}
+
+AllFeatures PreparedSurface::FindAll(const SurfaceGeometry& geometry, const KeptEdges& kept,
+  const std::vector<char>& isHard, const WorkingLengths& lengths)
+{
+  AllFeatures features =
+    FindAllFeatures(geometry, kept.Features, isHard, lengths.Face, kept.SoftRoom);
+  this->HasSoftFeatures = !features.Soft.IsRim.empty();
+  this->DoRimsNeedRoom = features.Soft.DependsOnRoom;
+  return features;
 }
 
 std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings) const
 {
   if (!this->IsDecimated)
   {
-    return Internal::FindFeatures(*this->Geometry, settings, this->FindHard());
+    return Internal::FindFeatures(*this->Geometry, settings, this->FindHardAndSoft());
   }
   const TriangleMesh& mesh = this->Geometry->Mesh;
   std::vector<char> isFeature(mesh.GetNumberOfEdges(), 0);
@@ -270,8 +283,14 @@ std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings)
       ? 1
       : 0;
   }
-  DropShortFeatures(*this->Geometry, settings, isFeature, this->FindHard());
+  DropShortFeatures(*this->Geometry, settings, isFeature, this->FindHardAndSoft());
   return isFeature;
+}
+
+std::vector<char> PreparedSurface::FindHardAndSoft() const
+{
+  return this->HasHard || this->HasSoftFeatures ? this->Paths.FindHardAndSoft(this->Geometry->Mesh)
+                                                : std::vector<char>();
 }
 
 std::vector<char> PreparedSurface::FindHard() const

@@ -11,6 +11,7 @@
 #include "Mesh/MergePoints.h"
 #include "Preparation/FeaturePaths.h"
 #include "Progress.h"
+#include "SoftFeatures/SoftFeatures.h"
 #include "Surface.h"
 
 #include <map>
@@ -53,11 +54,13 @@ struct KeptEdges
 {
   // NOLINTNEXTLINE(google-explicit-constructor): features alone are enough.
   KeptEdges(const FeatureSettings& features, std::vector<Index> regions = {},
-    std::vector<std::array<Index, 2>> curves = {}, std::vector<Index> points = {})
+    std::vector<std::array<Index, 2>> curves = {}, std::vector<Index> points = {},
+    double softRoom = 0.0)
     : Features(features)
     , Regions(std::move(regions))
     , Curves(std::move(curves))
     , Points(std::move(points))
+    , SoftRoom(softRoom)
   {
   }
   FeatureSettings Features;
@@ -69,6 +72,8 @@ struct KeptEdges
   std::vector<std::array<Index, 2>> Curves;
   /// Points of the input that stay, ascending.
   std::vector<Index> Points;
+  /// The room of features that are bent less and kept, too, as SoftFeatureSettings; 0 for none.
+  double SoftRoom;
 
   bool HasHard() const { return !this->Regions.empty() || !this->Curves.empty(); }
 };
@@ -98,6 +103,10 @@ public:
 
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
+  /// Whether any of them is soft.
+  bool HasSoft() const { return this->HasSoftFeatures; }
+  /// Whether soft features would be others with another room.
+  bool DependsOnRoom() const { return this->DoRimsNeedRoom; }
   /// Not 0 for each edge of the prepared surface between two regions, or on a curve; empty where
   /// there is only one region and no curve.
   std::vector<char> FindHard() const;
@@ -201,9 +210,12 @@ private:
   /// Not 0 for the vertices of a mesh of this surface that stay; empty for none.
   std::vector<char> StayAt(const TriangleMesh& mesh) const;
   /// Returns the triangles that remain.
-  std::vector<Triangle> Decimated(const SurfaceGeometry& geometry, const FeatureSettings& settings,
-    const std::vector<char>& isHard, const std::vector<double>& edgeLength,
-    const Progress& progress);
+  std::vector<Triangle> Decimated(const SurfaceGeometry& geometry, const KeptEdges& kept,
+    const std::vector<char>& isHard, const WorkingLengths& lengths, const Progress& progress);
+  AllFeatures FindAll(const SurfaceGeometry& geometry, const KeptEdges& kept,
+    const std::vector<char>& isHard, const WorkingLengths& lengths);
+  /// Of the features those that are kept whatever the settings say; empty for none.
+  std::vector<char> FindHardAndSoft() const;
   /// Adds the middles of edges.
   MiddlePoints AddMiddles(Surface& surface, const std::vector<char>& isSplit);
   /// Puts points in the middles of edges. Returns whether there were any.
@@ -219,6 +231,8 @@ private:
   bool IsDecimated = false;
   bool HasLongSplit = false;
   bool HasHard = false;
+  bool HasSoftFeatures = false;
+  bool DoRimsNeedRoom = false;
   std::vector<Index> Points;
   double Stairs = 0.0;
   FeaturePaths Paths;

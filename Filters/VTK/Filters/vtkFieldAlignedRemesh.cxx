@@ -110,6 +110,7 @@ vtkFieldAlignedRemesh::vtkFieldAlignedRemesh()
   this->BoundarySpacing = static_cast<int>(defaults.BoundarySpacing);
   this->KeepThinParts = defaults.KeepThinParts;
   this->KeepFeatures = defaults.KeepFeatures;
+  this->KeepSoftFeatures = defaults.KeepSoftFeatures;
   this->FeatureAngle = defaults.FeatureAngle;
   this->Alignment = static_cast<int>(defaults.Alignment);
   this->AlignmentStrength = defaults.AlignmentStrength;
@@ -177,6 +178,7 @@ void vtkFieldAlignedRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundarySpacing: " << this->BoundarySpacing << "\n";
   os << indent << "KeepThinParts: " << this->KeepThinParts << "\n";
   os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
+  os << indent << "KeepSoftFeatures: " << this->KeepSoftFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "AlignmentStrength: " << this->AlignmentStrength << "\n";
@@ -216,6 +218,7 @@ DirectionFields::RemeshOptions vtkFieldAlignedRemesh::MakeOptions(
   options.BoundarySpacing = static_cast<DirectionFields::BoundarySpacing>(this->BoundarySpacing);
   options.KeepThinParts = this->KeepThinParts;
   options.KeepFeatures = this->KeepFeatures;
+  options.KeepSoftFeatures = this->KeepSoftFeatures;
   options.FeatureAngle = this->FeatureAngle;
   options.Alignment = static_cast<DirectionFields::FieldAlignment>(this->Alignment);
   options.AlignmentStrength = this->AlignmentStrength;

@@ -335,6 +335,18 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Make edges of the mesh of rims, too: edges that are bent by half of FeatureAngle or more and
+   * stand out from the edges beside them, as those of fillets of few triangles and worn edges,
+   * where faces have room between them. If the mesh is worse for them they are left out. No effect
+   * without KeepFeatures, and for a FeatureAngle below 15 or above 90 degrees. Default on.
+   */
+  vtkSetMacro(KeepSoftFeatures, bool);
+  vtkGetMacro(KeepSoftFeatures, bool);
+  vtkBooleanMacro(KeepSoftFeatures, bool);
+  ///@}
+
   enum Alignments
   {
     SHAPE = 0,
@@ -446,6 +458,7 @@ private:
   double MaximumError;
   bool KeepThinParts;
   bool KeepFeatures;
+  bool KeepSoftFeatures;
   double FeatureAngle;
   int Alignment;
   double AlignmentStrength;

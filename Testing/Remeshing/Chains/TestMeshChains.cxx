@@ -23,11 +23,12 @@ namespace
 using Label = std::function<Index(const Vector3&)>;
 
 RemeshResult Remeshed(const Surface& surface, Index faces, const Label& label = {},
-  const std::vector<std::string>& names = {}, bool keepsFeatures = true)
+  const std::vector<std::string>& names = {}, bool keepsFeatures = true, bool keepsSoft = true)
 {
   RemeshOptions options;
   options.NumberOfFaces = faces;
   options.KeepFeatures = keepsFeatures;
+  options.KeepSoftFeatures = keepsSoft;
   options.RegionNames = names;
   for (std::size_t t = 0; label && t < surface.Triangles.size(); ++t)
   {
@@ -147,8 +148,9 @@ TEST(MeshChains, SidesOfASquareAreApart)
 
 TEST(MeshChains, NamesStayTheSameForOtherSizesOfFaces)
 {
-  const RemeshResult coarse = Remeshed(Meshes::ChamferedCube(8), 500);
-  const RemeshResult fine = Remeshed(Meshes::ChamferedCube(8), 2300);
+  // Soft features are others where faces are too large for them.
+  const RemeshResult coarse = Remeshed(Meshes::ChamferedCube(8), 500, {}, {}, true, false);
+  const RemeshResult fine = Remeshed(Meshes::ChamferedCube(8), 2300, {}, {}, true, false);
   ASSERT_EQ(NamesOf(coarse), NamesOf(fine));
   // The edges of six faces, and at each corner those of a triangle.
   EXPECT_EQ(coarse.Chains.size(), 6U * 4U);
