@@ -147,7 +147,8 @@ private:
     cost[triangle] = 0;
     while (!front.empty() && this->StepsLeft > 0)
     {
-      const auto [there, f] = front.top();
+      const Index there = front.top().first;
+      const Index f = front.top().second;
       front.pop();
       if (there > cost[f])
       {
