@@ -70,9 +70,12 @@ benchmark_packages=(libbenchmark-dev)
 # shellcheck disable=SC2034
 distributed_packages=(libpetsc-complex-dev)
 
-# A solver of finite elements that computes with the meshes written for it.
+# A solver of finite elements that computes with the meshes written for it, which Debian 13 has not.
 # shellcheck disable=SC2034
-solver_packages=(calculix-ccx)
+solver_packages=()
+if [[ $release != 13 ]]; then
+  solver_packages+=(calculix-ccx)
+fi
 
 # For the Python package on NumPy arrays (DIRECTIONFIELDS_BUILD_NUMPY), its test with pip, and the one with
 # PyVista, which Debian 12 has not.
