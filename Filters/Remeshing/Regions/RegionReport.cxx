@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -22,6 +23,7 @@ constexpr double PerSample = 0.1;
 constexpr int MostSamples = 1000;
 /// The user is told where less of the borders is on edges.
 constexpr double EnoughKept = 0.98;
+constexpr double Rounding = 1e-9;
 /// The user is told of a larger error of a region's area.
 constexpr double MostAreaError = 0.05;
 
@@ -200,9 +202,57 @@ RegionFigures FiguresOf(const Surface& surface, const std::vector<Index>& region
 
 namespace
 {
+/// Of the borders and the places where they meet, those of regions without faces: that these are
+/// missed is said with the regions.
+struct LostBorders
+{
+  double Part = 0.0;
+  Index Corners = 0;
+};
+
+LostBorders BordersOfLost(const std::vector<Index>& lost, const Surface& surface,
+  const std::vector<Index>& regions, const RegionLines& lines, double edgeLength)
+{
+  const auto isLost = [&](Index region)
+  { return std::binary_search(lost.begin(), lost.end(), region); };
+  std::vector<ClosestPoints::Corners> triangles;
+  std::map<std::array<Index, 2>, std::array<Index, 2>> regionsAt;
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Triangle& corners = surface.Triangles[t];
+    for (int c = 0; c < 3; ++c)
+    {
+      const auto [at, isNew] = regionsAt.try_emplace(
+        SortedEnds(corners[c], corners[(c + 1) % 3]), std::array{ regions[t], regions[t] });
+      at->second[1] = regions[t];
+    }
+    if (isLost(regions[t]))
+    {
+      triangles.push_back(
+        { surface.Points[corners[0]], surface.Points[corners[1]], surface.Points[corners[2]] });
+    }
+  }
+  double all = 0.0;
+  double ofLost = 0.0;
+  for (const auto& [ends, sides] : regionsAt)
+  {
+    const double length = (surface.Points[ends[1]] - surface.Points[ends[0]]).norm();
+    all += sides[0] != sides[1] ? length : 0.0;
+    ofLost += sides[0] != sides[1] && (isLost(sides[0]) || isLost(sides[1])) ? length : 0.0;
+  }
+  const ClosestPoints places(std::move(triangles));
+  const auto isNear = [&](const Vector3& corner)
+  { return places.Find(corner, Vector3::Zero(), Tolerance * edgeLength).Triangle != None; };
+  LostBorders borders;
+  borders.Part = all > 0.0 ? ofLost / all : 0.0;
+  borders.Corners =
+    static_cast<Index>(std::count_if(lines.Corners.begin(), lines.Corners.end(), isNear));
+  return borders;
+}
+
 /// @param names of the regions, by their numbers; empty for the numbers themselves
-std::vector<std::string> RegionAdvice(
-  const RegionFigures& figures, const std::vector<std::string>& names, bool hasCurves)
+std::vector<std::string> RegionAdvice(const RegionFigures& figures, const LostBorders& lost,
+  const std::vector<std::string>& names, bool hasCurves)
 {
   std::vector<std::string> sentences;
   if (!figures.Lost.empty())
@@ -214,7 +264,7 @@ std::vector<std::string> RegionAdvice(
       " no faces, since there is less room than for one. More faces, or shorter edges, show "
       "narrower regions.");
   }
-  if (figures.Stairs > 0.0)
+  if (figures.Stairs > lost.Part + Rounding)
   {
     sentences.push_back(Figure(100.0 * figures.Stairs) +
       " % of the borders of regions run in stairs along the triangles of the surface, or closer "
@@ -228,7 +278,8 @@ std::vector<std::string> RegionAdvice(
       Figure(100.0 * figures.LargestAreaError) +
       " %: they overlap, or cut off what is narrow. Another number of faces may avoid that.");
   }
-  if (figures.BordersKept + figures.Stairs < EnoughKept || figures.MissedCorners > 0)
+  if (figures.BordersKept + figures.Stairs + lost.Part < EnoughKept ||
+    figures.MissedCorners > lost.Corners)
   {
     sentences.push_back(Figure(100.0 * (1.0 - figures.BordersKept - figures.Stairs)) +
       (hasCurves ? " % of the curves, and of borders of regions,"
@@ -258,7 +309,7 @@ RegionReport ReportRegions(const Surface& input, const std::vector<Index>& regio
       FiguresOf(input, ofTriangles, lines, mesh, ofFaces, hasCurves, edgeLength);
     report.Shown.BordersKept = curves.BordersKept;
     report.Shown.MissedCorners = curves.MissedCorners;
-    report.Sentences = RegionAdvice(report.Shown, names, hasCurves);
+    report.Sentences = RegionAdvice(report.Shown, {}, names, hasCurves);
     return report;
   }
   report.OfFaces = RegionsOfFaces(mesh, regions, closest, lines.IsBorder);
@@ -266,7 +317,12 @@ RegionReport ReportRegions(const Surface& input, const std::vector<Index>& regio
   report.Shown = FiguresOf(input, regions, lines, mesh, report.OfFaces, hasCurves, edgeLength);
   report.Shown.Stairs = surface.GetStairs();
   report.Shown.BordersKept *= 1.0 - surface.GetStairs();
-  report.Sentences = RegionAdvice(report.Shown, names, hasCurves);
+  LostBorders lost;
+  if (!report.Shown.Lost.empty())
+  {
+    lost = BordersOfLost(report.Shown.Lost, input, regions, lines, edgeLength);
+  }
+  report.Sentences = RegionAdvice(report.Shown, lost, names, hasCurves);
   return report;
 }
 }
