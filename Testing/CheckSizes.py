@@ -3,8 +3,9 @@
 """Files and functions that fit on a page: CheckSizes.py FOLDER
 
 Fails where a C++ file below the folder has more than 500 lines, a function more than 80, signature included, or a line
-more than 100 columns. Functions are found by the layout that clang-format gives them: a brace alone on its line,
-which a brace at the same indentation closes."""
+more than 100 columns, and where two headers have one include guard: a source that includes both would see one of
+them. Functions are found by the layout that clang-format gives them: a brace alone on its line, which a brace at the
+same indentation closes."""
 import pathlib
 import re
 import sys
@@ -58,11 +59,24 @@ def faults(path, name):
                 name, first + 1, length, LONGEST_FUNCTION, lines[first].strip())
 
 
+def same_guards(paths):
+    """Yields the headers whose include guard another header has, too."""
+    headers = {}
+    for path in paths:
+        guard = re.search(r"^#ifndef (\w+)\n#define \1$", path.read_text(encoding="utf-8"), re.MULTILINE)
+        if guard:
+            headers.setdefault(guard[1], []).append(path.relative_to(folder).as_posix())
+    for guard, names in headers.items():
+        if len(names) > 1:
+            yield "%s is the include guard of %s" % (guard, " and ".join(names))
+
+
 folder = pathlib.Path(sys.argv[1])
 paths = sorted(p for p in folder.rglob("*") if p.suffix in (".h", ".cxx"))
 assert len(paths) > 500, len(paths)
 counted = sum(len(list(functions(p.read_text(encoding="utf-8").split("\n")))) for p in paths)
 assert counted > 2000, counted
 found = [fault for path in paths for fault in faults(path, path.relative_to(folder).as_posix())]
+found += same_guards(paths)
 print("\n".join(found))
 sys.exit(1 if found else 0)

@@ -16,7 +16,7 @@ constexpr double FirstPart = 1.0 / 3.0;
 class Editor
 {
 public:
-  Editor(const EdgeChains& chains, FaceMesh& mesh)
+  Editor(const EdgeLoops& chains, FaceMesh& mesh)
     : Chains(chains)
     , Mesh(mesh)
     , Copies(mesh.Points.size(), { None, None })
@@ -230,7 +230,7 @@ private:
     this->Mesh.LineEdges = std::move(lines);
   }
 
-  const EdgeChains& Chains;
+  const EdgeLoops& Chains;
   FaceMesh& Mesh;
   /// Of each divided vertex those on its left and right, and what was there before.
   std::vector<std::array<Index, 2>> Copies;
@@ -243,7 +243,7 @@ private:
 };
 }
 
-bool MayMerge(const EdgeChains& chains, const FaceMesh& mesh, Index h, Index v)
+bool MayMerge(const EdgeLoops& chains, const FaceMesh& mesh, Index h, Index v)
 {
   const std::array<Index, 2> beside = chains.Beside(h, v);
   return std::all_of(beside.begin(), beside.end(),
@@ -254,7 +254,7 @@ bool MayMerge(const EdgeChains& chains, const FaceMesh& mesh, Index h, Index v)
     });
 }
 
-void Apply(const std::vector<RowEdit>& edits, const EdgeChains& chains, FaceMesh& mesh)
+void Apply(const std::vector<RowEdit>& edits, const EdgeLoops& chains, FaceMesh& mesh)
 {
   Editor editor(chains, mesh);
   for (const RowEdit& edit : edits)

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_RowEdits_h
 #define DirectionFields_RowEdits_h
 
-#include "Dislocations/EdgeChains.h"
+#include "Dislocations/EdgeLoops.h"
 
 #include <vector>
 
@@ -26,10 +26,10 @@ struct RowEdit
 
 /// Whether the vertices beside one of a chain may become one with it.
 /// @param h a half-edge of the chain at the vertex
-bool MayMerge(const EdgeChains& chains, const FaceMesh& mesh, Index h, Index v);
+bool MayMerge(const EdgeLoops& chains, const FaceMesh& mesh, Index h, Index v);
 
 /// Edits a mesh. No two edits may have a face in common.
-void Apply(const std::vector<RowEdit>& edits, const EdgeChains& chains, FaceMesh& mesh);
+void Apply(const std::vector<RowEdit>& edits, const EdgeLoops& chains, FaceMesh& mesh);
 }
 
 #endif

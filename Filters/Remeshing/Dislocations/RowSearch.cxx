@@ -77,7 +77,7 @@ struct Part
 class RowSearch
 {
 public:
-  RowSearch(const FaceMesh& mesh, const EdgeChains& chains, const std::vector<double>& wanted)
+  RowSearch(const FaceMesh& mesh, const EdgeLoops& chains, const std::vector<double>& wanted)
     : Mesh(mesh)
     , Chains(chains)
     , Wanted(wanted)
@@ -262,13 +262,13 @@ private:
   }
 
   const FaceMesh& Mesh;
-  const EdgeChains& Chains;
+  const EdgeLoops& Chains;
   const std::vector<double>& Wanted;
 };
 }
 
 std::vector<RowEdit> FindRows(
-  const FaceMesh& mesh, const EdgeChains& chains, const std::vector<double>& wanted)
+  const FaceMesh& mesh, const EdgeLoops& chains, const std::vector<double>& wanted)
 {
   const RowSearch search(mesh, chains, wanted);
   std::vector<Candidate> all;

@@ -15,7 +15,7 @@ namespace DirectionFields::Internal
 /// as they are not near each other. Takes time in proportion to the mesh.
 /// @param wanted length of the edges at each vertex
 std::vector<RowEdit> FindRows(
-  const FaceMesh& mesh, const EdgeChains& chains, const std::vector<double>& wanted);
+  const FaceMesh& mesh, const EdgeLoops& chains, const std::vector<double>& wanted);
 }
 
 #endif

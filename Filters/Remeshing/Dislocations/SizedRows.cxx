@@ -18,26 +18,12 @@ namespace
 /// How often rows are searched for, and how often in a row without more edges as wanted.
 constexpr int MostRounds = 20;
 constexpr int MostInVain = 3;
+/// How often a round leaves out the rows beside bad faces and tries again.
+constexpr int MostTrials = 12;
 /// The rows of a round crowd the ones beside them until vertices have moved this often.
 constexpr int Steps = 30;
-/// Lengths are as wanted if they differ by less than this part.
-constexpr double Tolerance = 0.25;
 /// Rows are left out beside which faces would have a scaled Jacobian below this.
 constexpr double LeastQuality = 0.35;
-
-/// The part of the edges with a length as wanted.
-double ShareAsWanted(const FaceMesh& mesh, const std::vector<double>& wanted)
-{
-  const std::vector<std::array<Index, 2>> edges = EdgesOf(mesh.Cells);
-  const auto count = std::count_if(edges.begin(), edges.end(),
-    [&](const std::array<Index, 2>& edge)
-    {
-      const double length = (mesh.Points[edge[0]] - mesh.Points[edge[1]]).norm();
-      const double wish = 0.5 * (wanted[edge[0]] + wanted[edge[1]]);
-      return std::abs(length - wish) <= Tolerance * wish;
-    });
-  return edges.empty() ? 1.0 : static_cast<double>(count) / static_cast<double>(edges.size());
-}
 
 /// The middles of bad faces.
 std::vector<Vector3> BadPlaces(const FaceMesh& mesh)
@@ -70,7 +56,7 @@ void Smooth(FaceMesh& mesh, const RowsDomain& domain, const Progress& progress)
 
 /// The edits that no bad face of the mesh after them is closest to: unless there was one closer
 /// already.
-std::vector<RowEdit> WithoutBlame(const std::vector<RowEdit>& edits, const EdgeChains& chains,
+std::vector<RowEdit> WithoutBlame(const std::vector<RowEdit>& edits, const EdgeLoops& chains,
   const FaceMesh& before, const FaceMesh& after)
 {
   const std::vector<Vector3> bad = BadPlaces(after);
@@ -116,9 +102,9 @@ std::vector<RowEdit> WithoutBlame(const std::vector<RowEdit>& edits, const EdgeC
 /// Puts rows in and takes rows out, as many as leave good faces. Returns whether there were any.
 bool DoRound(FaceMesh& mesh, const RowsDomain& domain, const Progress& progress)
 {
-  const EdgeChains chains(mesh);
+  const EdgeLoops chains(mesh);
   std::vector<RowEdit> edits = FindRows(mesh, chains, domain.LengthsAt(mesh.Points));
-  while (!edits.empty())
+  for (int trials = 0; trials < MostTrials && !edits.empty(); ++trials)
   {
     FaceMesh trial = mesh;
     Apply(edits, chains, trial);
@@ -137,7 +123,7 @@ bool DoRound(FaceMesh& mesh, const RowsDomain& domain, const Progress& progress)
 
 bool AddSizedRows(FaceMesh& mesh, const RowsDomain& domain, const Progress& progress)
 {
-  double most = ShareAsWanted(mesh, domain.LengthsAt(mesh.Points));
+  double most = EdgesAsWanted(mesh.Points, mesh.Cells, domain.LengthsAt(mesh.Points));
   FaceMesh current = mesh;
   bool isBetter = false;
   int inVain = 0;
@@ -149,7 +135,8 @@ bool AddSizedRows(FaceMesh& mesh, const RowsDomain& domain, const Progress& prog
     {
       break;
     }
-    const double share = ShareAsWanted(current, domain.LengthsAt(current.Points));
+    const double share =
+      EdgesAsWanted(current.Points, current.Cells, domain.LengthsAt(current.Points));
     ++inVain;
     if (share > most)
     {

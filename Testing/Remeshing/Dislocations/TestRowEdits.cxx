@@ -68,7 +68,7 @@ void AddLine(FaceMesh& mesh, Index j)
 }
 
 /// The half-edges of the chain in a column, upwards, from one row to another one.
-std::vector<Index> Column(const EdgeChains& chains, Index i, Index from, Index to)
+std::vector<Index> Column(const EdgeLoops& chains, Index i, Index from, Index to)
 {
   std::vector<Index> part;
   for (const std::vector<Index>& chain : chains.GetAll())
@@ -152,10 +152,10 @@ void ExpectSound(const FaceMesh& mesh)
 }
 
 /// A grid has a chain in each of its rows and columns inside, which go from side to side.
-TEST(EdgeChains, OfAGridAreItsRowsAndColumns)
+TEST(EdgeLoops, OfAGridAreItsRowsAndColumns)
 {
   const FaceMesh mesh = Grid();
-  const EdgeChains chains(mesh);
+  const EdgeLoops chains(mesh);
   ASSERT_EQ(chains.GetAll().size(), 2U * (Cells - 1));
   for (const std::vector<Index>& chain : chains.GetAll())
   {
@@ -181,11 +181,11 @@ TEST(EdgeChains, OfAGridAreItsRowsAndColumns)
 }
 
 /// No chain is along a line, and each goes on straight over one.
-TEST(EdgeChains, GoOverLinesAndNotAlongThem)
+TEST(EdgeLoops, GoOverLinesAndNotAlongThem)
 {
   FaceMesh mesh = Grid();
   AddLine(mesh, 5);
-  const EdgeChains chains(mesh);
+  const EdgeLoops chains(mesh);
   EXPECT_EQ(chains.GetAll().size(), 2U * (Cells - 1) - 1U);
   EXPECT_EQ(Column(chains, 3, 0, Cells).size(), static_cast<std::size_t>(Cells));
 }
@@ -203,7 +203,7 @@ TEST(RowEdits, EndInAPairOfVerticesInside)
       {
         AddLine(mesh, 8);
       }
-      const EdgeChains chains(mesh);
+      const EdgeLoops chains(mesh);
       RowEdit edit;
       edit.Inserts = inserts;
       edit.HalfEdges = Column(chains, 6, 4, Cells);
@@ -227,7 +227,7 @@ TEST(RowEdits, EndInAPairOfVerticesInside)
 TEST(RowEdits, HaveTwoPairsInside)
 {
   FaceMesh mesh = Grid();
-  const EdgeChains chains(mesh);
+  const EdgeLoops chains(mesh);
   RowEdit more;
   more.HalfEdges = Column(chains, 3, 3, 9);
   RowEdit less = more;
@@ -245,7 +245,7 @@ TEST(RowEdits, HaveTwoPairsInside)
 TEST(RowSearch, FindsRowsWhereEdgesAreOff)
 {
   const FaceMesh mesh = Grid();
-  const EdgeChains chains(mesh);
+  const EdgeLoops chains(mesh);
   EXPECT_TRUE(FindRows(mesh, chains, std::vector<double>(mesh.Points.size(), 1.0)).empty());
   for (const double wanted : { 0.5, 2.0 })
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef DirectionFields_EdgeChains_h
-#define DirectionFields_EdgeChains_h
+#ifndef DirectionFields_EdgeLoops_h
+#define DirectionFields_EdgeLoops_h
 
 #include "FaceMesh/FaceMesh.h"
 
@@ -12,10 +12,10 @@ namespace DirectionFields::Internal
 {
 /// The edges of a mesh in rows that go on straight where four quads meet. A half-edge 4 f + c leads
 /// from corner c of face f to the next one, with the face on its left.
-class EdgeChains
+class EdgeLoops
 {
 public:
-  explicit EdgeChains(const FaceMesh& mesh);
+  explicit EdgeLoops(const FaceMesh& mesh);
 
   /// The half-edges of each chain, one after the other. No edge of a line is among them, and each
   /// other edge of a quad is in one chain at most.

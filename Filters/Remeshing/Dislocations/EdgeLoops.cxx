@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Dislocations/EdgeChains.h"
+#include "Dislocations/EdgeLoops.h"
 
 #include "Support/SortedEnds.h"
 
@@ -11,7 +11,7 @@
 
 namespace DirectionFields::Internal
 {
-EdgeChains::EdgeChains(const FaceMesh& mesh)
+EdgeLoops::EdgeLoops(const FaceMesh& mesh)
   : Mesh(mesh)
   , Twins(4 * mesh.Cells.Corners.size(), None)
   , AreLines(4 * mesh.Cells.Corners.size(), 0)
@@ -25,20 +25,20 @@ EdgeChains::EdgeChains(const FaceMesh& mesh)
   this->FindChains();
 }
 
-Index EdgeChains::Next(Index halfEdge) const
+Index EdgeLoops::Next(Index halfEdge) const
 {
   const Index f = halfEdge / 4;
   const Index c = halfEdge % 4 + 1;
   return 4 * f + (c < Faces::Size(this->Mesh.Cells.Corners[f]) ? c : 0);
 }
 
-Index EdgeChains::Previous(Index halfEdge) const
+Index EdgeLoops::Previous(Index halfEdge) const
 {
   const Index c = halfEdge % 4;
   return c > 0 ? halfEdge - 1 : halfEdge - 1 + Faces::Size(this->Mesh.Cells.Corners[halfEdge / 4]);
 }
 
-std::array<Index, 2> EdgeChains::Beside(Index halfEdge, Index v) const
+std::array<Index, 2> EdgeLoops::Beside(Index halfEdge, Index v) const
 {
   const Index twin = this->Twins[halfEdge];
   return this->Head(halfEdge) == v
@@ -46,7 +46,7 @@ std::array<Index, 2> EdgeChains::Beside(Index halfEdge, Index v) const
     : std::array<Index, 2>{ this->Tail(this->Previous(halfEdge)), this->Head(this->Next(twin)) };
 }
 
-void EdgeChains::FindTwins()
+void EdgeLoops::FindTwins()
 {
   struct Side
   {
@@ -94,7 +94,7 @@ void EdgeChains::FindTwins()
   }
 }
 
-void EdgeChains::FindVertices()
+void EdgeLoops::FindVertices()
 {
   const std::vector<Faces::Face>& faces = this->Mesh.Cells.Corners;
   std::vector<Index> quads(this->Counts.size(), 0);
@@ -157,7 +157,7 @@ void EdgeChains::FindVertices()
 }
 
 /// From every edge on a chain goes both ways, until a vertex is not regular or on it already.
-void EdgeChains::FindChains()
+void EdgeLoops::FindChains()
 {
   const auto halfEdges = static_cast<Index>(this->Twins.size());
   std::vector<char> isTaken(this->Twins.size(), 0);
