@@ -268,7 +268,7 @@ void ReportQuality(const Request& request, const FaceMesh& mesh, RemeshResult& r
       result.EdgeLength * (w[0] * sizes[t[0]] + w[1] * sizes[t[1]] + w[2] * sizes[t[2]]));
   }
   result.IsSized = !options.Sizing.empty();
-  result.EdgesAsWanted = EdgesAsWanted(mesh.Points, mesh.Cells, wishes);
+  result.EdgesAsWanted = EdgesAsWanted(mesh.Points, mesh.Cells, wishes.Sizes);
   for (const std::vector<std::string>& sentences : { MeshAdvice(mesh.Points, mesh.Cells, wishes),
          TopologyAdvice(CountTouching(request.Field.GetGeometry().Mesh,
                           request.Field.GetSurface().GetOriginals()),

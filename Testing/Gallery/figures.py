@@ -15,21 +15,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import meshes
 from engineering import engineering, roof
-from gallery import Panel, producer
+from gallery import BUNNY_CAMERA, OBLIQUE, Panel, bunny, producer
 from pointed import pointed
-from remeshed import RemeshedPanel
+from remeshed import RemeshedPanel, remeshed
 from shown import ComparisonPanel, GivenPanel, LinesPanel
 from striped import EigenStripesPanel, StripePanel
 
-BUNNY_CAMERA = ([-0.35, 0.25, 1.0], [0.0, 1.0, 0.0], 1.25)
-OBLIQUE = ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 1.1)
 OBLIQUE_BOX = ([0.5, -0.9, 0.8], [0.0, 0.0, 1.0], 0.95)
 FROM_ABOVE = ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0], 1.3)
 BOUNDARY, SHARP_EDGE, CURVATURE = 1, 2, 3
-
-
-def bunny(directory):
-    return simple.PLYReader(FileNames=[os.path.join(directory, "bunny.ply")])
 
 
 def symmetries(directory):
@@ -443,37 +437,6 @@ def graph(directory):
     patches = stopped.field.figure("EulerCharacteristic") + len(ends) - len(index)
     assert 4 * patches - 2 * crossings - rays == 2 * (into - (rays - len(ends))), patches
     return panels
-
-
-def remeshed(directory):
-    """Meshes of a scan, of a part with its features, of triangles, and of faces smaller on one side."""
-    part = simple.STLReader(FileNames=[os.path.join(directory, "bracket.stl")])
-    scan = RemeshedPanel(bunny(directory), BUNNY_CAMERA, NumberOfFaces=2500)
-    scan.check(4, 0.98)
-    bracket = RemeshedPanel(
-        part, ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 0.85), NumberOfFaces=1500)
-    kind = bracket.check(4, 0.99)
-    assert np.count_nonzero(kind == 2) > 100 and np.count_nonzero(kind == 3) >= 8, kind
-    hexagonal = RemeshedPanel(producer(meshes.torus()), OBLIQUE, Element="Triangles",
-                              NumberOfFaces=3000)
-    hexagonal.check(3, 1.0)
-    for panel in (scan, bracket, hexagonal):
-        panel.check_irregular()
-    # Nine corners are in view, of 8 x 8 pixels less the edges on them.
-    bracket.least_marks = 300
-    _, lengths = hexagonal.edges()
-    assert np.std(lengths) < 0.2 * np.mean(lengths), np.std(lengths) / np.mean(lengths)
-    sized = simple.Calculator(Input=bunny(directory), ResultArrayName="Size",
-                              Function="2^(-coordsY/9.66)")
-    # A field that is drawn nowhere leaves the sizes the most room.
-    sizing = RemeshedPanel(
-        sized, BUNNY_CAMERA, SizingArray="Size", NumberOfFaces=2500, Alignment="Smooth")
-    sizing.check(4, 0.97)
-    middles, lengths = sizing.edges()
-    # Edges are as long as they are asked to be, but lines that do not end even that out a little.
-    slope = np.polyfit(-middles[:, 1] / 9.66, np.log2(lengths), 1)[0]
-    assert 0.6 < slope < 1.1, slope
-    return [scan, bracket, hexagonal, sizing]
 
 
 FIGURES = {

@@ -25,6 +25,9 @@ sys.dont_write_bytecode = True
 import patterns  # beside this file
 
 PANEL = (600, 600)
+# Directions of view, up, and zoom.
+BUNNY_CAMERA = ([-0.35, 0.25, 1.0], [0.0, 1.0, 0.0], 1.25)
+OBLIQUE = ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 1.1)
 # In percent. What is drawn anew on this or another machine stays below the first, what is drawn of
 # a field turned by ten degrees above the second.
 SAME, DIFFERENT = 0.3, 0.6
@@ -77,6 +80,10 @@ class Field:
         axis = axis / np.linalg.norm(axis, axis=1, keepdims=True)
         cosines = np.max([np.sum(d * axis, axis=1) for d in self.directions], axis=0)
         return np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
+
+
+def bunny(directory):
+    return simple.PLYReader(FileNames=[os.path.join(directory, "bunny.ply")])
 
 
 def producer(mesh):

@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A panel of the gallery that shows the mesh which Field Aligned Remesh makes, with the numbers of its faces."""
 
+import os
+
 import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from gallery import Panel, white_view
+import meshes
+from gallery import BUNNY_CAMERA, OBLIQUE, Panel, bunny, producer, white_view
 
 
 class RemeshedPanel(Panel):
@@ -68,3 +71,34 @@ class RemeshedPanel(Panel):
         self.proxy.GetClientSideObject().AddObserver("WarningEvent", lambda *_: None)
         self.proxy.SmoothingIterations = 0
         self.proxy.NumberOfFaces = int(0.8 * self.proxy.NumberOfFaces)
+
+
+def remeshed(directory):
+    """Meshes of a scan, of a part with its features, of triangles, and of faces smaller on one side."""
+    part = simple.STLReader(FileNames=[os.path.join(directory, "bracket.stl")])
+    scan = RemeshedPanel(bunny(directory), BUNNY_CAMERA, NumberOfFaces=2500)
+    scan.check(4, 0.98)
+    bracket = RemeshedPanel(
+        part, ([0.75, -0.9, 0.75], [0.0, 0.0, 1.0], 0.85), NumberOfFaces=1500)
+    kind = bracket.check(4, 0.99)
+    assert np.count_nonzero(kind == 2) > 100 and np.count_nonzero(kind == 3) >= 8, kind
+    hexagonal = RemeshedPanel(producer(meshes.torus()), OBLIQUE, Element="Triangles",
+                              NumberOfFaces=3000)
+    hexagonal.check(3, 1.0)
+    for panel in (scan, bracket, hexagonal):
+        panel.check_irregular()
+    # Nine corners are in view, of 8 x 8 pixels less the edges on them.
+    bracket.least_marks = 300
+    _, lengths = hexagonal.edges()
+    assert np.std(lengths) < 0.2 * np.mean(lengths), np.std(lengths) / np.mean(lengths)
+    sized = simple.Calculator(Input=bunny(directory), ResultArrayName="Size",
+                              Function="2^(-coordsY/9.66)")
+    # A field that is drawn nowhere leaves the sizes the most room.
+    sizing = RemeshedPanel(
+        sized, BUNNY_CAMERA, SizingArray="Size", NumberOfFaces=2500, Alignment="Smooth")
+    sizing.check(4, 0.97)
+    middles, lengths = sizing.edges()
+    # Edges are as long as they are asked to be.
+    slope = np.polyfit(-middles[:, 1] / 9.66, np.log2(lengths), 1)[0]
+    assert 0.85 < slope < 1.1, slope
+    return [scan, bracket, hexagonal, sizing]

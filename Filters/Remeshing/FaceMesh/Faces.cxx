@@ -10,6 +10,12 @@
 
 namespace DirectionFields::Internal
 {
+namespace
+{
+/// The part of its wanted length that an edge may be off.
+constexpr double MostOff = 0.25;
+}
+
 Vector3 MiddleOf(const std::vector<Vector3>& points, const Faces::Face& face)
 {
   const int size = Faces::Size(face);
@@ -82,6 +88,21 @@ std::vector<std::array<Index, 2>> EdgesOf(const Faces& faces)
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+double EdgesAsWanted(
+  const std::vector<Vector3>& points, const Faces& faces, const std::vector<double>& wanted)
+{
+  const std::vector<std::array<Index, 2>> edges = EdgesOf(faces);
+  const auto isAsWanted = [&](const std::array<Index, 2>& edge)
+  {
+    const double wish = 0.5 * (wanted[edge[0]] + wanted[edge[1]]);
+    return std::abs((points[edge[1]] - points[edge[0]]).norm() - wish) <= MostOff * wish;
+  };
+  return edges.empty() || wanted.empty()
+    ? 1.0
+    : static_cast<double>(std::count_if(edges.begin(), edges.end(), isAsWanted)) /
+      static_cast<double>(edges.size());
 }
 
 int EulerCharacteristic(Index points, const Faces& faces)

@@ -38,6 +38,12 @@ double ScaledJacobian(const std::vector<Vector3>& points, const Faces::Face& fac
 /// The edges of all faces, each once, with the lower point first, in ascending order.
 std::vector<std::array<Index, 2>> EdgesOf(const Faces& faces);
 
+/// The part of all edges, from 0 to 1, whose length is within a quarter of the wanted one: the mean
+/// of the wishes at its ends. 1 without edges, and without wishes.
+/// @param wanted   length at each point, in the unit of the points; empty for none
+double EdgesAsWanted(
+  const std::vector<Vector3>& points, const Faces& faces, const std::vector<double>& wanted);
+
 /// V - E + F of a mesh with this number of points.
 int EulerCharacteristic(Index points, const Faces& faces);
 }

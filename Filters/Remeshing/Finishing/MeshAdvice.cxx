@@ -29,8 +29,6 @@ constexpr double MostMissed = 1.3;
 /// vertices is on features, these need them.
 constexpr double ManyTimes = 2.0;
 constexpr double MostOnFeatures = 0.25;
-/// The part of its wanted length that an edge may be off.
-constexpr double MostOff = 0.25;
 /// Directions that cross more of the kept edges are what makes faces bad.
 constexpr double MostCrossed = 0.1;
 /// Sizes are judged by this part of the faces, those that are to be the smallest or the largest.
@@ -218,7 +216,7 @@ std::string AboutSizes(
   const double longest = MiddleRatio(sized, Extremes);
   if (!IsMissed(shortest) && !IsMissed(longest))
   {
-    const double share = EdgesAsWanted(points, faces, wishes);
+    const double share = EdgesAsWanted(points, faces, wishes.Sizes);
     return share < FewAsWanted ? Figure(100.0 * share) +
         " % of the edges are as long as the sizes ask for, within 25 %: they differ more than a grid "
         "of few irregular vertices can follow. " +
@@ -233,21 +231,6 @@ std::string AboutSizes(
     (wishes.AddsPairs ? "" : "Add Irregular Pairs would help, unless a field is given. ") +
     "Sizes that differ less, as their square roots do, would be kept better.";
 }
-}
-
-double EdgesAsWanted(
-  const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes)
-{
-  const std::vector<std::array<Index, 2>> edges = EdgesOf(faces);
-  const auto isAsWanted = [&](const std::array<Index, 2>& edge)
-  {
-    const double wanted = 0.5 * (wishes.Sizes[edge[0]] + wishes.Sizes[edge[1]]);
-    return std::abs((points[edge[1]] - points[edge[0]]).norm() - wanted) <= MostOff * wanted;
-  };
-  return edges.empty() || wishes.Sizes.empty()
-    ? 1.0
-    : static_cast<double>(std::count_if(edges.begin(), edges.end(), isAsWanted)) /
-      static_cast<double>(edges.size());
 }
 
 std::vector<std::string> MeshAdvice(

@@ -57,11 +57,6 @@ struct MeshWishes
 std::vector<std::string> MeshAdvice(
   const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes);
 
-/// The part of all edges, from 0 to 1, whose length is within a quarter of the wanted one: the mean
-/// of the wishes at its ends. 1 without edges.
-double EdgesAsWanted(
-  const std::vector<Vector3>& points, const Faces& faces, const MeshWishes& wishes);
-
 /// Tells the user where the mesh is connected in another way than the surface: a sentence each for
 /// points where sheets only touched, and another V - E + F. One-sided surfaces and those with edges
 /// of three triangles are connected as before.

@@ -137,14 +137,11 @@ private:
 
   double Area() const
   {
+    const auto& lengths = this->Geometry.Lengths;
     double area = 0.0;
-    for (Index t = 0; t < this->Mesh.GetNumberOfTriangles(); ++t)
+    for (std::size_t c = 0; c < lengths.ComponentArea.size(); ++c)
     {
-      const Vector3& p = this->PlaceOf(this->Mesh.Tail(3 * t));
-      area += 0.5 *
-        (this->PlaceOf(this->Mesh.Tail(3 * t + 1)) - p)
-          .cross(this->PlaceOf(this->Mesh.Tail(3 * t + 2)) - p)
-          .norm();
+      area += lengths.ComponentArea[c] * lengths.Unit[c] * lengths.Unit[c];
     }
     return area;
   }

@@ -242,10 +242,10 @@ TEST(MeshAdvice, CountsEdgesOfTheWantedLength)
   faces.Corners = { { 0, 1, 2, 3 }, { 1, 4, 5, 2 } };
   MeshWishes wishes;
   wishes.Sizes.assign(points.size(), 1.2);
-  EXPECT_NEAR(EdgesAsWanted(points, faces, wishes), 5.0 / 7.0, 1e-15);
+  EXPECT_NEAR(EdgesAsWanted(points, faces, wishes.Sizes), 5.0 / 7.0, 1e-15);
   wishes.Sizes.assign(points.size(), 1.7);
-  EXPECT_NEAR(EdgesAsWanted(points, faces, wishes), 2.0 / 7.0, 1e-15);
+  EXPECT_NEAR(EdgesAsWanted(points, faces, wishes.Sizes), 2.0 / 7.0, 1e-15);
   // The edges between have the mean of their ends.
   wishes.Sizes = { 1, 1, 1, 1, 3, 3 };
-  EXPECT_NEAR(EdgesAsWanted(points, faces, wishes), 6.0 / 7.0, 1e-15);
+  EXPECT_NEAR(EdgesAsWanted(points, faces, wishes.Sizes), 6.0 / 7.0, 1e-15);
 }
