@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <vector>
 
 namespace Meshes
 {
@@ -194,5 +195,123 @@ Surface BallWithLimbs()
     point[axis] = std::copysign(at(2), old[axis]);
   }
   return s;
+}
+
+namespace
+{
+using Row = std::vector<Vector3>;
+
+/// Grids between rows of points, joined where their points are at one place.
+class Grids
+{
+public:
+  /// Of quads in this number of steps from a row to another one, which is above it as seen from
+  /// outside.
+  void Add(const Row& low, const Row& high, int steps)
+  {
+    for (int k = 0; k < steps; ++k)
+    {
+      const auto at = [&](std::size_t i, int step)
+      { return this->NumberOf(low[i] + static_cast<double>(step) / steps * (high[i] - low[i])); };
+      for (std::size_t i = 0; i + 1 < low.size(); ++i)
+      {
+        const Index a = at(i, k);
+        const Index c = at(i + 1, k + 1);
+        this->Made.Triangles.push_back({ a, at(i + 1, k), c });
+        this->Made.Triangles.push_back({ a, c, at(i, k + 1) });
+      }
+    }
+  }
+
+  const Surface& Get() const { return this->Made; }
+
+private:
+  Index NumberOf(const Vector3& p)
+  {
+    constexpr double perUnit = 1e6;
+    const std::array<long, 3> key = { std::lround(perUnit * p.x()), std::lround(perUnit * p.y()),
+      std::lround(perUnit * p.z()) };
+    const auto [at, isNew] =
+      this->Numbers.emplace(key, static_cast<Index>(this->Made.Points.size()));
+    if (isNew)
+    {
+      this->Made.Points.push_back(p);
+    }
+    return at->second;
+  }
+
+  Surface Made;
+  std::map<std::array<long, 3>, Index> Numbers;
+};
+
+/// Around the axis z.
+Row Arc(double radius, double z, double from, double to, int steps)
+{
+  Row row;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double angle = from + static_cast<double>(i) / steps * (to - from);
+    row.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+  return row;
+}
+
+/// Away from the axis z, or towards it.
+Row Ray(double angle, double z, double from, double to, int steps)
+{
+  Row row;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double radius = from + static_cast<double>(i) / steps * (to - from);
+    row.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+  return row;
+}
+
+Row AtBottom(Row row)
+{
+  for (Vector3& p : row)
+  {
+    p.z() = 0.0;
+  }
+  return row;
+}
+}
+
+Surface Flange(int fine)
+{
+  constexpr int holes = 6;
+  constexpr double height = 0.3;
+  constexpr double top = 1.2;
+  Grids grids;
+  for (int k = 0; k < holes; ++k)
+  {
+    const double middle = 2.0 * EIGEN_PI * k / holes;
+    const double from = middle - EIGEN_PI / holes;
+    const double to = middle + EIGEN_PI / holes;
+    const auto arc = [&](double radius, double z) { return Arc(radius, z, from, to, 4 * fine); };
+    grids.Add(arc(2.0, 0.0), arc(2.0, height), 2 * fine);
+    grids.Add(arc(0.8, height), arc(0.8, top), 4 * fine);
+    grids.Add(arc(0.8, top), arc(0.5, top), 2 * fine);
+    grids.Add(arc(0.5, top), arc(0.5, 0.0), 5 * fine);
+    grids.Add(arc(0.5, 0.0), arc(0.8, 0.0), 2 * fine);
+    // Counter-clockwise around a sixth of the plate, and around its hole.
+    Row around = arc(2.0, height);
+    for (const Row& side : { Ray(to, height, 2.0, 0.8, 4 * fine),
+           Arc(0.8, height, to, from, 4 * fine), Ray(from, height, 0.8, 2.0, 4 * fine) })
+    {
+      around.insert(around.end(), side.begin() + 1, side.end());
+    }
+    const Vector3 center(1.4 * std::cos(middle), 1.4 * std::sin(middle), height);
+    Row rim;
+    for (const Vector3& p : around)
+    {
+      rim.emplace_back(center + 0.2 * (p - center).normalized());
+    }
+    grids.Add(around, rim, 3 * fine);
+    grids.Add(rim, AtBottom(rim), 2 * fine);
+    grids.Add(AtBottom(rim), AtBottom(around), 3 * fine);
+  }
+  return grids.Get();
 }
 }

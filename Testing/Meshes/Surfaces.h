@@ -51,6 +51,10 @@ Surface LShape(int cells);
 /// A square of side 2 in the plane z = 0 with a round hole of the radius in its middle. The sides go
 /// on over a bevel of radius 0.15 down to walls if it is to be bent.
 Surface PlateWithHole(int around, int across, double radius, bool bent);
+/// A disk of radius 2 and height 0.3 with a hub of radius 0.8 up to the height 1.2, a bore of radius
+/// 0.5 and six holes of radius 0.2 for bolts, 1.4 from the axis. Each sixth of a circle around the
+/// axis has 4 fine edges.
+Surface Flange(int fine);
 /// Cube of side 2 whose edges and corners are cut off at 45 degrees, `cells` squares a face.
 Surface ChamferedCube(int cells);
 /// A ball of radius 1 with a limb of radius 0.1 and length 2 on either side of each axis.

@@ -8,6 +8,7 @@
 #include "Computation/Stages.h"
 #include "Features/KeptFeatures.h"
 #include "Guidance/Guidance.h"
+#include "OwnField/HoleBands.h"
 #include "OwnField/SharpCorners.h"
 #include "OwnField/SizeMetric.h"
 
@@ -22,7 +23,8 @@ namespace
 /// would not pay the rest.
 constexpr double CostForSizes = 0.125;
 
-/// The directions that are given, or else those along the features, and those in sharp corners.
+/// The directions that are given, or else those along the features and around holes, and those in
+/// sharp corners.
 Guidance GuidanceFor(const Surface& surface, const SurfaceGeometry& geometry,
   const std::vector<char>& isFeature, const OwnFieldSettings& settings,
   const std::vector<Vector3>& known)
@@ -31,13 +33,20 @@ Guidance GuidanceFor(const Surface& surface, const SurfaceGeometry& geometry,
     : settings.FollowsFeatures
     ? FeatureDirections(geometry, isFeature)
     : std::vector<Vector3>(geometry.Mesh.GetNumberOfVertices(), Vector3::Zero());
+  // Where sizes are given the room around a hole is theirs.
+  const bool hasBands = known.empty() && settings.FollowsFeatures && settings.Sizes.empty();
+  const std::vector<Vector3> aroundHoles = hasBands
+    ? HoleBands(geometry, settings.Degree, isFeature, settings.Face)
+    : std::vector<Vector3>(directions.size(), Vector3::Zero());
   const std::vector<Vector3> inCorners =
     SharpCorners(geometry, settings.Degree, isFeature, settings.Face).Directions;
   Guidance guidance;
   guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
   for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
   {
-    const Vector3& direction = inCorners[v].isZero(0.0) ? directions[v] : inCorners[v];
+    const Vector3& direction = !inCorners[v].isZero(0.0) ? inCorners[v]
+      : !directions[v].isZero(0.0)                       ? directions[v]
+                                                         : aroundHoles[v];
     if (!direction.isZero(0.0))
     {
       guidance.Vectors[geometry.Mesh.Point(v)] = direction;

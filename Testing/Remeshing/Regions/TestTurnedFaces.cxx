@@ -158,13 +158,13 @@ TEST(TurnedFaces, AreNoneAtHolesOfParts)
 
 TEST(TurnedFaces, AreTold)
 {
-  // The hole has about the width of an edge. Which of these meshes have some depends on rounding.
+  // The hole is narrower than an edge. Which of these meshes have some depends on rounding.
   Index all = 0;
   for (const Index sides : { 24, 36 })
   {
-    for (const Index faces : { 100, 300 })
+    for (const Index faces : { 200, 500 })
     {
-      const RemeshResult mesh = Remeshed(PlateWithHole(sides, 0.1, 0.3), faces, false);
+      const RemeshResult mesh = Remeshed(PlateWithHole(sides, 0.07, 0.3), faces, false);
       all += mesh.TurnedFaces;
       // Faces whose middles lie in the hole have no part below them that is certain.
       EXPECT_NEAR(mesh.TurnedFaces, CountTurned(mesh), 2) << sides << ' ' << faces;
