@@ -48,6 +48,20 @@ struct Counts
   std::size_t Terms = 0;
   double PerCoordinate = 0.0;
 };
+
+/// Expects a mesh of a noisy body that has hardly more irregular vertices than the body without noise.
+void ExpectMeshOfShape(const Surface& surface, Index faces)
+{
+  RemeshOptions options;
+  options.NumberOfFaces = faces;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_LE(mesh.IrregularVertices, 30);
+  EXPECT_LE(mesh.Triangles, 15);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.1);
+  const auto wanted = static_cast<double>(faces);
+  EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), wanted, 0.1 * wanted);
+}
 }
 
 TEST(Bounded, CoordinatesDependOnFewVariablesHoweverManyConesThereAre)
@@ -129,13 +143,19 @@ TEST(Bounded, NoiseOfLessThanAnEdgeDoesToo)
 {
   for (const double noise : { 0.5, 0.7 })
   {
-    const Surface surface = Meshes::Roughened(Meshes::Icosphere(5), noise, 7);
-    RemeshOptions options;
-    options.NumberOfFaces = 1500;
-    const RemeshResult mesh = Remesh(std::make_shared<Surface>(surface)).Compute(options);
-    EXPECT_EQ(Meshes::FlawOf(mesh), "") << noise;
-    EXPECT_LE(mesh.IrregularVertices, 30) << noise;
-    EXPECT_LE(mesh.Triangles, 15) << noise;
-    EXPECT_NEAR(static_cast<double>(mesh.Faces.size()), 1500.0, 150.0);
+    ExpectMeshOfShape(Meshes::Roughened(Meshes::Icosphere(5), noise, 7), 1500);
   }
+}
+
+/// Triangles between sharp edges of noise are no facets: split, they would make features of the noise, by the
+/// thousand.
+TEST(Bounded, NoiseOnAsManyTrianglesAsFacesDoesToo)
+{
+  ExpectMeshOfShape(Meshes::Roughened(Meshes::Icosphere(3), 1.2, 7), 1300);
+}
+
+/// Where many edges are sharp and no features, few singularities more than the shape needs are those of noise.
+TEST(Bounded, NoiseBetweenFeaturesIsRecognizedByFewSingularities)
+{
+  ExpectMeshOfShape(Meshes::Roughened(Meshes::ChamferedCube(20), 0.5, 7), 3000);
 }

@@ -117,3 +117,25 @@ TEST(RemeshAgain, IsTheSameAsANewMeshWhateverWasAskedForBefore)
     ExpectSame(kept.Compute(options), anew);
   }
 }
+
+TEST(RemeshAgain, IsTheSameAsANewMeshOfOtherFeatures)
+{
+  // The middle of the disk has so many triangles that the surface is decimated along its features.
+  Surface wheel;
+  constexpr Index spokes = 60;
+  wheel.Points.emplace_back(9.0, 0.0, 0.0);
+  for (Index k = 0; k < spokes; ++k)
+  {
+    const double angle = 2.0 * Pi * static_cast<double>(k) / spokes;
+    wheel.Points.emplace_back(9.0 + std::cos(angle), std::sin(angle), 0.0);
+    wheel.Triangles.push_back({ 0, k + 1, (k + 1) % spokes + 1 });
+  }
+  const auto surface = std::make_shared<Surface>(Meshes::Joined(Meshes::ChamferedCube(6), wheel));
+  RemeshOptions options;
+  options.NumberOfFaces = 800;
+  options.KeepSoftFeatures = false;
+  Remesh kept(surface);
+  kept.Compute(options);
+  options.FeatureAngle = 80.0;
+  ExpectSame(kept.Compute(options), Remesh(surface).Compute(options));
+}

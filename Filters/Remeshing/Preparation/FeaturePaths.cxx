@@ -18,12 +18,12 @@ bool IsAt(const std::vector<char>& flags, Index e)
 }
 }
 
-FeaturePaths::FeaturePaths(
-  const TriangleMesh& mesh, const std::vector<char>& isHard, const std::vector<char>& isSoft)
+FeaturePaths::FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
+  const std::vector<char>& isHard, const std::vector<char>& isSoft)
 {
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
-    if (IsAt(isHard, e) || IsAt(isSoft, e))
+    if (IsAt(isFeature, e) || IsAt(isHard, e) || IsAt(isSoft, e))
     {
       const Index a = mesh.Point(mesh.Tail(mesh.HalfEdge(e)));
       const Index b = mesh.Point(mesh.Head(mesh.HalfEdge(e)));

@@ -23,9 +23,9 @@ public:
   FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
     const Decimation& decimation, const std::vector<char>& isHard,
     const std::vector<char>& isSoft = {});
-  /// The hard and soft edges of a mesh that is not decimated: each a path by itself.
-  FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isHard,
-    const std::vector<char>& isSoft = {});
+  /// The features of a mesh that is not decimated: each a path by itself.
+  FeaturePaths(const TriangleMesh& mesh, const std::vector<char>& isFeature,
+    const std::vector<char>& isHard, const std::vector<char>& isSoft = {});
 
   struct Path
   {

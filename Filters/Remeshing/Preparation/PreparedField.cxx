@@ -104,13 +104,18 @@ void PreparedField::SmoothForField(const Progress& progress)
   constexpr int firstSteps = 4;
   constexpr int mostRounds = 6;
   int steps = firstSteps;
+  // Singularities of a shape are on surfaces that are not rough.
+  constexpr Index fewNeedless = 32;
+  Index most = this->Prepared.IsRough() ? std::min(fewNeedless, this->Lengths.MostNeedless)
+                                        : this->Lengths.MostNeedless;
   for (int k = 0; k < mostRounds; ++k)
   {
     const Index needless = this->CountNeedless();
-    if (needless <= this->Lengths.MostNeedless)
+    if (needless <= most)
     {
       return;
     }
+    most = this->Lengths.MostNeedless;
     this->Needless = std::max(this->Needless, needless);
     this->Prepared.Smooth(this->IsFeature, steps);
     steps *= 4;
@@ -125,17 +130,16 @@ void PreparedField::SmoothForField(const Progress& progress)
 bool PreparedField::IsFor(int degree, const KeptEdges& kept, const WorkingLengths& lengths,
   const std::vector<Vector3>& given, const OwnShape& own) const
 {
-  // Soft features are those of the features' settings, but for the shortest length.
+  // The surface may have been prepared for its features, but for the shortest length.
+  const bool hasSameFeatures = this->Kept.Features.AreKept == kept.Features.AreKept &&
+    this->Kept.Features.Angle == kept.Features.Angle &&
+    this->Kept.Features.MinimumLength == kept.Features.MinimumLength;
   const bool hasSameRoom = this->Kept.SoftRoom == kept.SoftRoom ||
     (this->Kept.SoftRoom > 0.0 && kept.SoftRoom > 0.0 && !this->Prepared.DependsOnRoom());
-  const bool hasSameSoft = hasSameRoom &&
-    (kept.SoftRoom == 0.0 ||
-      (this->Kept.Features.AreKept == kept.Features.AreKept &&
-        this->Kept.Features.Angle == kept.Features.Angle &&
-        this->Kept.Features.MinimumLength == kept.Features.MinimumLength));
-  return this->Degree == degree && hasSameSoft && this->Kept.Regions == kept.Regions &&
-    this->Kept.Curves == kept.Curves && this->Kept.Points == kept.Points && this->Given == given &&
-    this->Lengths == lengths && (!given.empty() || this->Own == own) &&
+  return this->Degree == degree && hasSameFeatures && hasSameRoom &&
+    this->Kept.Regions == kept.Regions && this->Kept.Curves == kept.Curves &&
+    this->Kept.Points == kept.Points && this->Given == given && this->Lengths == lengths &&
+    (!given.empty() || this->Own == own) &&
     this->IsFeature == this->Prepared.FindFeatures(kept.Features);
 }
 
@@ -162,7 +166,8 @@ std::vector<Complex> PreparedField::GivenField(const Progress& progress)
   const CrossedFeatures crossed(geometry, this->Degree, this->IsFeature, section);
   this->PartCrossed = crossed.GetPart();
   // On round bodies the given field is a better guide than jagged edges.
-  const bool turns = this->PartCrossed > leastCrossed && IsMostlyFlat(geometry);
+  const bool turns =
+    this->PartCrossed > leastCrossed && !this->Prepared.IsRough() && IsMostlyFlat(geometry);
   const bool isKnown =
     std::any_of(section.begin(), section.end(), [](const Complex& u) { return u != 0.0; });
   if (!isKnown || (isFinished && !turns))

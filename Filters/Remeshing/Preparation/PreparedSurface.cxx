@@ -7,6 +7,7 @@
 #include "Mesh/MergePoints.h"
 #include "OwnField/SharpCorners.h"
 #include "Preparation/RegionBorders.h"
+#include "Preparation/Roughness.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Refinement/FlatFlips.h"
 #include "Refinement/LongEdges.h"
@@ -101,19 +102,25 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
     progress.Report(0.3);
     surface->Triangles = this->Decimated(geometry, kept, isHard, lengths, progress.Part(0.3, 0.9));
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+    this->IsNoisy = Internal::IsRough(*this->Geometry);
   }
   else
   {
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+    this->IsNoisy = Internal::IsRough(*this->Geometry);
     std::vector<char> isHard = EdgesBetween(this->Geometry->Mesh, own);
     this->Stairs = DropStairs(*this->Geometry, isHard, lengths.Face);
     AddCurves(this->Geometry->Mesh, kept.Curves, this->GetOriginals(), isHard);
-    SoftFeatures soft;
-    if (kept.SoftRoom > 0.0)
+    AllFeatures features;
+    if (this->IsNoisy || kept.SoftRoom > 0.0)
     {
-      soft = this->FindAll(*this->Geometry, kept, isHard, lengths).Soft;
+      // Which of them are too short for a mesh depends on the wanted length.
+      KeptEdges ofAnyLength = kept;
+      ofAnyLength.Features.ShortestChain = 0.0;
+      features = this->FindAll(*this->Geometry, ofAnyLength, isHard, lengths);
     }
-    this->Paths = FeaturePaths(this->Geometry->Mesh, isHard, soft.IsRim);
+    this->Paths = FeaturePaths(this->Geometry->Mesh,
+      this->IsNoisy ? features.All : std::vector<char>(), isHard, features.Soft.IsRim);
   }
   this->Refine(*surface, kept.Features, lengths);
   this->SplitInSharpCorners(*surface, degree, kept.Features, lengths.Face);
@@ -130,7 +137,9 @@ void PreparedSurface::Refine(
 {
   // Each halves the longest edges.
   constexpr int mostRounds = 20;
-  if (lengths.Split.empty() || !(lengths.HasHub || IsMostlyFlat(*this->Geometry)))
+  // Triangles between sharp edges of noise are no facets.
+  const bool isOfPlanes = !this->IsNoisy && IsMostlyFlat(*this->Geometry);
+  if (lengths.Split.empty() || !(lengths.HasHub || isOfPlanes))
   {
     return;
   }
@@ -269,7 +278,7 @@ AllFeatures PreparedSurface::FindAll(const SurfaceGeometry& geometry, const Kept
 
 std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings) const
 {
-  if (!this->IsDecimated)
+  if (!this->IsDecimated && !this->IsNoisy)
   {
     return Internal::FindFeatures(*this->Geometry, settings, this->FindHardAndSoft());
   }

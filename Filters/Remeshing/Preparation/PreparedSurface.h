@@ -101,6 +101,10 @@ public:
   std::vector<Index> GetOriginals() const;
   const Repairs& GetRepairs() const { return this->Repaired; }
 
+  /// Whether it was rough before its edges were split. Beside the halves of a triangle, which are
+  /// flat, noise stands out as features do; so they are those found before.
+  bool IsRough() const { return this->IsNoisy; }
+
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
   /// Whether any of them is soft.
@@ -229,6 +233,7 @@ private:
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
   bool IsDecimated = false;
+  bool IsNoisy = false;
   bool HasLongSplit = false;
   bool HasHard = false;
   bool HasSoftFeatures = false;

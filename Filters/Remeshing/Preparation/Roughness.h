@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef DirectionFields_Roughness_h
+#define DirectionFields_Roughness_h
+
+#include "Geometry/SurfaceGeometry.h"
+
+namespace DirectionFields::Internal
+{
+/// Whether a surface has noise of about a third of its edges, or more: whether many of its edges,
+/// and more than a quarter, are sharp but no features of the usual settings. Takes time linear in
+/// the edges.
+bool IsRough(const SurfaceGeometry& geometry);
+}
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Preparation/Roughness.h"
+
+#include "Meshes/Surfaces.h"
+#include "Preparation/PreparedSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace DirectionFields;
+using namespace DirectionFields::Internal;
+
+TEST(Roughness, IsThatOfNoiseAndNotOfFacetsOrEdges)
+{
+  for (const Surface& smooth : { Meshes::Cube(), Meshes::Icosahedron(), Meshes::Icosphere(1),
+         Meshes::Potato(3), Meshes::ChamferedCube(6), Meshes::BallWithLimbs() })
+  {
+    EXPECT_FALSE(IsRough(SurfaceGeometry(smooth)));
+  }
+  EXPECT_FALSE(IsRough(SurfaceGeometry(Meshes::Roughened(Meshes::Icosphere(3), 0.1, 7))));
+  for (const double noise : { 0.5, 1.0, 2.0 })
+  {
+    EXPECT_TRUE(IsRough(SurfaceGeometry(Meshes::Roughened(Meshes::Icosphere(3), noise, 7))));
+  }
+}
+
+TEST(Roughness, MakesNoFeaturesWhereEdgesAreSplit)
+{
+  constexpr FeatureSettings sharp{ true, 40.0, 0.5, 0.0 };
+  const Surface surface = Meshes::Roughened(Meshes::Icosphere(3), 1.2, 7);
+  const SurfaceGeometry geometry(surface);
+  WorkingLengths lengths;
+  lengths.Face = 0.1;
+  lengths.Split.assign(surface.Points.size(), 0.15);
+  lengths.MostMiddles = 10000;
+  const PreparedSurface prepared(surface, 4, sharp, lengths);
+  EXPECT_TRUE(prepared.IsRough());
+  const auto lengthOf = [](const SurfaceGeometry& of, const std::vector<char>& isFeature)
+  {
+    double length = 0.0;
+    for (std::size_t e = 0; e < isFeature.size(); ++e)
+    {
+      const Index h = of.Mesh.HalfEdge(static_cast<Index>(e));
+      const Vector3 edge = of.Positions[of.Mesh.Head(h)] - of.Positions[of.Mesh.Tail(h)];
+      length += isFeature[e] != 0 ? edge.norm() : 0.0;
+    }
+    return length;
+  };
+  EXPECT_LE(lengthOf(prepared.GetGeometry(), prepared.FindFeatures(sharp)),
+    lengthOf(geometry, FindFeatures(geometry, sharp)) + 1e-9);
+}
