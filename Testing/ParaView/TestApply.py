@@ -242,7 +242,8 @@ def test_one_value():
     assert solid.CellData.keys() == ["STLSolidLabeling"], solid.CellData.keys()
     apply(view, solid)
     hidden = simple.STLReader(FileNames=[path])
-    height = simple.PointDatatoCellData(Input=simple.Elevation(Input=simple.Sphere()))
+    rising = simple.Elevation(Input=simple.Sphere(), LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5])
+    height = simple.PointDatatoCellData(Input=rising)
     for source, array in ((solid, ""), (hidden, ""), (height, "Elevation")):
         for made in (DirectionField(Input=source), EditSingularities(Input=DirectionField(Input=source)),
                      FieldAlignedRemesh(Input=source, NumberOfFaces=100)):
