@@ -138,6 +138,7 @@ private:
     return in.normalized().dot(out.normalized()) > this->LeastForward;
   }
 
+  /// The chains of Features/EdgeChains end at each vertex of the boundary, which may be a rim, too.
   void FindRims()
   {
     std::vector<char> isSeen(this->IsLine.size(), 0);

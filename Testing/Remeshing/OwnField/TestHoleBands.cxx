@@ -75,8 +75,8 @@ TEST(HoleBands, GoAroundHoles)
   }
 }
 
-/// A plate that is bent to a bowl has none, nor has a disk, which is inside of its rim, nor a square
-/// hole.
+/// A plate that is bent to a bowl has none, nor has one whose hole is at the bottom of a chamfer, nor
+/// a disk, which is inside of its rim, nor a square hole.
 TEST(HoleBands, AreOnlyAroundRoundHolesInPlanes)
 {
   const auto isZero = [](const Vector3& v) { return v.isZero(0.0); };
@@ -85,9 +85,14 @@ TEST(HoleBands, AreOnlyAroundRoundHolesInPlanes)
   {
     p.z() = 2.0 * p.squaredNorm();
   }
-  for (const Surface& surface : { bowl, Meshes::Disk(12), Meshes::Square(8) })
+  Surface chamfered = Plate();
+  for (Vector3& p : chamfered.Points)
   {
-    const std::vector<Vector3> bands = BandsOf(surface, 0.05);
+    p.z() = 0.5 * std::min(0.0, p.norm() - 0.3);
+  }
+  for (const Surface& surface : { bowl, chamfered, Meshes::Disk(12), Meshes::Square(8) })
+  {
+    const std::vector<Vector3> bands = BandsOf(surface, 0.1);
     EXPECT_TRUE(std::all_of(bands.begin(), bands.end(), isZero));
   }
   Surface pierced = Meshes::Square(12);

@@ -370,6 +370,23 @@ TEST(Regions, LostOnesAreNamed)
   EXPECT_EQ(mesh.Notes[0].find("Region weld has no faces"), 0U);
 }
 
+TEST(Regions, LostOnesBetweenOthersAreNamedOnce)
+{
+  const Surface square = Meshes::Square(40);
+  const std::vector<Index> regions = Labelled(square,
+    [](const Vector3& p)
+    {
+      const bool isSmall = p.x() > 0.5 && p.x() < 0.6 && p.y() > 0.5 && p.y() < 0.6;
+      return isSmall ? 2 : p.x() > 0.5 ? 1 : 0;
+    });
+  const RemeshResult mesh = Remeshed(square, regions, 16);
+  EXPECT_EQ(mesh.RegionsShown.Lost, std::vector<Index>{ 2 });
+  EXPECT_GT(mesh.RegionsShown.MissedCorners, 0);
+  EXPECT_LT(mesh.RegionsShown.BordersKept, 0.9);
+  ASSERT_EQ(mesh.Notes.size(), 1U);
+  EXPECT_EQ(mesh.Notes[0].find("Region 2 has no faces"), 0U);
+}
+
 TEST(Regions, NumbersThatDoNotFitAreRefused)
 {
   const auto square = std::make_shared<Surface>(Meshes::Square(2));
