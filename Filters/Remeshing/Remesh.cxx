@@ -17,6 +17,7 @@
 #include "Finishing/ThinParts.h"
 #include "Parametrization/ComponentMap.h"
 #include "Preparation/AffordableFeatures.h"
+#include "Preparation/Apices.h"
 #include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/SizeAdvice.h"
@@ -161,10 +162,7 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
   field.GetSeams().Equalize(extracted);
   finished.Faces = JoinFaces(extracted, field.GetSeams(),
     FindTurns(field.GetGeometry(), features, sizes.HalfLengths()), finished.OpenSeams);
-  if (request.Cut)
-  {
-    request.Points.Place(field.GetSurface(), *request.Cut, finished.Faces);
-  }
+  request.Points.Place(field.GetSurface(), request.Cut, finished.Faces);
   const std::vector<ClosestPoints> lines =
     field.GetSurface().LinesOf(field.GetGeometry(), features);
   const RemeshOptions& options = request.Options;
@@ -448,10 +446,9 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
   const double area = RelativeArea(*this->Input, sizes.AtPoints);
   sizes.LengthForArea = sizes.EdgeLength = sizes.MapLength = EdgeLengthFor(area, options);
   const int degree = DegreeOf(options.Element);
-  if (this->Cut)
-  {
-    *this->Points = ChosenPoints(*this->Cut, sizes.AtPoints, sizes.MapLength);
-  }
+  *this->Points = ChosenPoints(this->Cut.get(),
+    options.KeepFeatures ? this->Tips->For(sizes.AtPoints, sizes.MapLength) : std::vector<Index>(),
+    sizes.AtPoints, sizes.MapLength);
   KeptEdges kept = KeptOf(options, this->Cut.get(), *this->Points, sizes.MapLength);
   const AffordableFeatures affordable(
     *this->Input, kept.Features, degree, area / (sizes.MapLength * sizes.MapLength));
@@ -462,8 +459,7 @@ WantedSizes Remesh::Prepare(const RemeshOptions& options, const std::vector<Vect
     sizes.AreUneven();
   const OwnShape own(AlignmentOf(options), isOfSizes ? sizes.AtPoints : std::vector<double>());
   // Smaller faces at thin parts have the working surface of the others, which is not made anew.
-  WorkingLengths lengths = LengthsFor(
-    sizes.AtPoints, area, sizes.MapLength, Extent(*this->Input), LargestValence(*this->Input));
+  WorkingLengths lengths = LengthsFor(*this->Input, sizes.AtPoints, area, sizes.MapLength);
   sizes.Shrink(thin.GetLengths(), *this->Input, area, options.UseEdgeLength);
   if (!options.Sizing.empty())
   {

@@ -20,6 +20,7 @@ namespace DirectionFields
 {
 namespace Internal
 {
+class Apices;
 class ChosenPoints;
 class PreparedField;
 struct CurveCut;
@@ -102,7 +103,8 @@ struct RemeshOptions
   /// them: the mesh is made anew then, up to three times, and a note says where. The other faces
   /// get larger for it; there may be a quarter more than wanted.
   bool KeepThinParts = true;
-  /// Sharp edges become edges of the new mesh. The boundary always does.
+  /// Sharp edges become edges of the new mesh, and tips of cones, whose angles sum up to less than
+  /// 260 degrees, vertices. The boundary always becomes edges.
   bool KeepFeatures = true;
   /// As in Options, but 0.5 for less. Where features of less than 30 degrees meet at more points
   /// than a 20th of the faces, the least sharp are left out, and a note says so.
@@ -295,6 +297,7 @@ private:
   std::unique_ptr<Internal::GivenLines> Lines;
   std::unique_ptr<Internal::CurveCut> Cut;
   std::unique_ptr<Internal::ChosenPoints> Points;
+  std::unique_ptr<Internal::Apices> Tips;
   std::unique_ptr<Internal::PreparedField> Cache;
   /// What the user is told about features that are left out; empty for none.
   std::vector<std::string> AboutFeatures;

@@ -5,6 +5,7 @@
 
 #include "Curves/CurveCut.h"
 #include "Curves/LinesOnMesh.h"
+#include "Preparation/Apices.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/SurfaceUnit.h"
 
@@ -38,6 +39,7 @@ Remesh::Remesh(std::shared_ptr<const Surface> surface,
   , Given(InUnit(std::move(surface), this->Origin, this->Unit))
   , Input(this->Given)
   , Points(std::make_unique<ChosenPoints>())
+  , Tips(std::make_unique<Apices>(this->Given))
 {
   for (std::size_t k = 0; k < curves.size(); ++k)
   {

@@ -75,7 +75,17 @@ std::vector<Index> CurvesOfLines(const FaceMesh& mesh, const PreparedSurface& su
 }
 }
 
-ChosenPoints::ChosenPoints(const CurveCut& cut, const std::vector<double>& sizes, double edgeLength)
+ChosenPoints::ChosenPoints(const CurveCut* cut, const std::vector<Index>& tips,
+  const std::vector<double>& sizes, double edgeLength)
+{
+  if (cut)
+  {
+    this->Choose(*cut, sizes, edgeLength);
+  }
+  this->AddTips(cut, tips, sizes, edgeLength);
+}
+
+void ChosenPoints::Choose(const CurveCut& cut, const std::vector<double>& sizes, double edgeLength)
 {
   double most = 0.0;
   for (const Index p : cut.Points)
@@ -124,6 +134,28 @@ ChosenPoints::ChosenPoints(const CurveCut& cut, const std::vector<double>& sizes
   }
 }
 
+void ChosenPoints::AddTips(const CurveCut* cut, const std::vector<Index>& tips,
+  const std::vector<double>& sizes, double edgeLength)
+{
+  const std::vector<Index> given = this->Numbers;
+  for (const Index p : tips)
+  {
+    const auto isClose = [&](Index number)
+    { return (cut->Places[number] - cut->Cut.Points[p]).norm() < edgeLength * sizes[p]; };
+    if (std::none_of(given.begin(), given.end(), isClose))
+    {
+      const auto at = std::lower_bound(this->Surface.begin(), this->Surface.end(), p);
+      this->Numbers.insert(this->Numbers.begin() + (at - this->Surface.begin()), None);
+      this->Surface.insert(at, p);
+    }
+  }
+}
+
+bool ChosenPoints::IsChosen(Index point) const
+{
+  return std::binary_search(this->Surface.begin(), this->Surface.end(), point);
+}
+
 Index ChosenPoints::NumberOf(Index point) const
 {
   const auto found = std::lower_bound(this->Surface.begin(), this->Surface.end(), point);
@@ -132,17 +164,21 @@ Index ChosenPoints::NumberOf(Index point) const
     : None;
 }
 
-void ChosenPoints::Place(const PreparedSurface& surface, const CurveCut& cut, FaceMesh& mesh) const
+void ChosenPoints::Place(const PreparedSurface& surface, const CurveCut* cut, FaceMesh& mesh) const
 {
   const std::vector<Index> points = surface.FindPoints();
   for (std::size_t v = 0; !points.empty() && v < mesh.Points.size(); ++v)
   {
     const Index origin = mesh.Vertices[v].Origin;
-    const Index number = origin == None ? None : this->NumberOf(points[origin]);
+    if (origin == None || !this->IsChosen(points[origin]))
+    {
+      continue;
+    }
+    mesh.Vertices[v].Line = -1;
+    const Index number = this->NumberOf(points[origin]);
     if (number != None)
     {
-      mesh.Points[v] = cut.Places[number];
-      mesh.Vertices[v].Line = -1;
+      mesh.Points[v] = cut->Places[number];
     }
   }
 }
@@ -177,7 +213,7 @@ std::vector<MeshChain> ChosenPoints::Find(const PreparedSurface& surface, const 
     sentences);
   std::vector<Index> missed;
   std::copy_if(this->Numbers.begin(), this->Numbers.end(), std::back_inserter(missed),
-    [&](Index number) { return vertexOf.count(number) == 0; });
+    [&](Index number) { return number != None && vertexOf.count(number) == 0; });
   Say(missed,
     ", since there is no room for edges beside other points and lines. Shorter edges would keep "
     "them.",

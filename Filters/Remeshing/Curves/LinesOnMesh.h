@@ -14,32 +14,40 @@
 
 namespace DirectionFields::Internal
 {
-/// Which of the given points the vertices of a mesh are to be: all on the surface, but those that
-/// are closer than a tenth of an edge to one before them.
+/// Which points the vertices of a mesh are to be: of those given all on the surface, but those that
+/// are closer than a tenth of an edge to one before them; and tips of cones.
 class ChosenPoints
 {
 public:
   ChosenPoints() = default;
+  /// @param cut        null where no points are given
+  /// @param tips       points of the surface, ascending; those with a given point close by are left
+  ///                   out
   /// @param sizes      at the points of the cut surface
   /// @param edgeLength of size 1, in the unit of the surface
-  ChosenPoints(const CurveCut& cut, const std::vector<double>& sizes, double edgeLength);
+  ChosenPoints(const CurveCut* cut, const std::vector<Index>& tips,
+    const std::vector<double>& sizes, double edgeLength);
 
   /// Points of the cut surface, ascending.
   const std::vector<Index>& OnSurface() const { return this->Surface; }
 
   /// Puts the vertices of a mesh that are such points onto their places, where they stay.
-  void Place(const PreparedSurface& surface, const CurveCut& cut, FaceMesh& mesh) const;
+  void Place(const PreparedSurface& surface, const CurveCut* cut, FaceMesh& mesh) const;
   /// Chains of one vertex for the points that are vertices of the mesh, and sentences for the user
   /// on those that are none.
   std::vector<MeshChain> Find(const PreparedSurface& surface, const CurveCut& cut,
     const FaceMesh& mesh, std::vector<std::string>& sentences) const;
 
 private:
+  void Choose(const CurveCut& cut, const std::vector<double>& sizes, double edgeLength);
+  void AddTips(const CurveCut* cut, const std::vector<Index>& tips,
+    const std::vector<double>& sizes, double edgeLength);
+  bool IsChosen(Index point) const;
   /// The number of the given point at a point of the cut surface, or None.
   Index NumberOf(Index point) const;
 
   std::vector<Index> Surface;
-  /// Of the same place in the list.
+  /// Of the same place in the list; None for tips.
   std::vector<Index> Numbers;
   /// Points that have taken the same one of the surface as others before them, and points too close
   /// to others.

@@ -139,7 +139,7 @@ void PreparedSurface::Refine(
   constexpr int mostRounds = 20;
   // Triangles between sharp edges of noise are no facets.
   const bool isOfPlanes = !this->IsNoisy && IsMostlyFlat(*this->Geometry);
-  if (lengths.Split.empty() || !(lengths.HasHub || isOfPlanes))
+  if (lengths.Split.empty() || !(lengths.HasNeedles || isOfPlanes))
   {
     return;
   }
@@ -163,7 +163,7 @@ void PreparedSurface::Refine(
     }
     this->HasLongSplit = true;
     room -= static_cast<Index>(surface.Points.size()) - before;
-    if (lengths.HasHub)
+    if (lengths.HasNeedles)
     {
       surface.Triangles = ThinInside(*this->Geometry, this->FindFeatures(settings),
         this->Continued(lengths.Split), this->StayAt(this->Geometry->Mesh));
@@ -258,8 +258,8 @@ std::vector<Triangle> PreparedSurface::Decimated(const SurfaceGeometry& geometry
   const TriangleMesh& mesh = geometry.Mesh;
   const AllFeatures features = this->FindAll(geometry, kept, isHard, lengths);
   progress.Report(0.15);
-  const Decimation::Limits limits =
-    DecimationLimits(geometry, this->Continued(lengths.Decimated), this->StayAt(mesh));
+  const Decimation::Limits limits = DecimationLimits(
+    geometry, this->Continued(lengths.Decimated), lengths.HasNeedles, this->StayAt(mesh));
   Decimation decimation(mesh, geometry.Positions, features.All, limits);
   decimation.Run(progress.Part(0.15, 1.0));
   this->Paths = FeaturePaths(mesh, features.All, decimation, isHard, features.Soft.IsRim);

@@ -31,9 +31,8 @@ struct WorkingLengths
   std::vector<double> Split;
   /// Of a usual face; a shorter step of a region's border may be one of stairs.
   double Face = 0.0;
-  /// Whether a point has more triangles than MostValence. Edges are split whatever the surface is
-  /// like then.
-  bool HasHub = false;
+  /// As HasNeedles. Edges are split whatever the surface is like then.
+  bool HasNeedles = false;
   /// How many points splitting may add.
   Index MostMiddles = 0;
   /// How many singularities a field may have that the surface does not need, before the surface is
@@ -43,7 +42,7 @@ struct WorkingLengths
   bool operator==(const WorkingLengths& other) const
   {
     return this->Decimated == other.Decimated && this->Split == other.Split &&
-      this->Face == other.Face && this->HasHub == other.HasHub &&
+      this->Face == other.Face && this->HasNeedles == other.HasNeedles &&
       this->MostMiddles == other.MostMiddles && this->MostNeedless == other.MostNeedless;
   }
 };

@@ -3,6 +3,7 @@
 
 #include "Preparation/WantedSizes.h"
 
+#include "Preparation/SurfaceUnit.h"
 #include "Refinement/LongEdges.h"
 
 #include <algorithm>
@@ -121,7 +122,7 @@ double RelativeArea(const Surface& surface, const std::vector<double>& sizes)
 }
 
 WorkingLengths LengthsFor(
-  const std::vector<double>& sizes, double area, double edgeLength, double extent, Index valence)
+  const Surface& surface, const std::vector<double>& sizes, double area, double edgeLength)
 {
   constexpr double usualFaces = 5000.0;
   constexpr double mostPerFace = 6.0;
@@ -151,13 +152,13 @@ WorkingLengths LengthsFor(
   };
   WorkingLengths lengths;
   lengths.Face = std::sqrt(area / usual);
-  lengths.HasHub = valence > MostValence;
-  if (lengths.HasHub ||
+  lengths.HasNeedles = HasNeedles(surface, lengths.Face);
+  if (lengths.HasNeedles ||
     static_cast<double>(sizes.size()) > mostPerFace * std::max(usual, usualFaces))
   {
     lengths.Decimated = times(longest);
   }
-  if (squares < mostCells && area > fewestAcross * edgeLength * extent)
+  if (squares < mostCells && area > fewestAcross * edgeLength * Extent(surface))
   {
     lengths.Split = times(split);
     lengths.MostMiddles = static_cast<Index>(1000.0 + mostMiddlesPerFace * usual);

@@ -62,15 +62,13 @@ std::vector<double> ClampedSizes(const std::vector<double>& wanted, std::size_t 
 double RelativeArea(const Surface& surface, const std::vector<double>& sizes);
 
 /// How long the edges of the surface are on which field and map are computed. It is not decimated
-/// where the triangles are few already and no point has hundreds of them, and edges between one and
+/// where the triangles are few already and no needles, and edges between one and
 /// two wanted lengths are split: wanted lengths within a factor of two share such a surface and
 /// everything computed on it. Nothing is split where the surface as a whole is thinner than four
 /// faces, as needles and strips.
-/// @param area   as RelativeArea
-/// @param extent largest distance of two points, about
-/// @param valence LargestValence of the surface
+/// @param area as RelativeArea
 WorkingLengths LengthsFor(
-  const std::vector<double>& sizes, double area, double edgeLength, double extent, Index valence);
+  const Surface& surface, const std::vector<double>& sizes, double area, double edgeLength);
 
 /// Shortest edge length that yields about `faces` faces on surfaces narrower than a face, whose
 /// faces all touch the boundary: its length counts there, not the area.

@@ -8,9 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 namespace DirectionFields::Internal
 {
+namespace
+{
+/// The most triangles that a point has; 0 without any.
 Index LargestValence(const Surface& surface)
 {
   std::vector<Index> valences(surface.Points.size() + 1, 0);
@@ -25,6 +29,40 @@ Index LargestValence(const Surface& surface)
   }
   valences.back() = 0;
   return *std::max_element(valences.begin(), valences.end());
+}
+}
+
+bool HasNeedles(const Surface& surface, double face)
+{
+  constexpr Index mostValence = 50;
+  // A needle's shortest edge, as a part of a face and of its longest one.
+  constexpr double thin = 0.25;
+  constexpr double narrow = 0.1;
+  constexpr double much = 0.05;
+  if (LargestValence(surface) > mostValence)
+  {
+    return true;
+  }
+  const auto count = static_cast<Index>(surface.Points.size());
+  double all = 0.0;
+  double ofNeedles = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    if (!std::all_of(t.begin(), t.end(), [&](Index p) { return p >= 0 && p < count; }))
+    {
+      return false;
+    }
+    const Vector3 u = surface.Points[t[1]] - surface.Points[t[0]];
+    const Vector3 v = surface.Points[t[2]] - surface.Points[t[0]];
+    const double lengths[] = { u.norm(), v.norm(), (v - u).norm() };
+    const auto [shortest, longest] = std::minmax_element(std::begin(lengths), std::end(lengths));
+    const double area = u.cross(v).norm();
+    const bool isNeedle =
+      *longest > face && *shortest < thin * face && *shortest < narrow * *longest;
+    all += area;
+    ofNeedles += isNeedle ? area : 0.0;
+  }
+  return ofNeedles > much * all;
 }
 
 bool IsMostlyFlat(const SurfaceGeometry& geometry)

@@ -11,11 +11,11 @@
 
 namespace DirectionFields::Internal
 {
-/// Around a point with more triangles they are slivers, which the map cannot do with.
-constexpr Index MostValence = 50;
-
-/// The most triangles that a point has; 0 without any.
-Index LargestValence(const Surface& surface);
+/// Whether a surface has triangles that the map cannot do with: the slivers around a point with more
+/// than 50 of them, or triangles much thinner than a face and longer on more than a twentieth of its
+/// area, as on the walls and lids of finely tessellated cylinders.
+/// @param face length of an edge of the mesh to be made
+bool HasNeedles(const Surface& surface, double face);
 
 /// Whether most of the area is of triangles that have a neighbour in their plane, as CAD programs
 /// write them, or none at all. The triangles of others are their shape: parts of them have no

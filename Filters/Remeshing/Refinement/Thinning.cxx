@@ -3,9 +3,8 @@
 
 #include "Refinement/Thinning.h"
 
-#include "Refinement/LongEdges.h"
-
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -15,7 +14,8 @@ namespace
 /// Edges of this part of the longest are not split again.
 constexpr double ShortPart = 0.64;
 
-/// The longest edge at each vertex, or the given length where that is longer.
+/// The longest edge that may come about at each vertex: of the given length, or between places that
+/// far from the ends of one that there is. So of long edges side by side some can be collapsed.
 std::vector<double> LongestEdges(
   const SurfaceGeometry& geometry, const std::vector<double>& lengths)
 {
@@ -26,8 +26,8 @@ std::vector<double> LongestEdges(
     const Index tail = mesh.Tail(h);
     const Index head = mesh.Head(h);
     const double length = (geometry.Positions[head] - geometry.Positions[tail]).norm();
-    longest[tail] = std::max(longest[tail], length);
-    longest[head] = std::max(longest[head], length);
+    longest[tail] = std::max(longest[tail], std::hypot(length, lengths[tail]));
+    longest[head] = std::max(longest[head], std::hypot(length, lengths[head]));
   }
   return longest;
 }
@@ -41,17 +41,6 @@ std::vector<double> AtVertices(
     values[v] = factor * atPoints[mesh.Point(v)];
   }
   return values;
-}
-
-/// Whether a vertex has more than MostValence triangles.
-bool HasHub(const TriangleMesh& mesh)
-{
-  std::vector<Index> valences(mesh.GetNumberOfVertices(), 0);
-  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    ++valences[mesh.Tail(h)];
-  }
-  return std::any_of(valences.begin(), valences.end(), [](Index n) { return n > MostValence; });
 }
 }
 
@@ -69,13 +58,13 @@ std::vector<Triangle> TrianglesLeft(const TriangleMesh& mesh, const Decimation& 
   return triangles;
 }
 
-Decimation::Limits DecimationLimits(
-  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength, std::vector<char> isKept)
+Decimation::Limits DecimationLimits(const SurfaceGeometry& geometry,
+  const std::vector<double>& edgeLength, bool hasNeedles, std::vector<char> isKept)
 {
   Decimation::Limits limits;
   limits.IsKept = std::move(isKept);
   limits.EdgeLength = AtVertices(geometry.Mesh, edgeLength, 1.0);
-  if (HasHub(geometry.Mesh))
+  if (hasNeedles)
   {
     limits.LongestEdge = LongestEdges(geometry, limits.EdgeLength);
   }

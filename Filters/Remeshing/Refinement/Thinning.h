@@ -14,12 +14,13 @@ namespace DirectionFields::Internal
 /// The triangles of the front that a decimation leaves, as points of the surface.
 std::vector<Triangle> TrianglesLeft(const TriangleMesh& mesh, const Decimation& decimation);
 
-/// What a decimation of a surface may do. Around a point of more than MostValence triangles edges
-/// may be as long as others are there, so that the slivers become fewer.
+/// What a decimation of a surface may do. Where there are needles edges may be about as long as
+/// others are there, so that these become fewer.
 /// @param edgeLength longest edge at each point of the surface
+/// @param hasNeedles as HasNeedles
 /// @param isKept     not 0 for vertices that stay; empty for none
-Decimation::Limits DecimationLimits(
-  const SurfaceGeometry& geometry, const std::vector<double>& edgeLength, std::vector<char> isKept);
+Decimation::Limits DecimationLimits(const SurfaceGeometry& geometry,
+  const std::vector<double>& edgeLength, bool hasNeedles, std::vector<char> isKept);
 
 /// Collapses edges inside that are much shorter than others around them, as splitting leaves them
 /// around a point of hundreds of triangles. Features and the boundary stay. Returns the triangles

@@ -14,19 +14,17 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Vertices of a block that is decimated by itself. The blocks of every other sweep lie half a
-/// block further.
-constexpr Index BlockSize = 1 << 14;
 /// A triangle takes that of more edges too long to be worth it.
 constexpr std::size_t MostNeighbours = 24;
-/// Components with fewer vertices are left alone.
-constexpr Index LeastVertices = 100;
 /// The cosine of the largest angle by which new triangles may be turned.
 constexpr double LeastCosine = 0.5;
 /// The cosine of the sharpest turn of a feature that may vanish: corners stay.
 constexpr double LeastTurn = 0.85;
 /// The least quality, area over the sum of squared sides: slivers are worse.
 constexpr double LeastQuality = 0.14;
+/// Where edges may stay long, the quality of slivers may fall by this part: between long edges side
+/// by side those of one end have to go before those of the other.
+constexpr double LeastOfSlivers = 0.999;
 /// Edges become longer by and by, so that triangles of the same size come about everywhere.
 constexpr double Growth = 1.2;
 }
@@ -42,6 +40,8 @@ struct Decimation::Star
   std::vector<Vector3> Normals;
   double WorstQuality = 1.0;
   bool IsOpen = false;
+  /// Which of its edges may be collapsed, the best first; the negative quality of each.
+  std::vector<std::pair<double, std::size_t>> Candidates;
 };
 
 Decimation::Decimation(const TriangleMesh& mesh, const std::vector<Vector3>& positions,
@@ -55,7 +55,7 @@ Decimation::Decimation(const TriangleMesh& mesh, const std::vector<Vector3>& pos
   , Kinds(mesh.GetNumberOfVertices(), Kind::Free)
   , IsNew(mesh.GetNumberOfVertices(), 1)
   , Moved(mesh.GetNumberOfTriangles(), 0.0F)
-  , FeatureMoved(mesh.GetNumberOfVertices(), 0.0F)
+  , FeatureMoved(mesh.GetNumberOfHalfEdges(), 0.0F)
 {
   ParallelFor(mesh.GetNumberOfHalfEdges(), LightPiece,
     [&](Index begin, Index end)
@@ -90,56 +90,7 @@ Decimation::Decimation(const TriangleMesh& mesh, const std::vector<Vector3>& pos
                        }) /
     std::max<Index>(1, edges);
   this->FindKinds(mesh);
-}
-
-void Decimation::FindKinds(const TriangleMesh& mesh)
-{
-  const Index vertices = mesh.GetNumberOfVertices();
-  Index points = 0;
-  for (Index v = 0; v < vertices; ++v)
-  {
-    points = std::max(points, mesh.Point(v) + 1);
-  }
-  std::vector<Index> vertexOf(points, None);
-  std::vector<char> isShared(vertices, 0);
-  for (Index v = 0; v < vertices; ++v)
-  {
-    Index& other = vertexOf[mesh.Point(v)];
-    if (other != None)
-    {
-      isShared[other] = isShared[v] = 1;
-    }
-    other = v;
-  }
-  std::vector<unsigned char> count(vertices, 0);
-  for (Index h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    const bool isFirst = mesh.Twin(h) < h;
-    if (this->IsFeature[h] != 0 && isFirst)
-    {
-      for (const Index v : { mesh.Tail(h), mesh.Head(h) })
-      {
-        count[v] = static_cast<unsigned char>(std::min(3, count[v] + 1));
-      }
-    }
-  }
-  for (Index v = 0; v < vertices; ++v)
-  {
-    this->Kinds[v] = count[v] == 0 ? Kind::Free : count[v] == 2 ? Kind::OnFeature : Kind::Fixed;
-    const bool isKept = !this->Limit.IsKept.empty() && this->Limit.IsKept[v] != 0;
-    if (isShared[v] != 0 || isKept || (this->Limit.KeepsLines && count[v] != 0))
-    {
-      this->Kinds[v] = Kind::Fixed;
-    }
-  }
-  for (const TriangleMesh::Component& component : mesh.GetComponents())
-  {
-    if (component.IsCover || component.Vertices() < LeastVertices)
-    {
-      std::fill(this->Kinds.begin() + component.FirstVertex,
-        this->Kinds.begin() + component.EndVertex, Kind::Fixed);
-    }
-  }
+  this->FindApart(mesh);
 }
 
 void Decimation::Run(const Progress& progress)
@@ -174,6 +125,7 @@ void Decimation::Run(const Progress& progress)
     {
       sum += c;
     }
+    sum += this->SweepApart(part);
     left -= sum;
     progress.Report(static_cast<double>(k + 1) / sweeps);
     if (k >= 2 * stages && sum < left / 100)
@@ -276,7 +228,8 @@ double Decimation::Quality(Index v, const Star& star, std::size_t i, double part
     }
     least = std::min(least, area / squares);
   }
-  return least < std::min(LeastQuality, star.WorstQuality) ? refused : least;
+  const double sliver = this->Limit.LongestEdge.empty() ? 1.0 : LeastOfSlivers;
+  return least < std::min(LeastQuality, sliver * star.WorstQuality) ? refused : least;
 }
 
 std::size_t Decimation::MarkNeighbours(Index w, const Star& star, char* isNeighbour) const
@@ -339,8 +292,7 @@ bool Decimation::KeepsTopology(Index v, const Star& star, std::size_t i) const
     }
   }
   if (this->Kinds[v] == Kind::OnFeature &&
-    !(this->FeatureMoved[v] + this->FeatureStep(v, star, i) <=
-      this->Limit.Deviation * this->Limit.EdgeLength[v]))
+    !(this->FeatureMovedTo(v, star, i) <= this->Limit.Deviation * this->Limit.EdgeLength[v]))
   {
     return false;
   }
@@ -359,7 +311,9 @@ bool Decimation::KeepsTopology(Index v, const Star& star, std::size_t i) const
     // The two edges of a feature at v become one, which must not be there before.
     const bool isDoubled = isCommon[k] != 0 && isAlong;
     const bool joinsFixed = this->Kinds[w] == Kind::Fixed && kind == Kind::Fixed;
-    const bool joinsFeatures = !isAlong && this->Kinds[w] != Kind::Free && kind != Kind::Free;
+    // Where v is on a feature, too, its edge joins the two already.
+    const bool joinsFeatures = !isAlong && this->Kinds[v] == Kind::Free &&
+      this->Kinds[w] != Kind::Free && kind != Kind::Free;
     if (k != i && (isDoubled || (isCommon[k] == 0 && (joinsFixed || joinsFeatures))))
     {
       return false;
@@ -371,6 +325,24 @@ bool Decimation::KeepsTopology(Index v, const Star& star, std::size_t i) const
 bool Decimation::IsOnFeature(const Star& star, std::size_t k) const
 {
   return k < star.Edges.size() ? this->IsFeature[star.Edges[k]] != 0 : star.IsOpen;
+}
+
+Index Decimation::EdgeTo(const Star& star, std::size_t k)
+{
+  return k < star.Edges.size() ? star.Edges[k] : Previous(star.Edges.back());
+}
+
+double Decimation::FeatureMovedTo(Index v, const Star& star, std::size_t i) const
+{
+  float before = 0.0F;
+  for (std::size_t k = 0; k < star.Ring.size(); ++k)
+  {
+    if (this->IsOnFeature(star, k))
+    {
+      before = std::max(before, this->FeatureMoved[EdgeTo(star, k)]);
+    }
+  }
+  return before + this->FeatureStep(v, star, i);
 }
 
 double Decimation::FeatureStep(Index v, const Star& star, std::size_t i) const
@@ -395,40 +367,56 @@ double Decimation::FeatureStep(Index v, const Star& star, std::size_t i) const
 Index Decimation::Sweep(Index begin, Index end, double part)
 {
   Star star;
-  std::vector<std::pair<double, std::size_t>> candidates;
   Index collapses = 0;
   for (Index v = begin; v < end; ++v)
   {
-    if (this->IsNew[v] == 0 || this->Outgoing[v] == None || this->Kinds[v] == Kind::Fixed ||
-      !this->FindStar(v, begin, end, star))
+    collapses += this->TryCollapse(v, begin, end, part, star) ? 1 : 0;
+  }
+  return collapses;
+}
+
+Index Decimation::SweepApart(double part)
+{
+  Star star;
+  Index collapses = 0;
+  for (const Index v : this->Apart)
+  {
+    const auto vertices = static_cast<Index>(this->Outgoing.size());
+    collapses += this->TryCollapse(v, 0, vertices, part, star) ? 1 : 0;
+  }
+  return collapses;
+}
+
+bool Decimation::TryCollapse(Index v, Index begin, Index end, double part, Star& star)
+{
+  if (this->IsNew[v] == 0 || this->Outgoing[v] == None || this->Kinds[v] == Kind::Fixed ||
+    !this->FindStar(v, begin, end, star))
+  {
+    return false;
+  }
+  this->IsNew[v] = 0;
+  star.Candidates.clear();
+  for (std::size_t i = 0; i < star.Ring.size(); ++i)
+  {
+    if (this->Kinds[v] == Kind::Free || this->IsOnFeature(star, i))
     {
-      continue;
-    }
-    this->IsNew[v] = 0;
-    candidates.clear();
-    for (std::size_t i = 0; i < star.Ring.size(); ++i)
-    {
-      if (this->Kinds[v] == Kind::Free || this->IsOnFeature(star, i))
+      const double quality = this->Quality(v, star, i, part);
+      if (quality > 0.0)
       {
-        const double quality = this->Quality(v, star, i, part);
-        if (quality > 0.0)
-        {
-          candidates.emplace_back(-quality, i);
-        }
-      }
-    }
-    std::sort(candidates.begin(), candidates.end());
-    for (const auto& [quality, i] : candidates)
-    {
-      if (this->KeepsTopology(v, star, i))
-      {
-        this->Collapse(v, star, i);
-        ++collapses;
-        break;
+        star.Candidates.emplace_back(-quality, i);
       }
     }
   }
-  return collapses;
+  std::sort(star.Candidates.begin(), star.Candidates.end());
+  for (const auto& [quality, i] : star.Candidates)
+  {
+    if (this->KeepsTopology(v, star, i))
+    {
+      this->Collapse(v, star, i);
+      return true;
+    }
+  }
+  return false;
 }
 
 void Decimation::Collapse(Index v, const Star& star, std::size_t i)
@@ -438,8 +426,19 @@ void Decimation::Collapse(Index v, const Star& star, std::size_t i)
   const Vector3 step = this->Positions[v] - star.Places[i];
   if (this->Kinds[v] == Kind::OnFeature)
   {
-    const auto moved = static_cast<float>(this->FeatureMoved[v] + this->FeatureStep(v, star, i));
-    this->FeatureMoved[w] = std::max(this->FeatureMoved[w], moved);
+    const auto moved = static_cast<float>(this->FeatureMovedTo(v, star, i));
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      if (this->IsOnFeature(star, k))
+      {
+        const Index h = EdgeTo(star, k);
+        this->FeatureMoved[h] = moved;
+        if (this->Twins[h] != None)
+        {
+          this->FeatureMoved[this->Twins[h]] = moved;
+        }
+      }
+    }
   }
   for (std::size_t k = 0; k < star.Edges.size(); ++k)
   {
@@ -469,14 +468,17 @@ void Decimation::Collapse(Index v, const Star& star, std::size_t i)
     const Index a = this->Twins[inner];
     const Index b = this->Twins[outer];
     const char isOn = this->IsFeature[inner] != 0 || this->IsFeature[outer] != 0 ? 1 : 0;
+    const float moved = std::max(this->FeatureMoved[inner], this->FeatureMoved[outer]);
     this->Twins[a] = b;
     this->IsFeature[a] = isOn;
+    this->FeatureMoved[a] = moved;
     this->Outgoing[this->Corners[a]] = a;
     this->Outgoing[this->Corners[Next(a)]] = Next(a);
     if (b != None)
     {
       this->Twins[b] = a;
       this->IsFeature[b] = isOn;
+      this->FeatureMoved[b] = moved;
     }
     this->Corners[3 * (h / 3)] = None;
   }

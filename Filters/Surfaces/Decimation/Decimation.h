@@ -49,6 +49,10 @@ public:
   bool IsVertex(Index v) const { return this->Outgoing[v] != None; }
 
 private:
+  /// Vertices of a block that is decimated by itself. The blocks of every other sweep lie half a
+  /// block further.
+  static constexpr Index BlockSize = 1 << 14;
+
   struct Star;
   enum class Kind : char
   {
@@ -61,14 +65,24 @@ private:
   static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index Previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   void FindKinds(const TriangleMesh& mesh);
+  void FindApart(const TriangleMesh& mesh);
   /// Collapses edges between vertices of a range, to lengths up to a part of the limit; returns how
   /// many.
   Index Sweep(Index begin, Index end, double part);
+  /// The same for those whose neighbours are in other blocks.
+  Index SweepApart(double part);
+  /// Whether it collapsed an edge of v, if all vertices around v are of a range.
+  bool TryCollapse(Index v, Index begin, Index end, double part, Star& star);
   bool FindStar(Index v, Index begin, Index end, Star& star) const;
   /// How good the worst triangle is after the collapse of edge i of a star; negative where that may
   /// not be.
   double Quality(Index v, const Star& star, std::size_t i, double part) const;
   bool IsOnFeature(const Star& star, std::size_t k) const;
+  /// The half-edge between the vertex of a star and one of its ring.
+  static Index EdgeTo(const Star& star, std::size_t k);
+  /// How far the feature at v may have moved after the collapse of edge i: where the edge is that
+  /// takes the place of its two, and all that these took the place of.
+  double FeatureMovedTo(Index v, const Star& star, std::size_t i) const;
   /// How far a vertex on a feature is from the edge that is to take the place of its two.
   double FeatureStep(Index v, const Star& star, std::size_t i) const;
   bool KeepsTopology(Index v, const Star& star, std::size_t i) const;
@@ -90,9 +104,12 @@ private:
   /// Of each half-edge whether it is part of a feature or the boundary.
   std::vector<char> IsFeature;
   std::vector<Kind> Kinds;
+  /// Where edges may stay long, the vertices that may vanish and have a neighbour of a number so far
+  /// from theirs that no block has both: the hub of a fan, or the other end of a needle.
+  std::vector<Index> Apart;
   /// Something around the vertex has changed since a collapse was last tried.
   std::vector<char> IsNew;
-  /// How far the surface may have moved at each triangle, and the feature at each vertex.
+  /// How far the surface may have moved at each triangle, and the feature at each half-edge.
   std::vector<float> Moved;
   std::vector<float> FeatureMoved;
   double MeanLength = 0.0;

@@ -317,8 +317,9 @@ public:
 
   ///@{
   /**
-   * Make edges of the mesh of edges sharper than FeatureAngle. The boundary always becomes edges of
-   * the mesh. Default on.
+   * Make edges of the mesh of edges sharper than FeatureAngle, and vertices of the tips of cones,
+   * whose angles sum up to less than 260 degrees. The boundary always becomes edges of the mesh.
+   * Default on.
    */
   vtkSetMacro(KeepFeatures, bool);
   vtkGetMacro(KeepFeatures, bool);

@@ -354,15 +354,27 @@ TEST(Warnings, OtherNumbersOfFacesHaveNoneOfNoUse)
 
 TEST(Warnings, LengthsOfEdgesThatAreNamedComeCloser)
 {
-  for (const Surface& surface : { Fan(RimOf(60, [](int) { return 1.0; }), 2.0), Spike(), Slit(),
-         Star(12, 0.3), Solid(RimOf(12, [](int) { return 0.01; }), 2.0) })
+  struct Case
   {
-    const bool isStar = surface.Points.size() == 25;
-    const RemeshResult mesh =
-      Remeshed(surface, Of(isStar || surface.Points.size() == 26 ? 10 : 300));
+    Surface Given;
+    Index Faces;
+    // With features tips are kept.
+    bool KeepsFeatures;
+  };
+  for (const Case& one : { Case{ Fan(RimOf(60, [](int) { return 1.0; }), 2.0), 300, false },
+         Case{ Spike(), 150, true }, Case{ Slit(), 300, true }, Case{ Star(12, 0.3), 10, true },
+         Case{ Solid(RimOf(12, [](int) { return 0.01; }), 2.0), 10, true } })
+  {
+    const Surface& surface = one.Given;
+    const auto made = [&](RemeshOptions options)
+    {
+      options.KeepFeatures = one.KeepsFeatures;
+      return Remeshed(surface, options);
+    };
+    const RemeshResult mesh = made(Of(one.Faces));
     const std::string note = NoteWith(mesh, "away from");
     ASSERT_NE(note, "") << surface.Points.size();
-    const RemeshResult fine = Remeshed(surface, WithLengthOf(note));
+    const RemeshResult fine = made(WithLengthOf(note));
     const Shortcomings before(surface, mesh);
     const Shortcomings after(surface, fine);
     EXPECT_LT(std::max(after.Distance, after.OfBoundary),

@@ -38,7 +38,7 @@ TEST(Roughness, MakesNoFeaturesWhereEdgesAreSplit)
   lengths.MostMiddles = 10000;
   // Edges that are long are split only beside a hub, for which a surface is split that is not of planes.
   const PreparedSurface whole(surface, 4, sharp, lengths);
-  lengths.HasHub = true;
+  lengths.HasNeedles = true;
   const PreparedSurface prepared(surface, 4, sharp, lengths);
   EXPECT_TRUE(prepared.IsRough());
   const Index before = geometry.Mesh.GetNumberOfTriangles();

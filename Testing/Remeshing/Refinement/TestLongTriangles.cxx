@@ -304,7 +304,7 @@ TEST(LongTriangles, NoEdgeOfAPreparedSurfaceIsLongerThanItMayBe)
   const double area = RelativeArea(prism, std::vector<double>(prism.Points.size(), 1.0));
   const double wanted = std::sqrt(area / 2000.0);
   WorkingLengths lengths =
-    LengthsFor(std::vector<double>(prism.Points.size(), 1.0), area, wanted, 4.5, 50);
+    LengthsFor(prism, std::vector<double>(prism.Points.size(), 1.0), area, wanted);
   EXPECT_GT(lengths.MostMiddles, 2000);
   EXPECT_LT(lengths.MostMiddles, 10000);
   lengths.MostMiddles = 100000;
