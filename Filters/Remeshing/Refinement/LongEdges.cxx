@@ -72,6 +72,8 @@ bool IsMostlyFlat(const SurfaceGeometry& geometry)
   constexpr double needle = 4.0;
   // A triangle between edges sharper than this is a facet of its own.
   constexpr double sharp = 25.0 * Pi / 180.0;
+  // One at an edge bent like this, or at the boundary, is a part of the wall or lid that ends there.
+  constexpr double rim = 60.0 * Pi / 180.0;
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<double> dihedral = DihedralAngles(geometry);
   double all = 0.0;
@@ -81,18 +83,21 @@ bool IsMostlyFlat(const SurfaceGeometry& geometry)
     bool hasNeighbour = false;
     bool isAlone = true;
     bool isFacet = true;
+    bool isAtRim = false;
     double squaredLength = 0.0;
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
       isAlone = isAlone && mesh.Twin(h) == None;
-      isFacet = isFacet && (mesh.Twin(h) == None || std::abs(dihedral[mesh.Edge(h)]) > sharp);
-      hasNeighbour =
-        hasNeighbour || (mesh.Twin(h) != None && std::abs(dihedral[mesh.Edge(h)]) < flat);
+      const double angle = mesh.Twin(h) == None ? Pi : std::abs(dihedral[mesh.Edge(h)]);
+      isFacet = isFacet && angle > sharp;
+      isAtRim = isAtRim || angle > rim;
+      hasNeighbour = hasNeighbour || angle < flat;
       squaredLength = std::max(squaredLength, geometry.Lengths.SquaredLength[mesh.Edge(h)]);
     }
     all += geometry.Lengths.Area[t];
     const bool isNeedle = squaredLength > needle * 2.0 * geometry.Lengths.Area[t];
-    inPlane += hasNeighbour || isAlone || isFacet || isNeedle ? geometry.Lengths.Area[t] : 0.0;
+    inPlane +=
+      hasNeighbour || isAlone || isFacet || isAtRim || isNeedle ? geometry.Lengths.Area[t] : 0.0;
   }
   return inPlane > 0.5 * all;
 }

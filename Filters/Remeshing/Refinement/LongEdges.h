@@ -18,8 +18,8 @@ namespace DirectionFields::Internal
 bool HasNeedles(const Surface& surface, double face);
 
 /// Whether most of the area is of triangles that have a neighbour in their plane, as CAD programs
-/// write them, or none at all. The triangles of others are their shape: parts of them have no
-/// curvature.
+/// write them, or none at all, and of those at the boundary or at a rim. The triangles of others are
+/// their shape: parts of them have no curvature.
 bool IsMostlyFlat(const SurfaceGeometry& geometry);
 
 /// Not 0 for each edge that is longer than it may be; of more than there is room for, the longest.

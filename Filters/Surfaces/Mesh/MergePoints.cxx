@@ -150,7 +150,16 @@ public:
       {
         const auto [low, high] =
           std::minmax({ this->PlaceOf(this->Mesh.Tail(h)), this->PlaceOf(this->Mesh.Head(h)) });
-        if (low != high && !this->Collapses(h / 3))
+        if (this->Collapses(h / 3))
+        {
+          return;
+        }
+        if (low == high)
+        {
+          this->Sets.Unite(
+            this->Mesh.Point(this->Mesh.Tail(h)), this->Mesh.Point(this->Mesh.Head(h)));
+        }
+        else
         {
           edges.push_back(
             { static_cast<std::uint64_t>(low) << bits | static_cast<unsigned>(high), h });

@@ -26,7 +26,8 @@ Surface Merged(const Surface& surface, const std::vector<Index>& first);
 /// two become one, so that surfaces that only touch stay apart: bodies that meet in a point or
 /// along an edge, sheets that meet three at a time. So do triangles of the same three places (the
 /// rim of a sheet that is there twice), and the sides of one triangle. Corners at the same place of
-/// a triangle that is connected with none become one, too, which makes it collapse. Takes time
+/// a triangle that is connected with none become one, too, which makes it collapse, and so do the
+/// ends of an edge of the boundary, as in the middle of a disk that is made of quads. Takes time
 /// linear in the boundary, and in the points where there are seams.
 std::vector<Index> FirstAcrossSeams(const TriangleMesh& mesh, const std::vector<Vector3>& points);
 

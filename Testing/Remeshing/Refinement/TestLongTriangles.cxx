@@ -298,6 +298,28 @@ TEST(LongTriangles, FansOfDozensAndThousandsAreRemeshedAsOthers)
   }
 }
 
+TEST(LongTriangles, FlatConesWithABaseHaveTheIrregularVerticesOfTwoDisks)
+{
+  // Of their area a little less than half is the base, which alone is in a plane.
+  for (const auto& [sides, height] :
+    { std::pair(12, 0.2), std::pair(12, 1.0), std::pair(20, 0.2), std::pair(20, 1.0) })
+  {
+    Surface cone = Cone(sides, height);
+    for (int k = 1; k + 1 < sides; ++k)
+    {
+      cone.Triangles.push_back({ 1, k + 2, k + 1 });
+    }
+    RemeshOptions options;
+    options.NumberOfFaces = 1000;
+    const RemeshResult mesh = Remesh(std::make_shared<Surface>(cone)).Compute(options);
+    EXPECT_EQ(Meshes::FlawOf(mesh), "");
+    EXPECT_EQ(mesh.IrregularVertices, 8) << sides << " " << height;
+    EXPECT_EQ(mesh.Triangles, 0) << sides << " " << height;
+    EXPECT_EQ(mesh.TurnedFaces, 0) << sides << " " << height;
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.5) << sides << " " << height;
+  }
+}
+
 TEST(LongTriangles, NoEdgeOfAPreparedSurfaceIsLongerThanItMayBe)
 {
   const Surface prism = Prism(50, 4.0);

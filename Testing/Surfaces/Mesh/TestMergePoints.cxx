@@ -318,6 +318,41 @@ TEST(MergePoints, AutomaticLeavesApartWhatOnlyTouches)
   EXPECT_EQ(ComponentsAcrossSeams(Joined(patch, Rewound(patch))), 2u);
 }
 
+TEST(MergePoints, AutomaticMakesOnePointOfAHoleThatIsNone)
+{
+  // A disk of a ring of quads, the inner points of which are all in its middle, and another ring.
+  constexpr int sides = 12;
+  Surface disk;
+  for (int k = 0; k < sides; ++k)
+  {
+    for (const double r : { 0.0, 1.0, 2.0 })
+    {
+      disk.Points.emplace_back(
+        r * std::cos(2.0 * Pi * k / sides), r * std::sin(2.0 * Pi * k / sides), 0.0);
+    }
+  }
+  for (int k = 0; k < sides; ++k)
+  {
+    const Index a = 3 * k;
+    const Index b = 3 * ((k + 1) % sides);
+    for (const Index r : { 0, 1 })
+    {
+      disk.Triangles.push_back({ a + r, a + r + 1, b + r + 1 });
+      disk.Triangles.push_back({ a + r, b + r + 1, b + r });
+    }
+  }
+  const TriangleMesh apart(disk);
+  const std::vector<Index> first = Internal::FirstAcrossSeams(apart, disk.Points);
+  ASSERT_EQ(first.size(), disk.Points.size());
+  for (std::size_t p = 0; p < first.size(); ++p)
+  {
+    EXPECT_EQ(first[p], p % 3 == 0 ? 0 : static_cast<Index>(p));
+  }
+  const TriangleMesh mesh = Internal::MergedMesh::AcrossSeams(disk).Mesh;
+  EXPECT_EQ(mesh.GetNumberOfVertices() - mesh.GetNumberOfEdges() + mesh.GetNumberOfTriangles(), 1);
+  EXPECT_EQ(mesh.GetNumberOfVertices(), 1 + 2 * sides);
+}
+
 TEST(MergePoints, AutomaticIgnoresTrianglesWithoutPlaces)
 {
   // A sliver between two facets of a soup whose corners are at two places.
