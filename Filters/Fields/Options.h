@@ -213,7 +213,7 @@ struct Guidance
   /// largest one, a third A of the area around the vertex, sigma of AlignmentStrength and the
   /// direction's representation vector g of modulus 1. 0 draws nothing. Values outside of 0 to 1
   /// count as the nearer end, non-finite ones as 0.
-  std::vector<double> Strengths;
+  std::vector<double> Strengths = {};
 };
 
 /// Throw std::invalid_argument, its text a sentence for the user, for options out of range, for

@@ -149,7 +149,7 @@ void SingularityTool::leave()
 //------------------------------------------------------------------------------
 bool SingularityTool::mouse(QMouseEvent* event)
 {
-  this->Mouse = event->localPos();
+  this->Mouse = ViewTool::placeOf(event);
   if (this->IsDragging)
   {
     if (event->type() == QEvent::MouseMove && !(event->buttons() & Qt::LeftButton))

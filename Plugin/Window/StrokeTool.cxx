@@ -139,7 +139,7 @@ bool StrokeTool::mouse(QMouseEvent* event)
     delete this->Line;
     this->IsDrawing = true;
     this->IsDouble = event->type() == QEvent::MouseButtonDblClick;
-    this->Path = QPolygonF({ event->localPos() });
+    this->Path = QPolygonF({ ViewTool::placeOf(event) });
     this->Line = new StrokeLine(this->View, this->Path);
     this->View->renderWidget()->setFocus();
     return true;
@@ -155,9 +155,9 @@ bool StrokeTool::mouse(QMouseEvent* event)
     delete this->Line;
     return false;
   }
-  if (event->localPos() != this->Path.last())
+  if (ViewTool::placeOf(event) != this->Path.last())
   {
-    this->Path << event->localPos();
+    this->Path << ViewTool::placeOf(event);
     this->Line->update();
   }
   if (event->type() == QEvent::MouseButtonRelease && event->button() == Qt::LeftButton)

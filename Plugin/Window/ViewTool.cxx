@@ -99,6 +99,16 @@ QPointF ViewTool::pixel(const QPointF& position) const
 }
 
 //------------------------------------------------------------------------------
+QPointF ViewTool::placeOf(const QMouseEvent* event)
+{
+#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
+  return event->position();
+#else
+  return event->localPos();
+#endif
+}
+
+//------------------------------------------------------------------------------
 void ViewTool::say(const QString& text)
 {
   if (auto* const window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))

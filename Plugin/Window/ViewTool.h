@@ -39,6 +39,8 @@ protected:
   virtual bool mouse(QMouseEvent* event) = 0;
   /// The key Delete or Backspace.
   virtual void remove() = 0;
+  /// From the upper left corner of the view, in pixels of the screen's scale.
+  static QPointF placeOf(const QMouseEvent* event);
   /// From the lower left corner of the view.
   QPointF pixel(const QPointF& position) const;
   static void say(const QString& text);

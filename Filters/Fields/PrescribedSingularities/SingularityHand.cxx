@@ -215,7 +215,7 @@ HandStep SingularityHand::Move(const std::vector<WantedSingularity>& singulariti
   std::size_t which, const Vector3& place) const
 {
   HandStep step{ singularities, false, {} };
-  Vector3 to;
+  Vector3 to = Vector3::Zero();
   const Index after = this->Found->TriangleAt(place, to);
   const Index before =
     which < singularities.size() ? this->Found->TriangleAt(singularities[which].Position) : None;
@@ -310,7 +310,7 @@ HandStep SingularityHand::Add(
   const std::vector<WantedSingularity>& singularities, const Vector3& place, int index) const
 {
   HandStep step{ singularities, false, {} };
-  Vector3 to;
+  Vector3 to = Vector3::Zero();
   const Index triangle = this->Found->TriangleAt(place, to);
   if (triangle == None || index == 0)
   {
@@ -334,7 +334,7 @@ HandStep SingularityHand::AddPair(
   const std::vector<WantedSingularity>& singularities, const Vector3& place, int index) const
 {
   HandStep step{ singularities, false, {} };
-  Vector3 to;
+  Vector3 to = Vector3::Zero();
   const Index triangle = this->Found->TriangleAt(place, to);
   if (triangle == None || index == 0)
   {
