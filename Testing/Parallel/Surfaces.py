@@ -64,6 +64,17 @@ def half(size=24):
     return points[used], triangles.reshape(-1, 3)
 
 
+def noisy(size=24):
+    """A component with noise but on one side, as of a scanner, and one without noise."""
+    points, triangles = potato(size)
+    random = np.random.default_rng(4)
+    edge = np.linalg.norm(points[triangles[:, 0]] - points[triangles[:, 1]], axis=1).mean()
+    errors = 0.03 * edge * random.normal(size=len(points)) * (points @ (0.9, 0.3, 0.2) > -0.4)
+    others, more = potato(size - 3, shift=2.5)
+    return (np.concatenate([points * (1.0 + errors[:, None]), others]),
+            np.concatenate([triangles, more + len(points)]))
+
+
 def turned(size=24):
     """Closed, a third of its triangles inside out."""
     points, triangles = potato(size)

@@ -23,8 +23,9 @@ def inside_out():
 
 SURFACES = {"closed": Surfaces.potato(15), "bounded": Surfaces.half(15), "pair": Surfaces.pair(11),
             "strip": Surfaces.moebius(), "klein": Surfaces.klein(), "mixed": Surfaces.mixed(),
-            "turned": Surfaces.turned(11), "sheets": Surfaces.sheets(), "inside out": inside_out()}
-ORDINARY = [name for name in SURFACES if name not in ("inside out", "klein", "mixed")]
+            "turned": Surfaces.turned(11), "sheets": Surfaces.sheets(), "inside out": inside_out(),
+            "noisy": Surfaces.noisy(19)}
+ORDINARY = [name for name in SURFACES if name not in ("inside out", "klein", "mixed", "noisy")]
 WAYS = {"slabs": {}, "random": {}, "ids": {}, "one": {}, "empty": {},
         "slabs with ghosts": {"ghosts": True}, "random with ghosts": {"ghosts": True, "noise": 3e-8},
         "slabs with ids": {"ids": True, "noise": 3e-8}, "ids with ghosts": {"ghosts": True, "ids": True},
@@ -44,7 +45,7 @@ FIELDS = {"smoothest": {}, "aligned": {"Alignment": vtkDirectionField.ALIGN_PRIN
 
 
 # What can be had without gathering.
-DISTRIBUTED_SURFACES = ("closed", "bounded", "pair", "turned", "inside out")
+DISTRIBUTED_SURFACES = ("closed", "bounded", "pair", "turned", "inside out", "noisy")
 DISTRIBUTED_FIELDS = ("smoothest", "aligned", "aligned lines", "guided", "given", "unmerged", "multigrid")
 DISTRIBUTED_WITH_BOUNDARY = ("boundary", "bounded by")
 # Curvatures of what has only one side need the whole.
@@ -114,6 +115,9 @@ def main():
         # Where it is flat the field goes on from where it is curved.
         for way in ("slabs", "random with ghosts", "empty"):
             run("inside out", way, "aligned lines", distribute)
+        # Most of a component has noise, though not most of what each process has of it.
+        for way in ("slabs", "random with ghosts", "empty"):
+            run("noisy", way, "aligned", distribute)
 
 
 main()

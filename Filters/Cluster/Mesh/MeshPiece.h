@@ -9,6 +9,7 @@
 #include "Mesh/PieceOfSurface.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace DirectionFields::Parallel
 {
@@ -25,6 +26,25 @@ public:
 
   bool IsOwned(Index vertex) const override { return this->Mesh.IsOwned(vertex); }
   bool Any(bool value) const override { return this->Exchange.Any(value); }
+  void Sum(std::vector<double>& numbers) const override
+  {
+    std::vector<double> sums(static_cast<std::size_t>(this->Mesh.CountComponents()), 0.0);
+    for (int component = 0; component < this->Mesh.CountComponents(); ++component)
+    {
+      for (const std::size_t part : this->Mesh.PartsOf(component))
+      {
+        sums[component] += numbers[part];
+      }
+    }
+    this->Exchange.Sum(sums.data(), static_cast<int>(sums.size()));
+    for (int component = 0; component < this->Mesh.CountComponents(); ++component)
+    {
+      for (const std::size_t part : this->Mesh.PartsOf(component))
+      {
+        numbers[part] = sums[component];
+      }
+    }
+  }
 
 private:
   void CompleteBytes(char* values, std::size_t size) const override

@@ -3,6 +3,7 @@
 
 #include "Curvature/Curvature.h"
 
+#include "Curvature/NoisyShapes.h"
 #include "Curvature/Rounding.h"
 #include "Curvature/ShapeFit.h"
 #include "Curvature/ShapeSmoothing.h"
@@ -94,6 +95,26 @@ double DefectCurvature(const SurfaceGeometry& geometry, Index v, std::vector<Ind
   return (2.0 * Pi - 2.0 * Pi / geometry.Transport.Scale[v]) / area;
 }
 
+/// The fitted shapes, averaged; there are none on creases.
+std::vector<Shape> AveragedShapes(const SurfaceGeometry& geometry,
+  const std::vector<double>& dihedralAngles, double rings, const std::vector<Shape>& edges,
+  const PieceOfSurface& piece)
+{
+  Creases creases(geometry, dihedralAngles);
+  piece.Complete(creases.Vertex);
+  std::vector<Shape> shapes = FitShapes(geometry, creases);
+  const std::vector<char> isNoisy = SmoothShapes(geometry, edges, rings, shapes, piece);
+  if (piece.Any(std::find(isNoisy.begin(), isNoisy.end(), 1) != isNoisy.end()))
+  {
+    const std::vector<char> wereOnCreases = creases.Vertex;
+    creases.DropSingleEdges(
+      geometry.Mesh, isNoisy, [&](std::vector<char>& values) { piece.Complete(values); });
+    FitShapesAgain(geometry, creases, wereOnCreases, shapes);
+    SmoothNoise(geometry, edges, isNoisy, shapes, piece);
+  }
+  return shapes;
+}
+
 std::vector<WholeComponent> WholesOf(const SurfaceGeometry& geometry)
 {
   const TriangleMesh& mesh = geometry.Mesh;
@@ -123,10 +144,7 @@ Curvature::Curvature(const SurfaceGeometry& geometry, const std::vector<double>&
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<Shape> edges = EdgeShapes(geometry, dihedralAngles);
-  Creases creases(geometry, dihedralAngles);
-  piece.Complete(creases.Vertex);
-  std::vector<Shape> shapes = FitShapes(geometry, creases);
-  SmoothShapes(geometry, edges, rings, shapes, piece);
+  const std::vector<Shape> shapes = AveragedShapes(geometry, dihedralAngles, rings, edges, piece);
   mesh.ForEachComponent(
     [&](Index c)
     {

@@ -25,7 +25,8 @@ struct WholeComponent
 /// as seen from outside.
 ///
 /// At most vertices it is that of quadrics that are fitted to their surroundings and averaged over
-/// as much more of the surface as noise makes necessary (Curvature/ShapeFit.h, ShapeSmoothing.h).
+/// as much more of the surface as noise makes necessary (Curvature/ShapeFit.h, ShapeSmoothing.h),
+/// together with the edges where that is much.
 /// On creases, where the surface is bent and not curved, and where there are too few points for a
 /// quadric, it is that of the edges, over a third of the incident area.
 struct Curvature

@@ -46,10 +46,21 @@ double HalfCotangent(const Metric& metric, const TriangleMesh& mesh, Index h)
     metric.SquaredLength[mesh.Edge(TriangleMesh::Previous(h))] - metric.SquaredLength[mesh.Edge(h)];
   return across / (8.0 * metric.Area[h / 3]);
 }
+
+float EdgeWeight(const SurfaceGeometry& geometry, Index h)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Index twin = mesh.Twin(h);
+  const double weight = HalfCotangent(geometry.Lengths, mesh, h) +
+    (twin != None ? HalfCotangent(geometry.Lengths, mesh, twin) : 0.0);
+  return static_cast<float>(std::max(weight, LeastWeight));
+}
 }
 
 ShapeAverages::ShapeAverages(const SurfaceGeometry& geometry, const std::vector<Shape>& shapes)
   : Start(shapes.size() + 1, 0)
+  , Own(shapes.size(), 1.0)
+  , WeightSum(shapes.size(), 0.0)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const auto vertices = static_cast<Index>(shapes.size());
@@ -69,6 +80,42 @@ ShapeAverages::ShapeAverages(const SurfaceGeometry& geometry, const std::vector<
   this->Couplings.resize(this->Start.back());
   ParallelFor(vertices, HeavyPiece,
     [&](Index begin, Index end) { this->Fill(geometry, shapes, begin, end); });
+}
+
+void ShapeAverages::EndAt(const SurfaceGeometry& geometry, const std::vector<char>& ends)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  ParallelFor(mesh.GetNumberOfVertices(), MediumPiece,
+    [&](Index begin, Index end)
+    {
+      for (Index v = begin; v < end; ++v)
+      {
+        bool isNextToEnd = ends[v] != 0;
+        ForEachEdge(mesh, v,
+          [&](Index, Index j, bool)
+          { isNextToEnd = isNextToEnd || ends[j] != 0 || this->Start[j] == this->Start[j + 1]; });
+        if (!isNextToEnd)
+        {
+          continue;
+        }
+        double sum = 0.0;
+        ForEachEdge(mesh, v, [&](Index h, Index, bool) { sum += EdgeWeight(geometry, h); });
+        const auto part = static_cast<float>(this->WeightSum[v] / sum);
+        for (Index k = this->Start[v]; k < this->Start[v + 1]; ++k)
+        {
+          Coupling& coupling = this->Couplings[k];
+          const float factor = ends[coupling.Vertex] != 0 ? 0.0F : part;
+          coupling.Weight *= factor;
+          coupling.Real *= factor;
+          coupling.Imaginary *= factor;
+        }
+        if (this->Start[v] < this->Start[v + 1])
+        {
+          this->Own[v] = ends[v] != 0 ? 0.0 : 1.0 - Share;
+        }
+        this->WeightSum[v] = sum;
+      }
+    });
 }
 
 void ShapeAverages::Fill(
@@ -92,21 +139,20 @@ void ShapeAverages::Fill(
         {
           if (shapes[j].IsFitted())
           {
-            const Index twin = mesh.Twin(h);
-            const double weight = HalfCotangent(geometry.Lengths, mesh, h) +
-              (twin != None ? HalfCotangent(geometry.Lengths, mesh, twin) : 0.0);
             const double rotation = geometry.Transport.RotationAlong(mesh, h);
             angles[next - first] = outgoing ? -2.0 * rotation : 2.0 * rotation;
             this->Couplings[next].Vertex = j;
-            this->Couplings[next].Weight = static_cast<float>(std::max(weight, LeastWeight));
+            this->Couplings[next].Weight = EdgeWeight(geometry, h);
             sum += this->Couplings[next].Weight;
             ++next;
           }
         });
     }
+    this->WeightSum[v] = sum;
     for (Index k = row; k < next; ++k)
     {
       this->Couplings[k].Weight = static_cast<float>(this->Couplings[k].Weight * (Share / sum));
+      this->Own[v] -= this->Couplings[k].Weight;
     }
   }
   CosinesAndSines(angles.data(), count, cosines.data(), sines.data());

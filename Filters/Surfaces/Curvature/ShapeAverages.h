@@ -7,6 +7,7 @@
 #include "Curvature/ShapeFit.h"
 #include "Geometry/SurfaceGeometry.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -31,12 +32,21 @@ public:
 
   ShapeAverages(const SurfaceGeometry& geometry, const std::vector<Shape>& shapes);
 
+  /// Lets means end at vertices without a shape and at those that are told: these count no longer
+  /// for their neighbours, and no other vertex counts for more instead. So the weights that several
+  /// steps give to the vertices fade towards them.
+  void EndAt(const SurfaceGeometry& geometry, const std::vector<char>& ends);
+
+  /// The sum of the weights of the edges around a vertex, after EndAt. After many steps the weight
+  /// of a vertex in the mean around another one is a smooth function of it times this sum.
+  double SumOfWeights(Index v) const { return this->WeightSum[v]; }
+
   /// The mean around a vertex.
   WeightedShape Of(Index v, const std::vector<WeightedShape>& values) const
   {
     const Index begin = this->Start[v];
     const Index end = this->Start[v + 1];
-    const double own = this->Own(begin, end);
+    const double own = this->Own[v];
     WeightedShape sum = values[v];
     sum.Hopf *= own;
     sum.Mean *= own;
@@ -68,6 +78,15 @@ public:
     return sum;
   }
 
+  /// Whether a statement holds for any neighbour with a shape.
+  template <typename Statement>
+  bool HasNeighbour(Index v, const Statement& statement) const
+  {
+    return std::any_of(this->Couplings.begin() + this->Start[v],
+      this->Couplings.begin() + this->Start[v + 1],
+      [&](const Coupling& coupling) { return statement(coupling.Vertex); });
+  }
+
 private:
   struct Coupling
   {
@@ -78,20 +97,14 @@ private:
     float Imaginary;
   };
 
-  double Own(Index begin, Index end) const
-  {
-    double sum = 1.0;
-    for (Index k = begin; k < end; ++k)
-    {
-      sum -= this->Couplings[k].Weight;
-    }
-    return sum;
-  }
-
   void Fill(
     const SurfaceGeometry& geometry, const std::vector<Shape>& shapes, Index begin, Index end);
 
   std::vector<Index> Start;
+  /// The part that each vertex has in its own mean.
+  std::vector<double> Own;
+  /// The weights of the edges around each vertex that couple it to others.
+  std::vector<double> WeightSum;
   std::vector<Coupling> Couplings;
 };
 }

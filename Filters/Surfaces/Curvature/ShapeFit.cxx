@@ -240,12 +240,13 @@ private:
   std::vector<Index> Near;
   std::vector<Index> Fan;
 };
-}
 
-std::vector<Shape> FitShapes(const SurfaceGeometry& geometry, const Creases& creases)
+/// Fits the shapes of the vertices for which a statement holds.
+template <typename Statement>
+void Fit(const SurfaceGeometry& geometry, const Creases& creases, const Statement& isWanted,
+  std::vector<Shape>& shapes)
 {
   const TriangleMesh& mesh = geometry.Mesh;
-  std::vector<Shape> shapes(mesh.GetNumberOfVertices());
   mesh.ForEachComponent(
     [&](Index c)
     {
@@ -256,7 +257,7 @@ std::vector<Shape> FitShapes(const SurfaceGeometry& geometry, const Creases& cre
           Neighbourhood neighbourhood(geometry, creases);
           for (Index v = component.FirstVertex + begin; v < component.FirstVertex + end; ++v)
           {
-            if (creases.Vertex[v] != 0)
+            if (creases.Vertex[v] != 0 || !isWanted(v))
             {
               continue;
             }
@@ -270,6 +271,37 @@ std::vector<Shape> FitShapes(const SurfaceGeometry& geometry, const Creases& cre
           }
         });
     });
+}
+}
+
+std::vector<Shape> FitShapes(const SurfaceGeometry& geometry, const Creases& creases)
+{
+  std::vector<Shape> shapes(geometry.Mesh.GetNumberOfVertices());
+  Fit(
+    geometry, creases, [](Index) { return true; }, shapes);
   return shapes;
+}
+
+void FitShapesAgain(const SurfaceGeometry& geometry, const Creases& creases,
+  const std::vector<char>& wereOnCreases, std::vector<Shape>& shapes)
+{
+  const TriangleMesh& mesh = geometry.Mesh;
+  const auto hasChanged = [&](Index v) { return creases.Vertex[v] != wereOnCreases[v]; };
+  const auto isNextToChange = [&](Index v)
+  {
+    const Index first = mesh.Outgoing(v);
+    Index h = first;
+    do
+    {
+      if (hasChanged(v) || hasChanged(mesh.Head(h)) ||
+        hasChanged(mesh.Tail(TriangleMesh::Previous(h))))
+      {
+        return true;
+      }
+      h = mesh.NextOutgoing(h);
+    } while (h != None && h != first);
+    return false;
+  };
+  Fit(geometry, creases, isNextToChange, shapes);
 }
 }

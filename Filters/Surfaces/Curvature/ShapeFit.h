@@ -33,6 +33,11 @@ struct Shape
 /// section that is a circle of curvature k. No quadric is fitted across creases, and none at
 /// vertices on them.
 std::vector<Shape> FitShapes(const SurfaceGeometry& geometry, const Creases& creases);
+
+/// Fits the shapes again of vertices where creases have been dropped, and of those next to them.
+/// @param wereOnCreases Creases::Vertex before that
+void FitShapesAgain(const SurfaceGeometry& geometry, const Creases& creases,
+  const std::vector<char>& wereOnCreases, std::vector<Shape>& shapes);
 }
 
 #endif

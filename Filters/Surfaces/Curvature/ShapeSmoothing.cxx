@@ -4,6 +4,7 @@
 #include "Curvature/ShapeSmoothing.h"
 
 #include "Curvature/ShapeAverages.h"
+#include "Curvature/ShapeSteps.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// A step adds the same number to the mean squared distance of the vertices in the mean, in squared
-/// edges; for the points of a fitted quadric that distance is FitRadius^2 / 2.
-constexpr double FitRadius = 1.5;
 /// A first step pays where the second one changes less than this times as much, in the mean square;
 /// a doubling of steps, which adds more of the surface's own variation, where the next one does.
 constexpr double FirstGain = 0.55;
@@ -27,53 +25,29 @@ constexpr int MostDoublings = 7;
 constexpr double LeastNoise = 0.25;
 constexpr double MostNoise = 1.5;
 constexpr int CorrectionSteps = 2;
-/// Steps by which squared changes are averaged before they are compared.
-constexpr int ChangeSteps = 4;
+/// Noise prevails in a component if, after so many doublings, more than this part of its vertices
+/// are averaged on whose shapes scatter as errors of heights between these two lead to, in mean
+/// edges. Smaller ones do not matter to the fits. Larger scatter is that of shapes too fine for the
+/// triangles, as of coarse meshes that have all of an animal's face; to average it takes the shape
+/// away.
+constexpr int DoublingsToNoise = 3;
+constexpr double NoisyPart = 0.5;
+constexpr double LeastError = 0.001;
+constexpr double MostError = 0.1;
 /// How much more a first step changes white noise than a second one, in the mean square, and the
 /// variance of its mean of k steps times k, in parts of the noise's variance: those of regular
 /// triangulations.
 constexpr double ScatterOfNoise = 0.634;
 constexpr double VarianceOfMeans = 0.184;
 
-double SquaredDistance(const WeightedShape& a, const WeightedShape& b)
-{
-  const double mean = a.GetMean() - b.GetMean();
-  return std::norm(a.GetHopf() - b.GetHopf()) + mean * mean;
-}
-
-/// The weight of a fit, the inverse of its standard deviation: between 1, which is best for the
-/// surface's own variation, and the inverse of the variance, which is best for noise.
-double WeightOf(const Shape& shape)
-{
-  return 1.0 / std::sqrt(std::clamp(shape.Variance, 1e-100, 1e100));
-}
-
-/// Shapes on their way to larger and larger surroundings.
-class Smoothing
+/// Finds how far shapes are to be averaged.
+class Smoothing : public ShapeSteps
 {
 public:
   Smoothing(
     const SurfaceGeometry& geometry, const std::vector<Shape>& shapes, const PieceOfSurface& piece)
-    : Piece(piece)
-    , Mean(geometry, shapes)
-    , Current(shapes.size())
-    , IsOpen(shapes.size(), 0)
-    , Steps(shapes.size(), 0)
+    : ShapeSteps(geometry, shapes, piece)
   {
-    for (Index v = 0; v < static_cast<Index>(shapes.size()); ++v)
-    {
-      if (shapes[v].IsFitted())
-      {
-        const double weight = WeightOf(shapes[v]);
-        this->Current[v] = { weight * shapes[v].Hopf, weight * shapes[v].Mean, weight };
-        this->IsOpen[v] = 1;
-        if (piece.IsOwned(v))
-        {
-          this->Open.push_back(v);
-        }
-      }
-    }
-    this->Scratch = this->Current;
   }
 
   /// Adds the difference between the shapes of the edges and the fits, averaged over the
@@ -90,20 +64,14 @@ public:
     this->ForOpen([&](Index v) { average[v] = this->Mean.Of(v, off); });
     std::vector<float> noise(shapes.size());
     std::vector<float> bias(shapes.size());
-    std::vector<float> averaged(shapes.size());
     this->ForOpen(
       [&](Index v)
       {
         noise[v] = static_cast<float>(SquaredDistance(off[v], average[v]));
         bias[v] = static_cast<float>(SquaredDistance(average[v], { 0.0, 0.0, 1.0 }));
       });
-    for (std::vector<float>* numbers : { &noise, &bias })
-    {
-      for (int k = 0; k < CorrectionSteps; ++k)
-      {
-        this->Average(*numbers, averaged);
-      }
-    }
+    this->Average(noise, CorrectionSteps);
+    this->Average(bias, CorrectionSteps);
     this->ForOpen(
       [&](Index v)
       {
@@ -127,43 +95,45 @@ public:
     this->ForOpen([&](Index v) { this->Steps[v] = steps; });
   }
 
-  /// ShapeAverages each vertex as long as that pays.
+  /// Averages each vertex as long as that pays.
   void FindScales()
   {
-    std::vector<WeightedShape> kept = this->Current;
-    this->Step(1);
-    std::vector<WeightedShape> candidate = this->Current;
-    std::vector<float> before = this->Changes(kept);
-    for (int doubling = 1; doubling <= MostDoublings && this->Piece.Any(!this->Open.empty());
-         ++doubling)
+    this->StartDoubling();
+    for (int doubling = 1; doubling <= MostDoublings && this->IsAnyOpen(); ++doubling)
     {
-      this->Step(1 << (doubling - 1));
-      std::vector<float> after = this->Changes(candidate);
-      const double gain = doubling == 1 ? FirstGain : NextGain;
-      this->ForOpen(
-        [&](Index v)
-        {
-          if (after[v] < gain * before[v])
-          {
-            kept[v] = candidate[v];
-            this->Steps[v] = 1 << (doubling - 1);
-            candidate[v] = this->Current[v];
-          }
-          else
-          {
-            this->IsOpen[v] = 0;
-            this->Current[v] = kept[v];
-            this->Scratch[v] = kept[v];
-          }
-        });
-      this->Open.erase(std::remove_if(this->Open.begin(), this->Open.end(),
-                         [&](Index v) { return this->IsOpen[v] == 0; }),
-        this->Open.end());
-      this->Piece.Complete(this->IsOpen);
-      this->Piece.Complete(this->Current);
-      before.swap(after);
+      this->Double(doubling);
     }
-    this->ForOpen([&](Index v) { this->Current[v] = kept[v]; });
+    this->KeepLast();
+  }
+
+  /// Averages each vertex as long as that pays, but for components where noise prevails.
+  /// @return which these are
+  std::vector<char> FindScalesWithoutNoise(
+    const TriangleMesh& mesh, const std::vector<Shape>& shapes)
+  {
+    std::vector<char> isNoisy(mesh.GetComponents().size(), 0);
+    std::vector<char> isError(shapes.size(), 0);
+    this->StartDoubling();
+    for (int doubling = 1; doubling <= MostDoublings && this->IsAnyOpen(); ++doubling)
+    {
+      const std::vector<float> before = doubling == 1 ? this->LastChange : std::vector<float>();
+      this->Double(doubling);
+      if (doubling == 1)
+      {
+        this->ForOpen(
+          [&](Index v)
+          {
+            const double error = (before[v] - this->LastChange[v]) / shapes[v].Variance;
+            isError[v] = error > LeastError * LeastError && error < MostError * MostError ? 1 : 0;
+          });
+      }
+      if (doubling == DoublingsToNoise)
+      {
+        isNoisy = this->FindNoise(mesh, isError);
+      }
+    }
+    this->KeepLast();
+    return isNoisy;
   }
 
   /// How much more the first step changes q than the second one does, squared and averaged over
@@ -172,27 +142,22 @@ public:
   std::vector<float> Scatter()
   {
     std::vector<WeightedShape> first(this->Current.size());
-    std::vector<float> scatter(first.size());
-    std::vector<float> averaged(first.size());
     this->ForOpen([&](Index v) { first[v] = this->Mean.Of(v, this->Current); });
     this->Piece.Complete(first);
-    this->ForOpen(
+    std::vector<float> scatter = this->Around(
       [&](Index v)
       {
         const Complex once = first[v].GetHopf();
         const Complex twice = this->Mean.Of(v, first).GetHopf();
         const double more = std::norm(this->Current[v].GetHopf() - once) - std::norm(once - twice);
-        scatter[v] = static_cast<float>(more);
+        return static_cast<float>(more);
       });
-    for (int k = 0; k < ChangeSteps; ++k)
-    {
-      this->Average(scatter, averaged);
-    }
     this->ForOpen([&](Index v) { scatter[v] = std::max(scatter[v], 0.0F); });
     return scatter;
   }
 
   /// The means, and the variances that noise of this scatter leaves in them.
+  using ShapeSteps::Write;
   void Write(const std::vector<float>& scatter, std::vector<Shape>& shapes) const
   {
     for (std::size_t v = 0; v < shapes.size(); ++v)
@@ -205,102 +170,115 @@ public:
     }
   }
 
-  void Write(std::vector<Shape>& shapes) const
+private:
+  void StartDoubling()
   {
-    ParallelFor(static_cast<Index>(shapes.size()), LightPiece,
-      [&](Index begin, Index end)
+    this->Kept = this->Current;
+    this->Step(1);
+    this->Candidate = this->Current;
+    this->LastChange = this->Changes(this->Kept);
+  }
+
+  /// Doubles the steps of what is open, and closes the vertices to which this does not pay.
+  void Double(int doubling)
+  {
+    this->Step(1 << (doubling - 1));
+    std::vector<float> change = this->Changes(this->Candidate);
+    const double gain = doubling == 1 ? FirstGain : NextGain;
+    this->ForOpen(
+      [&](Index v)
       {
-        for (Index v = begin; v < end; ++v)
+        if (change[v] < gain * this->LastChange[v])
         {
-          if (shapes[v].IsFitted())
+          this->Kept[v] = this->Candidate[v];
+          this->Steps[v] = 1 << (doubling - 1);
+          this->Candidate[v] = this->Current[v];
+        }
+        else
+        {
+          this->Close(v, this->Kept[v]);
+        }
+      });
+    this->ForgetClosed();
+    this->LastChange.swap(change);
+  }
+
+  void KeepLast()
+  {
+    this->ForOpen([&](Index v) { this->Current[v] = this->Kept[v]; });
+  }
+
+  /// The components that noise prevails in, which are averaged no further.
+  /// @param isError whether a vertex scatters as errors of heights do
+  std::vector<char> FindNoise(const TriangleMesh& mesh, const std::vector<char>& isError)
+  {
+    const std::size_t components = mesh.GetComponents().size();
+    std::vector<double> noisy(components, 0.0);
+    std::vector<double> all(components, 0.0);
+    mesh.ForEachComponent(
+      [&](Index c)
+      {
+        const TriangleMesh::Component& component = mesh.GetComponents()[c];
+        for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+        {
+          if (this->Piece.IsOwned(v))
           {
-            shapes[v].Hopf = this->Current[v].GetHopf();
-            shapes[v].Mean = this->Current[v].GetMean();
-            // That of white noise falls with the sixth power of the radius, but near boundaries and
-            // between slivers with its square only.
-            shapes[v].Variance /=
-              1.0 + 2.0 * ShapeAverages::Share * this->Steps[v] / (FitRadius * FitRadius);
+            noisy[c] += this->IsOpen[v] != 0 && isError[v] != 0 ? 1.0 : 0.0;
+            all[c] += 1.0;
           }
         }
       });
-  }
-
-private:
-  /// ShapeAverages the open vertices.
-  void Step(int steps)
-  {
-    for (int k = 0; k < steps; ++k)
-    {
-      this->ForOpen([&](Index v) { this->Scratch[v] = this->Mean.Of(v, this->Current); });
-      this->Current.swap(this->Scratch);
-      this->Piece.Complete(this->Current);
-    }
-  }
-
-  /// Replaces the numbers of the open vertices by their means with those of open neighbours.
-  void Average(std::vector<float>& numbers, std::vector<float>& scratch)
-  {
-    this->Piece.Complete(numbers);
-    this->ForOpen([&](Index v) { scratch[v] = this->Mean.Of(v, numbers, this->IsOpen); });
-    numbers.swap(scratch);
-  }
-
-  template <typename Body>
-  void ForOpen(const Body& body)
-  {
-    ParallelFor(static_cast<Index>(this->Open.size()), MediumPiece,
-      [&](Index begin, Index end)
+    this->Piece.Sum(noisy);
+    this->Piece.Sum(all);
+    std::vector<char> isNoisy(components, 0);
+    mesh.ForEachComponent(
+      [&](Index c)
       {
-        for (Index k = begin; k < end; ++k)
+        if (noisy[c] > NoisyPart * all[c])
         {
-          body(this->Open[k]);
+          isNoisy[c] = 1;
+          const TriangleMesh::Component& component = mesh.GetComponents()[c];
+          std::fill(this->IsOpen.begin() + component.FirstVertex,
+            this->IsOpen.begin() + component.EndVertex, 0);
         }
       });
+    this->ForgetClosed();
+    return isNoisy;
   }
 
-  /// The squared changes of the open vertices since then, averaged over their surroundings.
-  std::vector<float> Changes(const std::vector<WeightedShape>& then)
-  {
-    std::vector<float> changes(then.size());
-    std::vector<float> averaged(then.size());
-    this->ForOpen([&](Index v)
-      { changes[v] = static_cast<float>(SquaredDistance(this->Current[v], then[v])); });
-    for (int k = 0; k < ChangeSteps; ++k)
-    {
-      this->Average(changes, averaged);
-    }
-    return changes;
-  }
-
-  const PieceOfSurface& Piece;
-  ShapeAverages Mean;
-  std::vector<WeightedShape> Current;
-  std::vector<WeightedShape> Scratch;
-  /// The vertices of the piece that are averaged on; IsOpen also tells those next to them.
-  std::vector<Index> Open;
-  std::vector<char> IsOpen;
-  /// How many steps each vertex has come.
-  std::vector<int> Steps;
+  /// The averages that the next doubling is compared to, and the squared changes by the last one.
+  std::vector<WeightedShape> Candidate;
+  std::vector<float> LastChange;
 };
 }
 
-void SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges, double rings,
-  std::vector<Shape>& shapes, const PieceOfSurface& piece)
+std::vector<char> SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges,
+  double rings, std::vector<Shape>& shapes, const PieceOfSurface& piece)
 {
+  const TriangleMesh& mesh = geometry.Mesh;
   piece.Complete(shapes);
   Smoothing smoothing(geometry, shapes, piece);
   smoothing.Correct(shapes, edges);
+  std::vector<char> isNoisy(mesh.GetComponents().size(), 0);
   if (rings > 0.0)
   {
-    const double steps = (rings * rings - FitRadius * FitRadius) / (2.0 * ShapeAverages::Share);
-    smoothing.TakeSteps(std::max(0, static_cast<int>(std::lround(steps))));
+    smoothing.TakeSteps(
+      ShapeSteps::StepsOver(rings * rings - ShapeSteps::FitRadius * ShapeSteps::FitRadius));
   }
   else
   {
-    smoothing.FindScales();
+    isNoisy = smoothing.FindScalesWithoutNoise(mesh, shapes);
   }
-  smoothing.Write(shapes);
+  mesh.ForEachComponent(
+    [&](Index c)
+    {
+      if (isNoisy[c] == 0)
+      {
+        smoothing.Write(mesh.GetComponents()[c], shapes);
+      }
+    });
   piece.Complete(shapes);
+  return isNoisy;
 }
 
 void SmoothTensors(const SurfaceGeometry& geometry, double edges, std::vector<Shape>& tensors)
@@ -314,8 +292,7 @@ void SmoothTensors(const SurfaceGeometry& geometry, double edges, std::vector<Sh
   const std::vector<float> scatter = smoothing.Scatter();
   if (edges > 0.0)
   {
-    smoothing.TakeSteps(
-      static_cast<int>(std::lround(edges * edges / (2.0 * ShapeAverages::Share))));
+    smoothing.TakeSteps(ShapeSteps::StepsOver(edges * edges));
   }
   else
   {

@@ -24,12 +24,16 @@ namespace DirectionFields::Internal
 /// prevails, each doubling changes the shape less than the one before, and once the surface's own
 /// variation does, more. A vertex keeps the shape from before that, which its neighbours use in
 /// their further steps.
+///
+/// Components most of whose vertices go on for long because of noise of at most a tenth of the mean
+/// edge are left as they are, for SmoothNoise of Curvature/NoisyShapes.h.
 /// @param edges the shape of each vertex by the angles of its edges
 /// @param rings the radius of the surroundings in edges; 0 to find it
 /// @param piece of which the mesh is a part; shapes become right at its own vertices and next to
 ///              them
-void SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges, double rings,
-  std::vector<Shape>& shapes, const PieceOfSurface& piece = PieceOfSurface());
+/// @return whether each component is left because of noise; none is where the radius is given
+std::vector<char> SmoothShapes(const SurfaceGeometry& geometry, const std::vector<Shape>& edges,
+  double rings, std::vector<Shape>& shapes, const PieceOfSurface& piece = PieceOfSurface());
 
 /// Averages the tangential parts of symmetric tensors, given as shapes are: q and H of each vertex,
 /// of any unit. All count the same and none is corrected; scales are found as those of shapes.

@@ -66,6 +66,11 @@ Creases::Creases(const SurfaceGeometry& geometry, const std::vector<double>& dih
         this->Edge[e] = std::abs(dihedralAngles[e]) > SharpAngle && isCrease(e) ? 1 : 0;
       }
     });
+  this->FindVertices(mesh);
+}
+
+void Creases::FindVertices(const TriangleMesh& mesh)
+{
   for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
   {
     if (this->Edge[e] != 0)
@@ -75,5 +80,47 @@ Creases::Creases(const SurfaceGeometry& geometry, const std::vector<double>& dih
       this->Vertex[mesh.Head(h)] = 1;
     }
   }
+}
+
+void Creases::DropSingleEdges(const TriangleMesh& mesh, const std::vector<char>& components,
+  const std::function<void(std::vector<char>&)>& complete)
+{
+  // The only end of a crease at an interior vertex has the first value, at one on the boundary the
+  // second one.
+  constexpr char inside = 1;
+  constexpr char outside = 2;
+  constexpr char several = 3;
+  std::vector<char> ends(this->Vertex.size(), 0);
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    if (this->Edge[e] != 0)
+    {
+      const Index h = mesh.HalfEdge(e);
+      for (const Index v : { mesh.Tail(h), mesh.Head(h) })
+      {
+        const char one = mesh.IsBoundary(v) ? outside : inside;
+        ends[v] = ends[v] == 0 ? one : several;
+      }
+    }
+  }
+  complete(ends);
+  mesh.ForEachComponent(
+    [&](Index c)
+    {
+      const TriangleMesh::Component& component = mesh.GetComponents()[c];
+      for (Index e = component.FirstEdge; components[c] != 0 && e < component.EndEdge; ++e)
+      {
+        const Index h = mesh.HalfEdge(e);
+        const int tail = ends[mesh.Tail(h)];
+        const int head = ends[mesh.Head(h)];
+        if (tail != several && head != several && tail + head < 2 * outside)
+        {
+          this->Edge[e] = 0;
+        }
+      }
+    });
+  std::fill(this->Vertex.begin(), this->Vertex.end(), 0);
+  this->FindVertices(mesh);
+  complete(this->Vertex);
 }
 }

@@ -6,6 +6,7 @@
 
 #include "Geometry/SurfaceGeometry.h"
 
+#include <functional>
 #include <vector>
 
 namespace DirectionFields::Internal
@@ -20,9 +21,19 @@ struct Creases
   /// @param dihedralAngles of each edge
   Creases(const SurfaceGeometry& geometry, const std::vector<double>& dihedralAngles);
 
+  /// Drops creases of a single edge that ends inside of the surface. Where a surface has noise they
+  /// are of it at a sliver, as there are some among random points.
+  /// @param components whether to, for each component
+  /// @param complete   replaces the values of vertices of which the mesh does not have all edges
+  void DropSingleEdges(const TriangleMesh& mesh, const std::vector<char>& components,
+    const std::function<void(std::vector<char>&)>& complete);
+
   /// Whether an edge is a crease, and whether a vertex is on one.
   std::vector<char> Edge;
   std::vector<char> Vertex;
+
+private:
+  void FindVertices(const TriangleMesh& mesh);
 };
 }
 

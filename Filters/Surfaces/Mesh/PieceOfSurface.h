@@ -28,6 +28,9 @@ public:
   virtual bool IsOwned(Index) const { return true; }
   /// Whether a statement holds on any piece.
   virtual bool Any(bool value) const { return value; }
+  /// Adds up the numbers of what all pieces have of the same component of the surface.
+  /// @param numbers one for each component of the mesh
+  virtual void Sum(std::vector<double>& /*numbers*/) const {}
   /// Replaces the values of vertices that others own.
   /// @param values one for each vertex of the mesh
   template <typename T>

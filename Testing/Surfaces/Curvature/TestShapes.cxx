@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Curvature/Curvature.h"
 #include "Curvature/ShapeFit.h"
 #include "Curvature/ShapeSmoothing.h"
 #include "Features/Creases.h"
@@ -13,6 +14,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -33,6 +35,18 @@ Index Creased(const Surface& surface)
   const SurfaceGeometry geometry(surface);
   const Creases creases = CreasesOf(geometry);
   return static_cast<Index>(std::count(creases.Edge.begin(), creases.Edge.end(), 1));
+}
+
+/// The first edge of a component both of whose ends are inside of it.
+Index InnerEdge(const TriangleMesh& mesh, const TriangleMesh::Component& component)
+{
+  Index e = component.FirstEdge;
+  while (
+    mesh.IsBoundary(mesh.Tail(mesh.HalfEdge(e))) || mesh.IsBoundary(mesh.Head(mesh.HalfEdge(e))))
+  {
+    ++e;
+  }
+  return e;
 }
 
 /// Heights with errors of a part of the mean edge length.
@@ -99,6 +113,57 @@ TEST(Creases, AreNeitherNoiseNorRoundness)
   // With noise of a tenth of an edge angles of 30 degrees are common.
   const Surface noisy = Noisy(Potato(4), 0.1, 2);
   EXPECT_LT(Creased(noisy), 0.01 * static_cast<double>(noisy.Points.size()));
+}
+
+TEST(Creases, OfASingleEdgeEndAtBoundariesOnly)
+{
+  const SurfaceGeometry geometry(Square(6));
+  const TriangleMesh& mesh = geometry.Mesh;
+  const Creases none = CreasesOf(geometry);
+  const auto whole = [](std::vector<char>&) {};
+  const std::vector<char> all(1, 1);
+  std::array<int, 3> seen = {};
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (mesh.Twin(h) == None)
+    {
+      continue;
+    }
+    const int ends =
+      (mesh.IsBoundary(mesh.Tail(h)) ? 1 : 0) + (mesh.IsBoundary(mesh.Head(h)) ? 1 : 0);
+    ++seen[ends];
+    Creases creases = none;
+    creases.Edge[e] = 1;
+    creases.DropSingleEdges(mesh, all, whole);
+    EXPECT_EQ(creases.Edge[e], ends == 2 ? 1 : 0);
+    EXPECT_EQ(creases.Vertex[mesh.Head(h)], ends == 2 ? 1 : 0);
+    // Two edges on end stay.
+    const Index next = mesh.Edge(TriangleMesh::Next(h));
+    creases.Edge[e] = 1;
+    creases.Edge[next] = 1;
+    creases.DropSingleEdges(mesh, all, whole);
+    EXPECT_EQ(creases.Edge[e] + creases.Edge[next], 2);
+  }
+  EXPECT_GT(std::min({ seen[0], seen[1], seen[2] }), 0);
+}
+
+TEST(Creases, OfASingleEdgeAreDroppedInGivenComponentsOnly)
+{
+  const SurfaceGeometry geometry(
+    Joined(Square(6), Transformed(Square(6), Eigen::Matrix3d::Identity(), Vector3(2.0, 0.0, 0.0))));
+  const TriangleMesh& mesh = geometry.Mesh;
+  ASSERT_EQ(mesh.GetComponents().size(), 2U);
+  Creases creases = CreasesOf(geometry);
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    const Index e = InnerEdge(mesh, component);
+    creases.Edge[e] = 1;
+  }
+  creases.DropSingleEdges(mesh, { 0, 1 }, [](std::vector<char>&) {});
+  EXPECT_EQ(std::count(creases.Edge.begin(), creases.Edge.end(), 1), 1);
+  EXPECT_EQ(creases.Edge[InnerEdge(mesh, mesh.GetComponents()[0])], 1);
+  EXPECT_EQ(std::count(creases.Vertex.begin(), creases.Vertex.end(), 1), 2);
 }
 
 TEST(ShapeFit, IsExactOnSpheresOfAnyMesh)
@@ -174,6 +239,36 @@ TEST(ShapeFit, DoesNotCrossCreases)
   }
 }
 
+TEST(ShapeFit, IsMadeAgainWhereCreasesAreDropped)
+{
+  const SurfaceGeometry geometry(Noisy(Square(12), 0.01, 4));
+  Creases creases = CreasesOf(geometry);
+  const Index e = InnerEdge(geometry.Mesh, geometry.Mesh.GetComponents()[0]);
+  const Index h = geometry.Mesh.HalfEdge(e);
+  creases.Edge[e] = 1;
+  creases.Vertex[geometry.Mesh.Tail(h)] = 1;
+  creases.Vertex[geometry.Mesh.Head(h)] = 1;
+  std::vector<Shape> shapes = FitShapes(geometry, creases);
+  const std::vector<char> wereOnCreases = creases.Vertex;
+  creases.DropSingleEdges(geometry.Mesh, { 1 }, [](std::vector<char>&) {});
+  ASSERT_EQ(creases.Edge[e], 0);
+  const std::vector<Shape> wanted = FitShapes(geometry, creases);
+  Index changed = 0;
+  for (std::size_t v = 0; v < shapes.size(); ++v)
+  {
+    changed += shapes[v].Variance != wanted[v].Variance ? 1 : 0;
+  }
+  // Two that were on it, and two beside it that saw nothing beyond it.
+  EXPECT_EQ(changed, 4);
+  FitShapesAgain(geometry, creases, wereOnCreases, shapes);
+  for (std::size_t v = 0; v < shapes.size(); ++v)
+  {
+    EXPECT_EQ(shapes[v].Hopf, wanted[v].Hopf);
+    EXPECT_EQ(shapes[v].Mean, wanted[v].Mean);
+    EXPECT_EQ(shapes[v].Variance, wanted[v].Variance);
+  }
+}
+
 TEST(ShapeFit, NeedlesAreGatheredOnceOnly)
 {
   // With the neighbours of the tip at each vertex of the rim this would take hours.
@@ -206,6 +301,15 @@ TEST(ShapeSmoothing, TakesNoiseAwayAndNothingElse)
     {
       std::vector<Shape> shapes = fits;
       SmoothShapes(geometry, fits, rings, shapes);
+      if (rings == 0.0)
+      {
+        // Noise is left to more than this.
+        const Curvature curvature(geometry, DihedralAngles(geometry));
+        for (std::size_t v = 0; v < shapes.size(); ++v)
+        {
+          shapes[v].Hopf = curvature.Hopf[v];
+        }
+      }
       const double after = Spread(shapes, geometry);
       if (noise == 0.0)
       {
