@@ -67,8 +67,7 @@ DESCRIPTIONS = {name: _lines(_COMMON + text) for name, text in {
         pure_quads: No triangles between the quads.
         boundary_spacing: Points on the boundary: free, evenly spaced, or those of the surface.
         keep_thin_parts: Faces are smaller where limbs and tips would be lost.
-        keep_features: Sharp edges become edges of the mesh, tips of cones vertices; the boundary
-            always becomes edges.
+        keep_features: Sharp edges become edges, tips of cones vertices; the boundary always edges.
         keep_soft_features: Rims of half of that angle that stand out and have room become edges.
         alignment: The field where none is given: along the shape, or the smoothest.
         singularity_cost: Less makes more irregular points, and edges of more even lengths.

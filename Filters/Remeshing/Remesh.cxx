@@ -17,7 +17,6 @@
 #include "Finishing/ThinParts.h"
 #include "Parametrization/ComponentMap.h"
 #include "Preparation/AffordableFeatures.h"
-#include "Preparation/Apices.h"
 #include "Preparation/FeatureTurns.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/SizeAdvice.h"
@@ -25,6 +24,7 @@
 #include "Preparation/WantedSizes.h"
 #include "Refinement/LongEdges.h"
 #include "Regions/RegionReport.h"
+#include "SoftFeatures/Apices.h"
 #include "Support/Threads.h"
 
 #include <algorithm>

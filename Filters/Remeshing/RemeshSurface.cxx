@@ -5,9 +5,9 @@
 
 #include "Curves/CurveCut.h"
 #include "Curves/LinesOnMesh.h"
-#include "Preparation/Apices.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/SurfaceUnit.h"
+#include "SoftFeatures/Apices.h"
 
 #include <cstddef>
 #include <stdexcept>

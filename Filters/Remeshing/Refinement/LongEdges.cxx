@@ -72,7 +72,7 @@ bool IsMostlyFlat(const SurfaceGeometry& geometry)
   constexpr double needle = 4.0;
   // A triangle between edges sharper than this is a facet of its own.
   constexpr double sharp = 25.0 * Pi / 180.0;
-  // One at an edge bent like this, or at the boundary, is a part of the wall or lid that ends there.
+  // One at an edge bent like this, or at the boundary, is part of a wall or lid that ends there.
   constexpr double rim = 60.0 * Pi / 180.0;
   const TriangleMesh& mesh = geometry.Mesh;
   const std::vector<double> dihedral = DihedralAngles(geometry);

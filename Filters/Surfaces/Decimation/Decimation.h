@@ -104,8 +104,8 @@ private:
   /// Of each half-edge whether it is part of a feature or the boundary.
   std::vector<char> IsFeature;
   std::vector<Kind> Kinds;
-  /// Where edges may stay long, the vertices that may vanish and have a neighbour of a number so far
-  /// from theirs that no block has both: the hub of a fan, or the other end of a needle.
+  /// Where edges may stay long, the vertices that may vanish and have a neighbour of a number so
+  /// far from theirs that no block has both: the hub of a fan, or the other end of a needle.
   std::vector<Index> Apart;
   /// Something around the vertex has changed since a collapse was last tried.
   std::vector<char> IsNew;

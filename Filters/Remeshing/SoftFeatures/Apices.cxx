@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Preparation/Apices.h"
+#include "SoftFeatures/Apices.h"
 
 #include <algorithm>
 #include <cmath>
