@@ -162,7 +162,10 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
   field.GetSeams().Equalize(extracted);
   finished.Faces = JoinFaces(extracted, field.GetSeams(),
     FindTurns(field.GetGeometry(), features, sizes.HalfLengths()), finished.OpenSeams);
-  request.Points.Place(field.GetSurface(), request.Cut, finished.Faces);
+  if (request.Cut)
+  {
+    request.Points.Place(field.GetSurface(), *request.Cut, finished.Faces);
+  }
   const std::vector<ClosestPoints> lines =
     field.GetSurface().LinesOf(field.GetGeometry(), features);
   const RemeshOptions& options = request.Options;

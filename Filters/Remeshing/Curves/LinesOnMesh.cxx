@@ -151,11 +151,6 @@ void ChosenPoints::AddTips(const CurveCut* cut, const std::vector<Index>& tips,
   }
 }
 
-bool ChosenPoints::IsChosen(Index point) const
-{
-  return std::binary_search(this->Surface.begin(), this->Surface.end(), point);
-}
-
 Index ChosenPoints::NumberOf(Index point) const
 {
   const auto found = std::lower_bound(this->Surface.begin(), this->Surface.end(), point);
@@ -164,21 +159,17 @@ Index ChosenPoints::NumberOf(Index point) const
     : None;
 }
 
-void ChosenPoints::Place(const PreparedSurface& surface, const CurveCut* cut, FaceMesh& mesh) const
+void ChosenPoints::Place(const PreparedSurface& surface, const CurveCut& cut, FaceMesh& mesh) const
 {
   const std::vector<Index> points = surface.FindPoints();
   for (std::size_t v = 0; !points.empty() && v < mesh.Points.size(); ++v)
   {
     const Index origin = mesh.Vertices[v].Origin;
-    if (origin == None || !this->IsChosen(points[origin]))
-    {
-      continue;
-    }
-    mesh.Vertices[v].Line = -1;
-    const Index number = this->NumberOf(points[origin]);
+    const Index number = origin == None ? None : this->NumberOf(points[origin]);
     if (number != None)
     {
-      mesh.Points[v] = cut->Places[number];
+      mesh.Points[v] = cut.Places[number];
+      mesh.Vertices[v].Line = -1;
     }
   }
 }

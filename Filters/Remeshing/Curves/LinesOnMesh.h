@@ -31,8 +31,8 @@ public:
   /// Points of the cut surface, ascending.
   const std::vector<Index>& OnSurface() const { return this->Surface; }
 
-  /// Puts the vertices of a mesh that are such points onto their places, where they stay.
-  void Place(const PreparedSurface& surface, const CurveCut* cut, FaceMesh& mesh) const;
+  /// Puts the vertices of a mesh that are given points onto their places, where they stay.
+  void Place(const PreparedSurface& surface, const CurveCut& cut, FaceMesh& mesh) const;
   /// Chains of one vertex for the points that are vertices of the mesh, and sentences for the user
   /// on those that are none.
   std::vector<MeshChain> Find(const PreparedSurface& surface, const CurveCut& cut,
@@ -42,7 +42,6 @@ private:
   void Choose(const CurveCut& cut, const std::vector<double>& sizes, double edgeLength);
   void AddTips(const CurveCut* cut, const std::vector<Index>& tips,
     const std::vector<double>& sizes, double edgeLength);
-  bool IsChosen(Index point) const;
   /// The number of the given point at a point of the cut surface, or None.
   Index NumberOf(Index point) const;
 

@@ -3,6 +3,8 @@
 
 #include "SoftFeatures/Apices.h"
 
+#include "Paths/SurfaceIncidence.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,9 +18,9 @@ namespace
 /// A tip is bent by more than the corner of a cube, whose edges keep it where they are kept.
 constexpr double LeastDefect = 100.0 / 180.0 * Pi;
 constexpr double MostBeside = 0.5;
-/// Where the neighbourhoods of all candidates have more points than this times those of the
-/// surface, they are those of noise.
-constexpr std::size_t MostVisits = 4;
+/// Where more neighbours of points are looked at than this times those that there are, the
+/// candidates are those of noise.
+constexpr std::size_t MostLooks = 4;
 
 double AngleAt(const Vector3& p, const Vector3& q, const Vector3& r)
 {
@@ -27,86 +29,26 @@ double AngleAt(const Vector3& p, const Vector3& q, const Vector3& r)
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// The triangles at each point; those at point p start at First[p].
-struct TrianglesAt
-{
-  std::vector<Index> First;
-  std::vector<Index> All;
-
-  explicit TrianglesAt(const Surface& surface)
-    : First(surface.Points.size() + 1, 0)
-    , All(3 * surface.Triangles.size())
-  {
-    for (const Triangle& t : surface.Triangles)
-    {
-      for (const Index p : t)
-      {
-        ++this->First[p + 1];
-      }
-    }
-    for (std::size_t p = 1; p < this->First.size(); ++p)
-    {
-      this->First[p] += this->First[p - 1];
-    }
-    std::vector<Index> next(this->First.begin(), this->First.end() - 1);
-    for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
-    {
-      for (const Index p : surface.Triangles[t])
-      {
-        this->All[next[p]++] = static_cast<Index>(t);
-      }
-    }
-  }
-};
-
 /// A walk around the candidates, one after another.
 class Neighbourhood
 {
 public:
   Neighbourhood(const Surface& surface, const std::vector<double>& defects)
-    : Given(surface)
+    : At(surface)
     , Defects(defects)
-    , At(surface)
+    , Left(MostLooks * 6 * surface.Triangles.size())
   {
   }
 
-  std::size_t GetVisits() const { return this->Visits; }
+  bool IsTooMuch() const { return this->Left == 0; }
 
-  /// Whether a tip stands by itself within a distance.
-  bool IsAlone(Index tip, double distance)
-  {
-    double beside = 0.0;
-    std::vector<Index> found = { tip };
-    std::unordered_set<Index> isFound = { tip };
-    for (std::size_t k = 0; k < found.size(); ++k)
-    {
-      const Index p = found[k];
-      ++this->Visits;
-      beside += p == tip ? 0.0 : std::abs(this->Defects[p]);
-      if (beside > MostBeside * this->Defects[tip] || !this->IsInside(p))
-      {
-        return false;
-      }
-      for (const Index q : this->Around)
-      {
-        if ((this->Given.Points[q] - this->Given.Points[tip]).norm() < distance &&
-          isFound.insert(q).second)
-        {
-          found.push_back(q);
-        }
-      }
-    }
-    return true;
-  }
-
-private:
   /// Whether all edges at a point are those of two triangles. Finds its neighbours.
   bool IsInside(Index p)
   {
     this->Around.clear();
-    for (Index k = this->At.First[p]; k < this->At.First[p + 1]; ++k)
+    for (const Index* t = this->At.BeginTriangles(p); t != this->At.EndTriangles(p); ++t)
     {
-      for (const Index q : this->Given.Triangles[this->At.All[k]])
+      for (const Index q : this->At.GetSurface().Triangles[*t])
       {
         if (q != p)
         {
@@ -116,7 +58,8 @@ private:
     }
     std::sort(this->Around.begin(), this->Around.end());
     const std::size_t count = this->Around.size();
-    bool isInside = count % 2 == 0;
+    this->Left -= std::min(this->Left, count);
+    bool isInside = count % 2 == 0 && !this->IsTooMuch();
     for (std::size_t k = 0; isInside && k < count; k += 2)
     {
       isInside = this->Around[k] == this->Around[k + 1] &&
@@ -125,11 +68,37 @@ private:
     return isInside;
   }
 
-  const Surface& Given;
+  /// Whether a tip stands by itself within a distance.
+  bool IsAlone(Index tip, double distance)
+  {
+    const std::vector<Vector3>& points = this->At.GetSurface().Points;
+    double beside = 0.0;
+    std::vector<Index> found = { tip };
+    std::unordered_set<Index> isFound = { tip };
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      const Index p = found[k];
+      beside += p == tip ? 0.0 : std::abs(this->Defects[p]);
+      if (beside > MostBeside * this->Defects[tip] || !this->IsInside(p))
+      {
+        return false;
+      }
+      for (const Index q : this->Around)
+      {
+        if ((points[q] - points[tip]).norm() < distance && isFound.insert(q).second)
+        {
+          found.push_back(q);
+        }
+      }
+    }
+    return true;
+  }
+
+private:
+  const SurfaceIncidence At;
   const std::vector<double>& Defects;
-  const TrianglesAt At;
   std::vector<Index> Around;
-  std::size_t Visits = 0;
+  std::size_t Left;
 };
 }
 
@@ -160,10 +129,16 @@ Apices::Apices(std::shared_ptr<const Surface> surface)
     }
     angles[p] = defect;
   }
-  if (!this->Candidates.empty())
+  if (this->Candidates.empty())
   {
-    this->Defects = std::move(angles);
+    return;
   }
+  this->Defects = std::move(angles);
+  // All points of straight boundaries are among them.
+  Neighbourhood neighbourhood(*this->Given, this->Defects);
+  this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
+                           [&](Index p) { return !neighbourhood.IsInside(p); }),
+    this->Candidates.end());
 }
 
 std::vector<Index> Apices::For(const std::vector<double>& sizes, double edgeLength) const
@@ -176,15 +151,11 @@ std::vector<Index> Apices::For(const std::vector<double>& sizes, double edgeLeng
   Neighbourhood neighbourhood(*this->Given, this->Defects);
   for (const Index p : this->Candidates)
   {
-    if (neighbourhood.GetVisits() > MostVisits * this->Given->Points.size())
-    {
-      return {};
-    }
     if (neighbourhood.IsAlone(p, edgeLength * sizes[p]))
     {
       tips.push_back(p);
     }
   }
-  return tips;
+  return neighbourhood.IsTooMuch() ? std::vector<Index>() : tips;
 }
 }

@@ -22,9 +22,6 @@ constexpr double LeastCosine = 0.5;
 constexpr double LeastTurn = 0.85;
 /// The least quality, area over the sum of squared sides: slivers are worse.
 constexpr double LeastQuality = 0.14;
-/// Where edges may stay long, the quality of slivers may fall by this part: between long edges side
-/// by side those of one end have to go before those of the other.
-constexpr double LeastOfSlivers = 0.999;
 /// Edges become longer by and by, so that triangles of the same size come about everywhere.
 constexpr double Growth = 1.2;
 }
@@ -228,8 +225,7 @@ double Decimation::Quality(Index v, const Star& star, std::size_t i, double part
     }
     least = std::min(least, area / squares);
   }
-  const double sliver = this->Limit.LongestEdge.empty() ? 1.0 : LeastOfSlivers;
-  return least < std::min(LeastQuality, sliver * star.WorstQuality) ? refused : least;
+  return least < std::min(LeastQuality, star.WorstQuality) ? refused : least;
 }
 
 std::size_t Decimation::MarkNeighbours(Index w, const Star& star, char* isNeighbour) const

@@ -141,6 +141,7 @@ TEST(Apices, OfGivenPointsAreNoOthers)
   const Vector3 given = 0.7 * cone.Points[0] + 0.3 * cone.Points[1];
   const RemeshResult mesh = Remesh(std::make_shared<Surface>(cone), {}, { given }).Compute(options);
   EXPECT_LT(DistanceTo(mesh, given), 1e-9);
+  EXPECT_GT(DistanceTo(mesh, cone.Points[0]), 0.5 * (given - cone.Points[0]).norm());
   ASSERT_EQ(std::count_if(mesh.Chains.begin(), mesh.Chains.end(),
               [](const MeshChain& chain) { return chain.Kind == ChainKind::Point; }),
     1);

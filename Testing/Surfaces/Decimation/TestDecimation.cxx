@@ -29,11 +29,11 @@ std::vector<char> SharpEdges(const SurfaceGeometry& geometry)
   return isSharp;
 }
 
-Surface Decimated(const Surface& surface, double length)
+Surface Decimated(const Surface& surface, double length, double deviation = 0.1)
 {
   const SurfaceGeometry geometry(surface);
-  const Decimation::Limits limits{ std::vector<double>(
-    geometry.Mesh.GetNumberOfVertices(), length) };
+  Decimation::Limits limits{ std::vector<double>(geometry.Mesh.GetNumberOfVertices(), length) };
+  limits.Deviation = deviation;
   Decimation decimation(geometry.Mesh, geometry.Positions, SharpEdges(geometry), limits);
   decimation.Run();
   Surface left;
@@ -89,6 +89,32 @@ double Area(const Surface& surface)
   }
   return area;
 }
+}
+
+TEST(Decimation, ChordsOfARimAreAsNearAsTheyHaveToBe)
+{
+  // They would be as long as allowed, and four times as far away.
+  constexpr double length = 0.4;
+  constexpr double deviation = 0.01;
+  const Surface disk = Decimated(Meshes::Disk(100), length, deviation);
+  const SurfaceGeometry geometry(disk);
+  double farthest = 0.0;
+  int chords = 0;
+  for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = geometry.Mesh.HalfEdge(e);
+    if (geometry.Mesh.Twin(h) == None)
+    {
+      ++chords;
+      farthest = std::max(farthest,
+        1.0 -
+          (0.5 *
+            (geometry.Positions[geometry.Mesh.Head(h)] + geometry.Positions[geometry.Mesh.Tail(h)]))
+            .norm());
+    }
+  }
+  EXPECT_LT(chords, 200);
+  EXPECT_LT(farthest, deviation * length + 1e-4);
 }
 
 TEST(Decimation, KeepsTheTopology)
