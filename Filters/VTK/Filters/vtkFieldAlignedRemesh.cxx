@@ -22,6 +22,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,6 +39,15 @@ constexpr double ProgressMade = 0.95;
 std::string OrEmpty(const char* name)
 {
   return name ? name : "";
+}
+
+void RoundToFloats(std::vector<DirectionFields::Vector3>& points)
+{
+  static_assert(sizeof(DirectionFields::Vector3) == 3 * sizeof(double));
+  double* const coordinates = points.empty() ? nullptr : points.data()->data();
+  // Of a cast of vectors to float and back at once GCC 12 makes nothing.
+  const std::vector<float> rounded(coordinates, coordinates + 3 * points.size());
+  std::copy(rounded.begin(), rounded.end(), coordinates);
 }
 }
 
@@ -76,9 +86,9 @@ struct vtkFieldAlignedRemesh::Stages
       this->Options = options;
       this->Directions = std::move(directions);
       this->AreFloats = areFloats;
-      for (std::size_t v = 0; areFloats && v < this->Mesh->Points.size(); ++v)
+      if (areFloats)
       {
-        this->Mesh->Points[v] = this->Mesh->Points[v].cast<float>().cast<double>();
+        RoundToFloats(this->Mesh->Points);
       }
     }
     return *this->Mesh;
