@@ -59,32 +59,29 @@ double RootOfCubic(double begin, double beginSlope, double end, double endSlope)
     return startsAtZero ? beginSlope * s * s + rest
                         : begin * s * s * (1.0 + 2.0 * t) + t * (beginSlope * s * s + rest);
   };
+  const auto derivative = [&](double t)
+  {
+    const double s = 1.0 - t;
+    return startsAtZero ? end * (3.0 - 4.0 * t) - 2.0 * beginSlope * s - endSlope * (s - t)
+                        : 6.0 * t * s * (end - begin) + beginSlope * s * (s - 2.0 * t) -
+        endSlope * t * (2.0 * s - t);
+  };
+  // Newton's steps; where they leave the bracket, and after ten of them, its middle.
   double low = 0.0;
   double high = 1.0;
-  double atLow = value(low);
-  double atHigh = value(high);
-  for (int i = 0; i < 40 && high - low > 1e-14; ++i)
+  const double atLow = value(low);
+  double t = atLow / (atLow - value(high));
+  for (int i = 0; i < 60 && high - low > 1e-14; ++i)
   {
-    // Regula falsi after Illinois, with a bisection now and then.
-    const double part = atLow / (atLow - atHigh);
-    const double t = i % 4 == 3 ? 0.5 * (low + high) : low + part * (high - low);
     const double at = value(t);
-    if (std::abs(at) < 1e-15)
+    (at > 0.0 ? low : high) = t;
+    const double step = at / derivative(t);
+    if (std::abs(at) < 1e-15 || std::abs(step) < 1e-15)
     {
       return t;
     }
-    if (at > 0.0)
-    {
-      low = t;
-      atLow = at;
-      atHigh *= 0.5;
-    }
-    else
-    {
-      high = t;
-      atHigh = at;
-      atLow *= 0.5;
-    }
+    const double next = t - step;
+    t = next > low && next < high && i < 10 ? next : 0.5 * (low + high);
   }
   return high;
 }
