@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -244,13 +245,22 @@ Index MovableFaces::PatchOf(const Faces::Face& face) const
   }
   for (int c = 0; patch == None && c < size; ++c)
   {
-    const Index v = face[c];
-    const Index w = face[(c + 1) % size];
+    Index v = face[c];
+    Index w = face[(c + 1) % size];
+    if (this->Cells.IsLineEdge(v, w))
+    {
+      continue;
+    }
+    // A hub has all faces of a fan.
+    if (this->Cells.At(w).size() < this->Cells.At(v).size())
+    {
+      std::swap(v, w);
+    }
     for (const Index f : this->Cells.At(v))
     {
       const Faces::Face& other = this->Cells.Face(f);
-      const bool isBeside = other != face && !this->Cells.IsLineEdge(v, w) &&
-        std::find(other.begin(), other.end(), w) != other.end();
+      const bool isBeside =
+        other != face && std::find(other.begin(), other.end(), w) != other.end();
       for (int k = 0; isBeside && k < Faces::Size(other); ++k)
       {
         patch = std::max(patch, patches[other[k]]);
