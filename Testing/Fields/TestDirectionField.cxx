@@ -225,6 +225,31 @@ TEST(DirectionField, ScaleAndPositionChangeNothing)
   }
 }
 
+TEST(DirectionField, NumberingDecidesNothingWhereAFieldVanishesAtAPoint)
+{
+  // In the middle of a disk whose boundary the field follows.
+  const Surface disk = Disk(6);
+  for (const int degree : { 1, 2, 3 })
+  {
+    Options options;
+    options.Degree = degree;
+    options.ConstrainBoundary = true;
+    const Result a = DirectionField(disk).Compute(options);
+    EXPECT_LT(std::abs(a.Representation[0]), 1e-12);
+    for (const unsigned seed : { 1u, 2u, 3u, 4u, 5u, 6u })
+    {
+      std::vector<Index> newPoint;
+      std::vector<Index> newTriangle;
+      const Result b =
+        DirectionField(Shuffled(disk, seed, newPoint, newTriangle)).Compute(options);
+      for (std::size_t t = 0; t < disk.Triangles.size(); ++t)
+      {
+        EXPECT_EQ(a.SingularityIndex[t], b.SingularityIndex[newTriangle[t]]);
+      }
+    }
+  }
+}
+
 TEST(DirectionField, NumberingChangesNothing)
 {
   // Also where symmetry leaves a whole eigenspace: on the cube and the icosphere.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,35 @@ double FadedShare(const TriangleMesh& mesh, const std::vector<Complex>& section)
       [&](const Complex& u) { return std::norm(u) < FadedPart * FadedPart * longest; });
   }
   return section.empty() ? 0.0 : static_cast<double>(faded) / section.size();
+}
+
+/// Turns values to the frame's first axis that symmetry makes vanish up to rounding, between
+/// neighbours that do not: the directions which rounding leaves them would depend on the numbering
+/// of the points.
+void TurnVanishing(const TriangleMesh& mesh, std::vector<Complex>& section)
+{
+  constexpr double vanishing = 1e-12 * 1e-12;
+  const double largest = std::transform_reduce(
+    section.begin(), section.end(), 0.0, [](double a, double b) { return std::max(a, b); },
+    [](const Complex& u) { return std::norm(u); });
+  std::vector<Index> fan;
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (std::norm(section[v]) < vanishing * largest)
+    {
+      double beside = 0.0;
+      mesh.GetFan(v, fan);
+      for (const Index h : fan)
+      {
+        beside = std::max({ beside, std::norm(section[mesh.Head(h)]),
+          std::norm(section[mesh.Tail(TriangleMesh::Previous(h))]) });
+      }
+      if (std::norm(section[v]) < vanishing * beside)
+      {
+        section[v] = std::abs(section[v]);
+      }
+    }
+  }
 }
 
 /// Fills in the counts of each component's part that belongs to this piece of the surface.
@@ -156,18 +186,22 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   if (!options.UnitLength)
   {
     NoteFading(FadedShare(stages.GetMesh(), fields.Section), notes);
+    TurnVanishing(stages.GetMesh(), fields.Section);
   }
   result.Notes = std::move(notes);
   result.Components = std::move(fields.Reports);
   const OutputPoints& points = stages.GetOutputPoints();
+  constraints.TurnToEdgesInSpace(fields.Section);
   AddSection(stages.GetGeometry(), stages.GetInput(), points, fields.Section, result);
   if (constraints.Any())
   {
     const Vector3 zero = Vector3::Zero();
     CountConstraints(stages.GetMesh(), stages.GetInput(), constraints, result.Components);
     result.Constraint = points.Spread(constraints.Kind, ConstraintKind::None);
-    result.ConstraintDirection = points.Spread(
-      DirectionsOf(constraints.Value, stages.GetGeometry().Frames, options.Degree), zero);
+    std::vector<Complex> values = constraints.Value;
+    constraints.TurnToEdgesInSpace(values);
+    result.ConstraintDirection =
+      points.Spread(DirectionsOf(values, stages.GetGeometry().Frames, options.Degree), zero);
   }
   if (UsesCurvature(options))
   {

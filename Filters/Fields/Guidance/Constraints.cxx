@@ -269,23 +269,35 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
       }
       h = mesh.NextOutgoing(h);
     } while (h != None && h != mesh.Outgoing(v));
-    if (sharpest != None)
+    if (sharpest != None && this->Kind[v] == ConstraintKind::None)
     {
-      const Vector3& here = input.Geometry.Positions[v];
-      const Vector3& there = input.Geometry.Positions[mesh.Head(sharpest)];
-      // The angle is that of the edge's projection, not that in the tangent cone: the field is to
-      // follow the edge in space, and where the edge is sharp the two differ by some degrees.
-      const Vector3 edge = (there - here).stableNormalized();
-      const Complex projected = input.Geometry.Frames.Tangential(v, edge);
-      const double angle = std::abs(projected) > 1e-9
-        ? std::arg(projected)
-        : input.Geometry.Transport.EdgeAngle[sharpest];
+      // Angles in the plane of the projection and in the tangent cone differ by some degrees. The
+      // cone's is the one that fits the transport to the neighbours: the projection's would turn
+      // the whole field beside the edges, at a cost that grows as edges get shorter.
+      const double angle = input.Geometry.Transport.EdgeAngle[sharpest];
       this->Set(v, ConstraintKind::SharpEdge, std::polar(1.0, options.Degree * angle));
+      const Vector3 edge =
+        (input.Geometry.Positions[mesh.Head(sharpest)] - input.Geometry.Positions[v])
+          .stableNormalized();
+      const Complex projected = input.Geometry.Frames.Tangential(v, edge);
+      if (std::abs(projected) > 1e-9)
+      {
+        const double turn = options.Degree * (std::arg(projected) - angle);
+        this->Turns.push_back({ v, std::polar(1.0, turn) });
+      }
     }
   }
   if (options.Degree % 2 != 0)
   {
     ChooseFeatureSigns(input.Geometry, options.Degree, this->Kind, this->Value);
+  }
+}
+
+void Constraints::TurnToEdgesInSpace(std::vector<Complex>& section) const
+{
+  for (const Turn& turn : this->Turns)
+  {
+    section[turn.Vertex] *= turn.Factor;
   }
 }
 

@@ -42,11 +42,21 @@ struct Constraints
   /// The kind of each vertex; empty, as Value is, where no vertex is constrained.
   std::vector<ConstraintKind> Kind;
   /// The representation vector of each vertex: its modulus is 1 where the vertex is constrained,
-  /// else 0.
+  /// else 0. That of a sharp edge has the edge's angle in the tangent cone, as transport has.
   std::vector<Complex> Value;
   Index Count = 0;
 
+  /// Turns the values of vertices on sharp edges, in such a section, to the directions of the
+  /// edges' projections, so that they follow the edges in space.
+  void TurnToEdgesInSpace(std::vector<Complex>& section) const;
+
 private:
+  /// A vertex and the factor of modulus 1 from its Value to the direction in space.
+  struct Turn
+  {
+    Index Vertex;
+    Complex Factor;
+  };
   void Set(Index vertex, ConstraintKind kind, const Complex& value);
   void AddGiven(const Input& input);
   void AddBoundary(const Input& input, const Options& options);
@@ -58,6 +68,8 @@ private:
   void DropLonely(const Input& input);
   void DropAtSingularities(const Input& input, const Options& options);
   void DropCurvature(const std::vector<char>& drop);
+
+  std::vector<Turn> Turns;
 };
 }
 

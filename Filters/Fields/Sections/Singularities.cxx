@@ -4,11 +4,13 @@
 #include "Sections/Singularities.h"
 
 #include "Support/LargeArray.h"
+#include "Support/PointOrder.h"
 #include "Support/Threads.h"
 #include "Support/VectorMath.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace DirectionFields
 {
@@ -21,6 +23,9 @@ double Nearest(double x)
   constexpr double unitIsLastBit = 6755399441055744.0;
   return (x + unitIsLastBit) - unitIsLastBit;
 }
+
+/// From this angle on, radians, rounding may have chosen between pi and -pi.
+constexpr double HalfTurn = Pi - 1e-10;
 
 /// For these functions all components may be as one.
 TriangleMesh::Component AllOf(const TriangleMesh& mesh)
@@ -41,6 +46,7 @@ LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
   ParallelFor(component.Edges(), LightPiece,
     [&](Index begin, Index end)
     {
+      double largest = 0.0;
       for (Index e = begin; e < end; ++e)
       {
         const Index h = mesh.HalfEdge(component.FirstEdge + e);
@@ -48,6 +54,17 @@ LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
           phase[mesh.Tail(h) - component.FirstVertex] -
           degree * geometry.Transport.Rotation[component.FirstEdge + e];
         omega[e] = angle - 2.0 * Pi * Nearest(angle / (2.0 * Pi));
+        largest = std::max(largest, std::abs(omega[e]));
+      }
+      for (Index e = begin; e < end && largest > HalfTurn; ++e)
+      {
+        if (std::abs(omega[e]) > HalfTurn)
+        {
+          const Index h = mesh.HalfEdge(component.FirstEdge + e);
+          const std::vector<Vector3>& at = geometry.Positions;
+          const bool rises = ComesFirstInGrids(at[mesh.Tail(h)], at[mesh.Head(h)]);
+          omega[e] = std::copysign(omega[e], rises ? 1.0 : -1.0);
+        }
       }
     });
   return omega;

@@ -23,7 +23,9 @@ std::vector<int> SingularityIndices(
 std::vector<int> SingularityIndices(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const Complex* field);
 
-/// omega of each edge of a component in its direction, radians, in [-pi, pi].
+/// omega of each edge of a component in its direction, radians, in [-pi, pi]. Where the values are
+/// opposite up to rounding it is positive towards the end that comes last in grids, so that no
+/// numbering matters.
 /// @param field representation vector of each vertex of the component, from its first one on
 LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const Complex* field);

@@ -8,6 +8,9 @@
 #include "Geometry/Metric.h"
 #include "Mesh/TriangleMesh.h"
 
+#include <utility>
+#include <vector>
+
 namespace DirectionFields
 {
 /// A triangulation of a surface with all that can be measured without leaving the surface: lengths,
@@ -17,17 +20,21 @@ namespace DirectionFields
 struct IntrinsicGeometry
 {
   TriangleMesh Mesh;
+  /// The position of each vertex, in the surface's own unit: the order of the points decides what
+  /// lengths and angles leave open.
+  std::vector<Vector3> Positions;
   Metric Lengths;
   Connection Transport;
 
 protected:
   /// @param positions of the vertices, which the lengths are taken from
   /// @param sizes     as those of Metric
-  IntrinsicGeometry(TriangleMesh&& mesh, const std::vector<Vector3>& positions,
+  IntrinsicGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions,
     const std::vector<double>& sizes = {})
     : Mesh(std::move(mesh))
-    , Lengths(this->Mesh, positions, sizes)
-    , Transport(this->Mesh, this->Lengths, positions)
+    , Positions(std::move(positions))
+    , Lengths(this->Mesh, this->Positions, sizes)
+    , Transport(this->Mesh, this->Lengths, this->Positions)
   {
   }
 };

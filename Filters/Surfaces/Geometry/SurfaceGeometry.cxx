@@ -33,8 +33,7 @@ SurfaceGeometry::SurfaceGeometry(
 
 SurfaceGeometry::SurfaceGeometry(
   TriangleMesh&& mesh, std::vector<Vector3>&& positions, const std::vector<double>& sizesAtVertices)
-  : IntrinsicGeometry(std::move(mesh), positions, sizesAtVertices)
-  , Positions(std::move(positions))
+  : IntrinsicGeometry(std::move(mesh), std::move(positions), sizesAtVertices)
   , Frames(this->Mesh, this->Transport, this->Positions)
 {
 }

@@ -25,8 +25,6 @@ struct SurfaceGeometry : IntrinsicGeometry
   SurfaceGeometry(
     TriangleMesh&& mesh, const Surface& surface, const std::vector<double>& sizes = {});
 
-  /// The position of each vertex, in the surface's own unit.
-  std::vector<Vector3> Positions;
   TangentFrames Frames;
 
 private:

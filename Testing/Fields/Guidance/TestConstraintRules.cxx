@@ -287,3 +287,34 @@ TEST(ConstraintRules, LeastSquaresBeyondTheirReachAreRefused)
     EXPECT_NE(std::string(error.what()).find("Set Constraint Solver to Energy"), std::string::npos);
   }
 }
+
+/// Where all diagonals of a square tube's sides slant in one way, the projections of a sharp edge's neighbours stand
+/// at other angles to it than in the tangent cone. The sides can be unrolled: along the edges the field is parallel.
+TEST(ConstraintRules, AFieldBesideSharpEdgesIsNotTurnedAgainstThem)
+{
+  constexpr int cells = 4;
+  Surface tube = Cylinder(4 * cells, 10, 4.0);
+  for (std::size_t i = 0; i < tube.Points.size(); ++i)
+  {
+    const int around = static_cast<int>(i) % (4 * cells);
+    const Vector3 corner = Eigen::AngleAxisd(0.5 * Pi * (around / cells), Vector3::UnitZ()) *
+      Vector3(1.0, 2.0 * (around % cells) / cells - 1.0, 0.0);
+    tube.Points[i] = { corner.x(), corner.y(), tube.Points[i].z() };
+  }
+  for (const bool unit : { false, true })
+  {
+    for (const int degree : { 1, 2, 4 })
+    {
+      Options options;
+      options.Degree = degree;
+      options.ConstrainSharpEdges = true;
+      options.UnitLength = unit;
+      const Result result = DirectionField(tube).Compute(options);
+      EXPECT_EQ(Count(result, ConstraintKind::SharpEdge), 4 * 11);
+      for (std::size_t i = 0; i < tube.Points.size(); ++i)
+      {
+        EXPECT_LT(Deviation(result, static_cast<Index>(i), Vector3::UnitZ()), 1e-3);
+      }
+    }
+  }
+}
