@@ -10,11 +10,11 @@
 #include "Extraction/MeshExtraction.h"
 #include "FaceMesh/FaceCounts.h"
 #include "Finishing/FaceSources.h"
-#include "Finishing/FinishedFaces.h"
 #include "Finishing/JoinedFaces.h"
 #include "Finishing/MeshAdvice.h"
 #include "Finishing/SurfacePatches.h"
 #include "Finishing/ThinParts.h"
+#include "Finishing/UprightFaces.h"
 #include "Parametrization/ComponentMap.h"
 #include "Preparation/AffordableFeatures.h"
 #include "Preparation/FeatureTurns.h"
@@ -176,12 +176,12 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
     : std::nullopt;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
     sizes.IsEven ? options.Sizing : sizes.AtPoints, hasCloseLines, patches ? &*patches : nullptr };
-  finished.Boundary = FinishFaces(finished.Faces,
+  const UprightFaces upright = FinishUpright(finished.Faces,
     { options.Element == Element::Quads, IsPure(options), options.SmoothingIterations,
       sizes.EdgeLength, options.BoundarySpacing, sizes.HasRows },
-    context, progress);
-  finished.Turned = CountTurned(finished.Faces, field.GetSurface(), field.GetInputTriangles(),
-    features, sizes.EdgeLength, context.Patches);
+    context, features, progress);
+  finished.Boundary = upright.Boundary;
+  finished.Turned = upright.Turned;
   return finished;
 }
 
