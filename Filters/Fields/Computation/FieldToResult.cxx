@@ -5,6 +5,7 @@
 
 #include "Mesh/OutputPoints.h"
 #include "Mesh/OwnedParts.h"
+#include "Sections/DoubleCover.h"
 #include "Sections/SectionDirections.h"
 #include "Sections/Singularities.h"
 #include "Support/Division.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -40,20 +40,28 @@ double FadedShare(const TriangleMesh& mesh, const std::vector<Complex>& section)
   return section.empty() ? 0.0 : static_cast<double>(faded) / section.size();
 }
 
-/// Turns values to the frame's first axis that symmetry makes vanish up to rounding, between
-/// neighbours that do not: the directions which rounding leaves them would depend on the numbering
-/// of the points.
-void TurnVanishing(const TriangleMesh& mesh, std::vector<Complex>& section)
+/// Where symmetry makes a value vanish up to rounding, but not those of all neighbours, its
+/// direction becomes the first axis of the frame: the one that rounding leaves would depend on the
+/// numbering of the points.
+void TurnVanishing(const SurfaceGeometry& geometry, int degree, std::vector<Complex>& section)
 {
   constexpr double vanishing = 1e-12 * 1e-12;
-  const double largest = std::transform_reduce(
-    section.begin(), section.end(), 0.0, [](double a, double b) { return std::max(a, b); },
-    [](const Complex& u) { return std::norm(u); });
+  const TriangleMesh& mesh = geometry.Mesh;
   std::vector<Index> fan;
-  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
   {
-    if (std::norm(section[v]) < vanishing * largest)
+    double largest = 0.0;
+    for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
     {
+      largest = std::max(largest, std::norm(section[v]));
+    }
+    for (Index v = component.FirstVertex; v < component.EndVertex; ++v)
+    {
+      // Few fans are looked at.
+      if (!(std::norm(section[v]) < vanishing * largest) || !mesh.IsFrontVertex(v))
+      {
+        continue;
+      }
       double beside = 0.0;
       mesh.GetFan(v, fan);
       for (const Index h : fan)
@@ -64,6 +72,11 @@ void TurnVanishing(const TriangleMesh& mesh, std::vector<Complex>& section)
       if (std::norm(section[v]) < vanishing * beside)
       {
         section[v] = std::abs(section[v]);
+        if (component.IsCover)
+        {
+          section[mesh.MirrorVertex(v)] =
+            DoubleCover(geometry, component, degree).Mirrored(v, section[v]);
+        }
       }
     }
   }
@@ -186,13 +199,23 @@ Result ToResult(Stages& stages, const Options& options, const Guide& guide, Comp
   if (!options.UnitLength)
   {
     NoteFading(FadedShare(stages.GetMesh(), fields.Section), notes);
-    TurnVanishing(stages.GetMesh(), fields.Section);
+    TurnVanishing(stages.GetGeometry(), options.Degree, fields.Section);
   }
   result.Notes = std::move(notes);
   result.Components = std::move(fields.Reports);
   const OutputPoints& points = stages.GetOutputPoints();
-  constraints.TurnToEdgesInSpace(fields.Section);
+  // The energy is that of the section before it is turned to the edges.
+  std::vector<double> density;
+  if (constraints.HasTurns())
+  {
+    density = DensityPerArea(stages.GetGeometry(), options.Degree, fields.Section);
+    constraints.TurnToEdgesInSpace(fields.Section);
+  }
   AddSection(stages.GetGeometry(), stages.GetInput(), points, fields.Section, result);
+  if (constraints.HasTurns())
+  {
+    result.EnergyDensity = points.Spread(density, 0.0);
+  }
   if (constraints.Any())
   {
     const Vector3 zero = Vector3::Zero();

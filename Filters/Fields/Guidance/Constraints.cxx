@@ -271,8 +271,8 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
     } while (h != None && h != mesh.Outgoing(v));
     if (sharpest != None && this->Kind[v] == ConstraintKind::None)
     {
-      // Angles in the plane of the projection and in the tangent cone differ by some degrees. The
-      // cone's is the one that fits the transport to the neighbours: the projection's would turn
+      // The edge's angles in the cone and in the plane that it is projected to differ by some
+      // degrees. That in the cone fits the transport to the neighbours: the other one would turn
       // the whole field beside the edges, at a cost that grows as edges get shorter.
       const double angle = input.Geometry.Transport.EdgeAngle[sharpest];
       this->Set(v, ConstraintKind::SharpEdge, std::polar(1.0, options.Degree * angle));
@@ -280,10 +280,10 @@ void Constraints::AddSharpEdges(const Input& input, const Options& options)
         (input.Geometry.Positions[mesh.Head(sharpest)] - input.Geometry.Positions[v])
           .stableNormalized();
       const Complex projected = input.Geometry.Frames.Tangential(v, edge);
-      if (std::abs(projected) > 1e-9)
+      if (mesh.IsFrontVertex(v) && std::abs(projected) > 1e-9)
       {
         const double turn = options.Degree * (std::arg(projected) - angle);
-        this->Turns.push_back({ v, std::polar(1.0, turn) });
+        this->Turns.push_back({ v, mesh.MirrorVertex(v), std::polar(1.0, turn) });
       }
     }
   }
@@ -298,6 +298,10 @@ void Constraints::TurnToEdgesInSpace(std::vector<Complex>& section) const
   for (const Turn& turn : this->Turns)
   {
     section[turn.Vertex] *= turn.Factor;
+    if (turn.Mirror != None)
+    {
+      section[turn.Mirror] *= std::conj(turn.Factor);
+    }
   }
 }
 

@@ -46,15 +46,19 @@ struct Constraints
   std::vector<Complex> Value;
   Index Count = 0;
 
-  /// Turns the values of vertices on sharp edges, in such a section, to the directions of the
-  /// edges' projections, so that they follow the edges in space.
+  /// Whether sharp edges have other directions in space.
+  bool HasTurns() const { return !this->Turns.empty(); }
+  /// Turns the values at vertices on sharp edges, of a section that has these values there, to the
+  /// directions of the edges' projections, so that they follow the edges in space.
   void TurnToEdgesInSpace(std::vector<Complex>& section) const;
 
 private:
-  /// A vertex and the factor of modulus 1 from its Value to the direction in space.
+  /// A vertex of the front, its mirror vertex on a cover, else None, and the factor of modulus 1
+  /// from its Value to the direction in space.
   struct Turn
   {
     Index Vertex;
+    Index Mirror;
     Complex Factor;
   };
   void Set(Index vertex, ConstraintKind kind, const Complex& value);

@@ -60,7 +60,10 @@ LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
       {
         if (std::abs(omega[e]) > HalfTurn)
         {
-          const Index h = mesh.HalfEdge(component.FirstEdge + e);
+          // Of a cover one side decides for both, where the edge runs the other way.
+          const Index own = mesh.HalfEdge(component.FirstEdge + e);
+          const Index mirror = mesh.Mirror(own);
+          const Index h = mirror != None && mesh.Edge(mirror) < mesh.Edge(own) ? mirror : own;
           const std::vector<Vector3>& at = geometry.Positions;
           const bool rises = ComesFirstInGrids(at[mesh.Tail(h)], at[mesh.Head(h)]);
           omega[e] = std::copysign(omega[e], rises ? 1.0 : -1.0);

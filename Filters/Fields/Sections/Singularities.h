@@ -25,7 +25,7 @@ std::vector<int> SingularityIndices(const IntrinsicGeometry& geometry,
 
 /// omega of each edge of a component in its direction, radians, in [-pi, pi]. Where the values are
 /// opposite up to rounding it is positive towards the end that comes last in grids, so that no
-/// numbering matters.
+/// numbering matters; but on covers, whose sides see it opposite.
 /// @param field representation vector of each vertex of the component, from its first one on
 LargeArray<double> PhaseDifferences(const IntrinsicGeometry& geometry,
   const TriangleMesh::Component& component, int degree, const Complex* field);

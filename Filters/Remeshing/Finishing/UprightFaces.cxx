@@ -13,30 +13,34 @@ namespace
 /// More faces than this, or than a part of all, are not single ones.
 constexpr Index MostSingle = 10;
 constexpr Index PartSingle = 100;
-/// The scaled Jacobian of faces that are as bad as one that is turned over.
+/// Faces with a lower scaled Jacobian are flaws, too.
 constexpr double Bad = 0.2;
 
-/// What is wrong with a mesh.
+/// The faces of a mesh that are turned over or bad.
 struct Flaws
 {
   Flaws(const FaceMesh& mesh, Index turned)
-    : Count(turned)
+    : Turned(turned)
+    , Count(turned)
   {
     for (const Faces::Face& face : mesh.Cells.Corners)
     {
       const double quality = ScaledJacobian(mesh.Points, face);
-      this->Count += quality < Bad ? 1 : 0;
+      this->Count += quality >= Bad ? 0 : 1;
       this->LeastQuality = std::min(this->LeastQuality, quality);
     }
   }
 
-  /// Whether there are a third less, or at least no more and no worse faces.
+  /// Whether no more faces are turned over, and a third fewer are flawed, or no more and the worst
+  /// one is no worse.
   bool AreLessThan(const Flaws& others) const
   {
-    return 3 * this->Count <= 2 * others.Count ||
-      (this->Count <= others.Count && this->LeastQuality >= others.LeastQuality);
+    return this->Turned <= others.Turned &&
+      (3 * this->Count <= 2 * others.Count ||
+        (this->Count <= others.Count && this->LeastQuality >= others.LeastQuality));
   }
 
+  Index Turned;
   Index Count;
   double LeastQuality = 1.0;
 };
@@ -45,18 +49,19 @@ struct Flaws
 UprightFaces FinishUpright(FaceMesh& mesh, const FinishedFaces& wanted,
   const SurfaceContext& context, const FeatureLines& features, const Progress& progress)
 {
-  FaceMesh unfinished = context.Patches ? FaceMesh() : mesh;
+  const bool mayRepeat = !context.Patches && wanted.Steps > 0;
+  FaceMesh unfinished = mayRepeat ? mesh : FaceMesh();
   const auto countTurned = [&](const FaceMesh& counted, const SurfacePatches* patches)
   {
     return CountTurned(
       counted, context.Prepared, context.Triangles, features, wanted.EdgeLength, patches);
   };
   UprightFaces result;
-  result.Boundary = FinishFaces(mesh, wanted, context, progress.Part(0.0, 0.6));
+  result.Boundary = FinishFaces(mesh, wanted, context, progress.Part(0.0, mayRepeat ? 0.6 : 1.0));
   result.Turned = countTurned(mesh, context.Patches);
   const Index most =
     std::min(MostSingle, static_cast<Index>(mesh.Cells.Corners.size()) / PartSingle);
-  if (context.Patches || result.Turned == 0 || result.Turned > most || wanted.Steps == 0)
+  if (!mayRepeat || result.Turned == 0 || result.Turned > most)
   {
     return result;
   }

@@ -16,9 +16,9 @@ struct UprightFaces
 };
 
 /// FinishFaces, and if single faces are turned over then, as at the corners where features of a
-/// part meet, once more with vertices that do not get over features. That mesh is the result if
-/// fewer of its faces are turned over or bad. Where many are turned over the features are noise or
-/// creases, which faces cannot keep apart. Throws Stopped.
+/// part meet, once more with vertices that do not get over features. That mesh is the result if no
+/// more of its faces are turned over, and fewer are flawed. Where many are turned over the features
+/// are noise or creases, which faces cannot keep apart. Throws Stopped.
 UprightFaces FinishUpright(FaceMesh& mesh, const FinishedFaces& wanted,
   const SurfaceContext& context, const FeatureLines& features, const Progress& progress);
 }

@@ -20,7 +20,7 @@ namespace DirectionFields
 struct IntrinsicGeometry
 {
   TriangleMesh Mesh;
-  /// The position of each vertex, in the surface's own unit: the order of the points decides what
+  /// The position of each vertex, in the surface's own unit: their order in space decides what
   /// lengths and angles leave open.
   std::vector<Vector3> Positions;
   Metric Lengths;

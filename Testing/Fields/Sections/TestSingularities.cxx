@@ -3,6 +3,7 @@
 
 #include "Meshes/Surfaces.h"
 #include "Meshes/System.h"
+#include "Sections/DoubleCover.h"
 #include "Sections/Singularities.h"
 
 #include <gtest/gtest.h>
@@ -133,4 +134,34 @@ TEST(EnergyDensity, IsOnAScaledSurfaceWhatItIsPerArea)
         std::count(triangle.begin(), triangle.end(), static_cast<Index>(place)) > 0);
   }
   EXPECT_TRUE(singular);
+}
+
+TEST(Singularities, OppositeValuesTurnAlikeOnBothSidesOfACover)
+{
+  const SurfaceGeometry geometry(MoebiusStrip(12, 3));
+  const TriangleMesh& mesh = geometry.Mesh;
+  const TriangleMesh::Component& component = mesh.GetComponents()[0];
+  ASSERT_TRUE(component.IsCover);
+  for (const int degree : { 1, 2 })
+  {
+    const DoubleCover cover(geometry, component, degree);
+    for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+    {
+      const Index h = mesh.HalfEdge(e);
+      const Index i = mesh.Tail(h);
+      const Index j = mesh.Head(h);
+      ASSERT_NE(mesh.MirrorVertex(i), j);
+      std::vector<Complex> field(mesh.GetNumberOfVertices(), 1.0);
+      field[j] = -std::polar(1.0, degree * geometry.Transport.Rotation[e]);
+      for (const Index v : { i, j })
+      {
+        field[mesh.MirrorVertex(v)] = cover.Mirrored(v, field[v]);
+      }
+      const LargeArray<double> omega = PhaseDifferences(geometry, component, degree, field.data());
+      const auto along = [&](Index side)
+      { return mesh.GivesDirection(side) ? omega[mesh.Edge(side)] : -omega[mesh.Edge(side)]; };
+      EXPECT_NEAR(std::abs(along(h)), Pi, 1e-9);
+      EXPECT_NEAR(along(h), along(mesh.Mirror(h)), 1e-9);
+    }
+  }
 }
