@@ -314,6 +314,7 @@ TEST(ConstraintRules, AFieldBesideSharpEdgesIsNotTurnedAgainstThem)
       for (std::size_t i = 0; i < tube.Points.size(); ++i)
       {
         EXPECT_LT(Deviation(result, static_cast<Index>(i), Vector3::UnitZ()), 1e-3);
+        EXPECT_LT(result.EnergyDensity[i], 1e-12);
       }
     }
   }
