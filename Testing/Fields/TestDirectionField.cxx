@@ -240,8 +240,7 @@ TEST(DirectionField, NumberingDecidesNothingWhereAFieldVanishesAtAPoint)
     {
       std::vector<Index> newPoint;
       std::vector<Index> newTriangle;
-      const Result b =
-        DirectionField(Shuffled(disk, seed, newPoint, newTriangle)).Compute(options);
+      const Result b = DirectionField(Shuffled(disk, seed, newPoint, newTriangle)).Compute(options);
       for (std::size_t t = 0; t < disk.Triangles.size(); ++t)
       {
         EXPECT_EQ(a.SingularityIndex[t], b.SingularityIndex[newTriangle[t]]);

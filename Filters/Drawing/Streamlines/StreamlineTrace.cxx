@@ -62,9 +62,9 @@ double RootOfCubic(double begin, double beginSlope, double end, double endSlope)
   const auto derivative = [&](double t)
   {
     const double s = 1.0 - t;
-    return startsAtZero ? end * (3.0 - 4.0 * t) - 2.0 * beginSlope * s - endSlope * (s - t)
-                        : 6.0 * t * s * (end - begin) + beginSlope * s * (s - 2.0 * t) -
-        endSlope * t * (2.0 * s - t);
+    return startsAtZero
+      ? end * (3.0 - 4.0 * t) - 2.0 * beginSlope * s - endSlope * (s - t)
+      : 6.0 * t * s * (end - begin) + beginSlope * s * (s - 2.0 * t) - endSlope * t * (2.0 * s - t);
   };
   // Newton's steps; where they leave the bracket, and after ten of them, its middle.
   double low = 0.0;

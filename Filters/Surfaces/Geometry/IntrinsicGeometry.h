@@ -29,8 +29,8 @@ struct IntrinsicGeometry
 protected:
   /// @param positions of the vertices, which the lengths are taken from
   /// @param sizes     as those of Metric
-  IntrinsicGeometry(TriangleMesh&& mesh, std::vector<Vector3>&& positions,
-    const std::vector<double>& sizes = {})
+  IntrinsicGeometry(
+    TriangleMesh&& mesh, std::vector<Vector3>&& positions, const std::vector<double>& sizes = {})
     : Mesh(std::move(mesh))
     , Positions(std::move(positions))
     , Lengths(this->Mesh, this->Positions, sizes)
