@@ -30,7 +30,7 @@ TEST(Remesh, PureQuadsAreQuadsOnly)
 TEST(Remesh, PureQuadsAreTheMeshWithoutItsTriangles)
 {
   // Noise makes triangles.
-  const auto surface = std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.1, 2));
+  const auto surface = std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.12, 3));
   RemeshOptions options;
   Index triangles = 0;
   for (const Index faces : { 200, 400, 800 })
@@ -96,7 +96,7 @@ TEST(Remesh, PureQuadsNeedNoSmoothing)
   RemeshOptions options;
   options.NumberOfFaces = 300;
   options.SmoothingIterations = 0;
-  Remesh remesh(std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.1, 2)));
+  Remesh remesh(std::make_shared<Surface>(Meshes::Jittered(Meshes::Potato(4), 0.12, 3)));
   const RemeshResult mixed = remesh.Compute(options);
   EXPECT_GT(mixed.Triangles, 0);
   options.PureQuads = true;

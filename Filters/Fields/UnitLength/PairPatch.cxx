@@ -192,8 +192,11 @@ struct PairPatch::System
     {
       lowerValues[lower[k]] = diagonal[k] + least;
     }
-    const Eigen::Map<const Matrix> matrix(this->Rows, this->Rows,
-      static_cast<Index>(lowerRows.size()), lower.data(), lowerRows.data(), lowerValues.data());
+    // Eigen asks for rows that ascend, which a transpose has.
+    const Matrix upper = Eigen::Map<const Matrix>(this->Rows, this->Rows,
+      static_cast<Index>(lowerRows.size()), lower.data(), lowerRows.data(), lowerValues.data())
+                           .transpose();
+    const Matrix matrix = upper.transpose();
     if (this->IsBanded)
     {
       this->Banded.compute(matrix);

@@ -135,7 +135,7 @@ std::string AboutNumber(const Faces& faces, const MeshWishes& wishes)
               : "Its sharp edges need so many: Keep Features off would come closer.")
         : "A Number Of Faces of " +
           std::to_string(static_cast<Index>(std::min(1e9, std::ceil(wanted * wanted / made)))) +
-          " would come closer.");
+          " should come closer.");
 }
 
 /// The area of a face, by its diagonals or two of its sides.

@@ -6,6 +6,7 @@
 #include "Integers/IntegerRounding.h"
 #include "Integers/IntegerSearch.h"
 #include "Parametrization/IsolineFolds.h"
+#include "Parametrization/MapFolds.h"
 #include "Parametrization/ParametrizationEnergy.h"
 
 #include <algorithm>
@@ -245,9 +246,9 @@ void IntegerGridMap::Solve(
     search.Add(std::move(*free), this->AreaCovered(true), this->AreaCovered(false));
     scale *= search.GetCorrection();
   }
-  if (!search.IsLastBest())
+  if (!search.IsLastBest() || this->CountFlipped() > 0)
   {
-    this->Evaluate(energy.GetVariables(), search.GetBest());
+    this->Evaluate(energy.GetVariables(), search.GetBest(), &settings.PerLength);
   }
   if (search.IsExcessive())
   {
@@ -309,7 +310,8 @@ std::vector<Transition> OwnTransitions(const ParametrizationVariables& variables
 }
 }
 
-void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free)
+void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free,
+  const std::vector<double>* perLength)
 {
   if (!(free.array().abs() < IntegerGrid::Range).all())
   {
@@ -328,6 +330,11 @@ void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::
   for (const FeatureIsoline& isoline : UnfoldIsolines(mesh, own, variables.Isolines, places))
   {
     this->Collapse(mesh, isoline);
+  }
+  if (perLength != nullptr)
+  {
+    MovablePlaces movable(mesh, own, variables.IsPoint, *perLength, places);
+    UnfoldTriangles(movable);
   }
   this->Corners.resize(own.size());
   for (std::size_t h = 0; h < own.size(); ++h)

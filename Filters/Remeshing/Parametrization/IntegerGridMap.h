@@ -78,7 +78,9 @@ private:
   /// count as 0 with folds, else as negative.
   double AreaCovered(bool withFolds) const;
   /// Sets the map to these values of the free variables.
-  void Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free);
+  /// @param perLength those of the settings where flipped triangles are to be unfolded, or null
+  void Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free,
+    const std::vector<double>* perLength = nullptr);
   void FindTransitions(const CutMesh& mesh, const std::vector<Transition>& own);
   void FindFoldedFeatures(const CutMesh& mesh, const std::vector<FeatureIsoline>& isolines);
   void Collapse(const CutMesh& mesh, const FeatureIsoline& isoline);

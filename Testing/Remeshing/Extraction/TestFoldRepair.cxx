@@ -31,9 +31,9 @@ TEST(FoldRepair, TakesVerticesOrGridPointsAwayAndKeepsTheTopology)
 {
   for (const int degree : { 4, 6 })
   {
-    // A field with many singularities, whose map folds.
+    // A field with more singularities than the grid has room for.
     const CutExample example = CutExample::Random(Meshes::Icosphere(2), degree, 3);
-    const IntegerGridMap map(example.Mesh, example.Settings(5.0));
+    const IntegerGridMap map(example.Mesh, example.Settings(3.0));
     ASSERT_GT(map.CountFlipped(), 0);
     ExtractionMesh mesh(example.Mesh, map);
     InsertGridPoints(mesh);

@@ -67,7 +67,7 @@ TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
 {
   RemeshOptions options;
   // The points of the star are closer to each other than edges.
-  const Surface star = Star(16, 0.5);
+  const Surface star = Star(16, 0.3);
   options.NumberOfFaces = 40;
   options.KeepThinParts = false;
   const RemeshResult mesh = Remeshed(star, options);
@@ -89,7 +89,7 @@ TEST(MeshAdvice, ManyTrianglesAndAnotherNumberOfFacesAreToldWithWhatHelps)
 TEST(MeshAdvice, LimbsThatAreLostAreToldWithTheEdgeLengthThatComesCloser)
 {
   RemeshOptions options;
-  options.NumberOfFaces = 400;
+  options.NumberOfFaces = 300;
   options.KeepThinParts = false;
   const RemeshResult mesh = Remeshed(Meshes::BallWithLimbs(), options);
   const std::string note = NoteWith(mesh, "away from the");
@@ -104,7 +104,7 @@ TEST(MeshAdvice, LimbsThatAreLostAreToldWithTheEdgeLengthThatComesCloser)
 TEST(MeshAdvice, LengthsAreInTheUnitOfTheSurface)
 {
   RemeshOptions options;
-  options.NumberOfFaces = 400;
+  options.NumberOfFaces = 300;
   options.KeepThinParts = false;
   const RemeshResult mesh = Remeshed(Meshes::BallWithLimbs(), options);
   const double scale = std::ldexp(1.0, 400);

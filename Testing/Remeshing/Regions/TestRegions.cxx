@@ -379,12 +379,15 @@ TEST(Regions, LostOnesBetweenOthersAreNamedOnce)
       const bool isSmall = p.x() > 0.5 && p.x() < 0.6 && p.y() > 0.5 && p.y() < 0.6;
       return isSmall ? 2 : p.x() > 0.5 ? 1 : 0;
     });
-  const RemeshResult mesh = Remeshed(square, regions, 16);
+  const RemeshResult mesh = Remeshed(square, regions, 5);
   EXPECT_EQ(mesh.RegionsShown.Lost, std::vector<Index>{ 2 });
   EXPECT_GT(mesh.RegionsShown.MissedCorners, 0);
   EXPECT_LT(mesh.RegionsShown.BordersKept, 0.9);
-  ASSERT_EQ(mesh.Notes.size(), 1U);
-  EXPECT_EQ(mesh.Notes[0].find("Region 2 has no faces"), 0U);
+  const auto has = [](const char* words)
+  { return [words](const std::string& note) { return note.find(words) != std::string::npos; }; };
+  EXPECT_EQ(std::count_if(mesh.Notes.begin(), mesh.Notes.end(), has("egion")), 1);
+  EXPECT_EQ(std::count_if(mesh.Notes.begin(), mesh.Notes.end(), has("Region 2 has no faces")), 1);
+  EXPECT_EQ(std::count_if(mesh.Notes.begin(), mesh.Notes.end(), has("border")), 0);
 }
 
 TEST(Regions, NumbersThatDoNotFitAreRefused)

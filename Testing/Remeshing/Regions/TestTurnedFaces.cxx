@@ -164,7 +164,7 @@ TEST(TurnedFaces, AreTold)
   {
     for (const Index faces : { 200, 500 })
     {
-      const RemeshResult mesh = Remeshed(PlateWithHole(sides, 0.07, 0.3), faces, false);
+      const RemeshResult mesh = Remeshed(PlateWithHole(sides, 0.03, 0.1), faces, false);
       all += mesh.TurnedFaces;
       // Faces whose middles lie in the hole have no part below them that is certain.
       EXPECT_NEAR(mesh.TurnedFaces, CountTurned(mesh), 2) << sides << ' ' << faces;

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Parametrization/MapFolds.h"
+
+#include "Parametrization/ConeOpening.h"
+#include "Parametrization/PatchUnfolding.h"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// How far around flipped triangles vertices move, and how far around cones they are laid anew
+/// before, in edges of the grid; tried one after the other.
+struct Attempt
+{
+  double Width;
+  double Opening;
+};
+constexpr std::array<Attempt, 2> Attempts = { Attempt{ 1.0, 0.0 }, { 2.0, 1.2 } };
+/// Rings of vertices that move at least.
+constexpr int LeastRings = 3;
+
+std::vector<Index> FindFlipped(const MovablePlaces& places)
+{
+  std::vector<Index> flipped;
+  for (Index t = 0; t < static_cast<Index>(places.Mesh.Triangles.size()); ++t)
+  {
+    if (places.IsFlipped(t))
+    {
+      flipped.push_back(t);
+    }
+  }
+  return flipped;
+}
+
+/// The vertices within a distance of triangles.
+class Surroundings
+{
+public:
+  Surroundings(const MovablePlaces& places, const std::vector<Index>& triangles, double width)
+    : Places(places)
+  {
+    for (const Index t : triangles)
+    {
+      for (const Index v : places.Mesh.Triangles[t].Vertex)
+      {
+        if (this->Reach.emplace(v, Left{ width, LeastRings }).second)
+        {
+          this->Vertices.push_back(v);
+        }
+      }
+    }
+    for (std::size_t k = 0; k < this->Vertices.size(); ++k)
+    {
+      this->GoOn(this->Vertices[k]);
+    }
+  }
+
+  /// The vertices that are connected to each other.
+  std::vector<std::vector<Index>> Split()
+  {
+    std::vector<std::vector<Index>> patches;
+    for (const Index seed : this->Vertices)
+    {
+      if (this->Reach.erase(seed) == 0)
+      {
+        continue;
+      }
+      std::vector<Index> patch(1, seed);
+      for (std::size_t k = 0; k < patch.size(); ++k)
+      {
+        for (const Index t : this->Places.TrianglesAt(patch[k]))
+        {
+          for (const Index v : this->Places.Mesh.Triangles[t].Vertex)
+          {
+            if (this->Reach.erase(v) > 0)
+            {
+              patch.push_back(v);
+            }
+          }
+        }
+      }
+      patches.push_back(std::move(patch));
+    }
+    return patches;
+  }
+
+private:
+  struct Left
+  {
+    double Distance;
+    int Rings;
+  };
+
+  void GoOn(Index from)
+  {
+    const Left left = this->Reach.at(from);
+    const std::vector<Vector3>& positions = this->Places.Mesh.Positions;
+    for (const Index t : this->Places.TrianglesAt(from))
+    {
+      for (const Index v : this->Places.Mesh.Triangles[t].Vertex)
+      {
+        const double distance =
+          left.Distance - (positions[v] - positions[from]).norm() * this->Places.PerLength[from];
+        if ((distance > 0.0 || left.Rings > 0) &&
+          this->Reach.emplace(v, Left{ std::max(0.0, distance), left.Rings - 1 }).second)
+        {
+          this->Vertices.push_back(v);
+        }
+      }
+    }
+  }
+
+  const MovablePlaces& Places;
+  std::unordered_map<Index, Left> Reach;
+  std::vector<Index> Vertices;
+};
+
+/// The vertices that move, the triangles at them and their corners.
+struct Patch
+{
+  Patch(const MovablePlaces& places, std::vector<Index>&& vertices)
+    : Vertices(std::move(vertices))
+  {
+    std::sort(this->Vertices.begin(), this->Vertices.end());
+    for (const Index v : this->Vertices)
+    {
+      const MovablePlaces::Triangles around = places.TrianglesAt(v);
+      this->Triangles.insert(this->Triangles.end(), around.begin(), around.end());
+    }
+    MakeUnique(this->Triangles);
+    for (const Index t : this->Triangles)
+    {
+      const Triangle& vertex = places.Mesh.Triangles[t].Vertex;
+      this->Corners.insert(this->Corners.end(), vertex.begin(), vertex.end());
+    }
+    MakeUnique(this->Corners);
+  }
+
+  static void MakeUnique(std::vector<Index>& numbers)
+  {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  }
+
+  std::vector<Index> Vertices;
+  std::vector<Index> Triangles;
+  std::vector<Index> Corners;
+};
+
+/// What is wrong with a map within a patch, the worse for a mesh the earlier.
+struct Folds
+{
+  Folds(const MovablePlaces& places, const Patch& patch)
+  {
+    for (const Index v : patch.Corners)
+    {
+      if (!places.IsSurrounded(v))
+      {
+        const MovablePlaces::Triangles around = places.TrianglesAt(v);
+        const bool isFold =
+          std::any_of(around.begin(), around.end(), [&](Index t) { return places.IsFlipped(t); });
+        this->Branches += isFold ? 0 : 1;
+        ++this->WrongAngles;
+      }
+    }
+    for (const Index t : patch.Triangles)
+    {
+      this->Flipped += places.IsFlipped(t) ? 1 : 0;
+    }
+  }
+
+  bool AreLessThan(const Folds& others) const
+  {
+    return std::tie(this->Branches, this->WrongAngles, this->Flipped) <
+      std::tie(others.Branches, others.WrongAngles, others.Flipped);
+  }
+
+  /// Vertices that the map goes around by a wrong angle; those of them without flipped triangles.
+  Index WrongAngles = 0;
+  Index Branches = 0;
+  Index Flipped = 0;
+};
+
+void Unfold(MovablePlaces& places, const Patch& patch, double opening)
+{
+  const Folds before(places, patch);
+  std::vector<GridPoint> former;
+  for (const Index v : patch.Corners)
+  {
+    former.push_back(places.Places[v]);
+  }
+  for (const Index v : patch.Vertices)
+  {
+    if (places.IsInTriangle(v) && !places.IsSurrounded(v))
+    {
+      OpenCone(places, v, patch.Vertices, opening);
+    }
+  }
+  UnfoldPatch(places, patch.Vertices, patch.Triangles);
+  if (!Folds(places, patch).AreLessThan(before))
+  {
+    for (std::size_t k = 0; k < former.size(); ++k)
+    {
+      places.Places[patch.Corners[k]] = former[k];
+    }
+  }
+}
+}
+
+void UnfoldTriangles(MovablePlaces& places)
+{
+  for (const auto [width, opening] : Attempts)
+  {
+    for (std::vector<Index>& vertices : Surroundings(places, FindFlipped(places), width).Split())
+    {
+      Unfold(places, Patch(places, std::move(vertices)), opening);
+    }
+  }
+}
+}

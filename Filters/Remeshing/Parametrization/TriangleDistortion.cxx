@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Parametrization/TriangleDistortion.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace DirectionFields::Internal
+{
+namespace
+{
+/// Of the area, as against the shape.
+constexpr double AreaWeight = 0.2;
+}
+
+TriangleDistortion::TriangleDistortion(const Derivative& j, double epsilon)
+{
+  const double d = Determinant(j);
+  const double root = std::sqrt(d * d + epsilon * epsilon);
+  // The sum without cancellation where d is negative.
+  const double chi = d > 0.0 ? 0.5 * (d + root) : 0.5 * epsilon * epsilon / (root - d);
+  const double slope = chi / root;
+  const double curvature = 0.5 * epsilon * epsilon / (root * root * root);
+  const double sum = j.squaredNorm() + AreaWeight * (d * d + 1.0);
+  this->Value = sum / chi;
+  // The derivatives of 1 / chi by d are -first and second.
+  const double first = slope / (chi * chi);
+  const double second = 2.0 * slope * slope / (chi * chi * chi) - curvature / (chi * chi);
+  const double byDeterminant = AreaWeight * 2.0 * d / chi - sum * first;
+  const Derivative cofactors(j[3], -j[2], -j[1], j[0]);
+  this->Gradient = 2.0 / chi * j + byDeterminant * cofactors;
+  Eigen::Matrix4d ofDeterminant = Eigen::Matrix4d::Zero();
+  ofDeterminant(0, 3) = ofDeterminant(3, 0) = 1.0;
+  ofDeterminant(1, 2) = ofDeterminant(2, 1) = -1.0;
+  this->Hessian = 2.0 / chi * Eigen::Matrix4d::Identity() -
+    2.0 * first * (j * cofactors.transpose() + cofactors * j.transpose()) +
+    (AreaWeight * (2.0 / chi - 4.0 * d * first) + sum * second) * cofactors *
+      cofactors.transpose() +
+    byDeterminant * ofDeterminant;
+}
+
+void TriangleDistortion::Convexify()
+{
+  // Most triangles are near their shape, where all are positive.
+  if (Eigen::LLT<Eigen::Matrix4d>(this->Hessian).info() == Eigen::Success)
+  {
+    return;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(this->Hessian);
+  this->Hessian = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
+    solver.eigenvectors().transpose();
+}
+}

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Parametrization/MapFolds.h"
+
+#include "Meshes/Surfaces.h"
+#include "Parametrization/ConeOpening.h"
+#include "Parametrization/ParametrizationVariables.h"
+#include "Remeshing/CutExample.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+using namespace DirectionFields;
+using Meshes::CutExample;
+
+namespace
+{
+/// A regular polygon with a field that is parallel to its sides and has one singularity inside: of
+/// index (4 - sides) / 4.
+CutExample Polygon(int sides, int levels, const Vector3& singularity)
+{
+  Surface fan;
+  fan.Points.push_back(Vector3::Zero());
+  for (int k = 0; k < sides; ++k)
+  {
+    const double angle = 2.0 * Pi * (k + 0.5) / sides;
+    fan.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    fan.Triangles.push_back({ 0, k + 1, (k + 1) % sides + 1 });
+  }
+  return { Meshes::FlatlySubdivided(fan, levels), 4,
+    [&](const SurfaceGeometry& geometry)
+    {
+      return Meshes::SectionAlong(geometry, 4,
+        [&](const Vector3& p)
+        {
+          // Across each side the field is parallel to its normal.
+          const double angle =
+            (1.0 - 0.25 * sides) * std::atan2(p.y() - singularity.y(), p.x() - singularity.x());
+          return Vector3(std::cos(angle), std::sin(angle), 0.0);
+        });
+    } };
+}
+
+/// The places of a map, each vertex in the chart of the first triangle that has it as a corner.
+struct Mapped
+{
+  Mapped(const CutExample& example, double perLength)
+    : Settings(example.Settings(perLength))
+    , IsPoint(ParametrizationVariables(example.Mesh).IsPoint)
+    , Own(3 * example.Mesh.Triangles.size())
+    , Places(example.Mesh.Positions.size())
+    , Map(example.Mesh, this->Settings)
+    , Movable(example.Mesh, this->OwnOf(example.Mesh), this->IsPoint, this->Settings.PerLength,
+        this->Places)
+  {
+  }
+
+  const std::vector<Transition>& OwnOf(const CutMesh& mesh)
+  {
+    const IntegerGrid plane(mesh.Degree);
+    std::vector<char> isKnown(this->Places.size(), 0);
+    for (std::size_t h = 0; h < this->Own.size(); ++h)
+    {
+      const CutMesh::MapTriangle& t = mesh.Triangles[h / 3];
+      GridPoint& place = this->Places[t.Vertex[h % 3]];
+      const GridPoint& corner = this->Map.GetCorners()[h];
+      const int turn = t.Corner[h % 3].Turn;
+      place = isKnown[t.Vertex[h % 3]] != 0 ? place : plane.Turned(corner, -turn);
+      isKnown[t.Vertex[h % 3]] = 1;
+      this->Own[h] = { turn, corner - plane.Turned(place, turn) };
+    }
+    return this->Own;
+  }
+
+  Index CountFlipped() const
+  {
+    Index count = 0;
+    for (Index t = 0; t < static_cast<Index>(this->Movable.Mesh.Triangles.size()); ++t)
+    {
+      count += this->Movable.IsFlipped(t) ? 1 : 0;
+    }
+    return count;
+  }
+
+  Index CountWronglySurrounded() const
+  {
+    Index count = 0;
+    for (Index v = 0; v < static_cast<Index>(this->Places.size()); ++v)
+    {
+      count += this->Movable.IsSurrounded(v) ? 0 : 1;
+    }
+    return count;
+  }
+
+  /// Moves vertices near a point as far as they may in any direction, by up to a distance.
+  void Scramble(const Vector3& middle, double radius, double distance, unsigned seed)
+  {
+    std::mt19937 engine(seed);
+    const auto random = [&]() { return distance * (engine() / 2147483648.0 - 1.0); };
+    for (Index v = 0; v < static_cast<Index>(this->Places.size()); ++v)
+    {
+      if (this->Movable.GetFreedom(v) == 2 &&
+        (this->Movable.Mesh.Positions[v] - middle).norm() < radius)
+      {
+        this->Movable.Move(v, random(), random());
+      }
+    }
+  }
+
+  IntegerGridMap::Settings Settings;
+  std::vector<char> IsPoint;
+  std::vector<Transition> Own;
+  std::vector<GridPoint> Places;
+  IntegerGridMap Map;
+  MovablePlaces Movable;
+};
+}
+
+/// A cone is a grid point. Here the nearest is several triangles away from the place that the cone
+/// would have, and the map over the integers that is closest to the field is folded there.
+TEST(MapFolds, MapsAreUnfoldedAroundCones)
+{
+  for (const int sides : { 3, 5 })
+  {
+    for (const Vector3& singularity : { Vector3(0.013, 0.007, 0.0), Vector3(0.08, -0.05, 0.0) })
+    {
+      const CutExample example = Polygon(sides, 5, singularity);
+      const Mapped mapped(example, 6.0);
+      ASSERT_FALSE(mapped.Map.GetFailure());
+      EXPECT_EQ(mapped.Map.CountFlipped(), 0) << sides;
+      EXPECT_EQ(mapped.CountFlipped(), 0) << sides;
+      EXPECT_EQ(mapped.CountWronglySurrounded(), 0) << sides;
+    }
+  }
+}
+
+/// Whatever the places of the vertices are that may move, they become those of a map without folds.
+/// Grid points and sides stay.
+TEST(MapFolds, ScrambledPlacesAreUnfolded)
+{
+  for (const int sides : { 3, 4, 5 })
+  {
+    const CutExample example = Polygon(sides, 4, Vector3(0.011, 0.005, 0.0));
+    for (unsigned seed = 0; seed < 12; ++seed)
+    {
+      Mapped mapped(example, 6.0);
+      ASSERT_EQ(mapped.CountFlipped(), 0);
+      mapped.Scramble(Vector3(0.0, 0.0, 0.0), 0.25, 0.4, seed);
+      ASSERT_GT(mapped.CountFlipped(), 10);
+      const std::vector<GridPoint> before = mapped.Places;
+      UnfoldTriangles(mapped.Movable);
+      EXPECT_EQ(mapped.CountFlipped(), 0) << sides << ", " << seed;
+      EXPECT_EQ(mapped.CountWronglySurrounded(), 0) << sides << ", " << seed;
+      for (std::size_t v = 0; v < before.size(); ++v)
+      {
+        const auto vertex = static_cast<Index>(v);
+        const int freedom = mapped.Movable.GetFreedom(vertex);
+        const Complex move = std::conj(mapped.Movable.GetDirection(vertex)) *
+          mapped.Movable.Plane.Place(mapped.Places[v] - before[v]);
+        EXPECT_TRUE(freedom == 2 || std::abs(move.imag()) < 1e-9);
+        EXPECT_TRUE(freedom > 0 || move == 0.0);
+      }
+    }
+  }
+}
+
+/// A map that turns one of the three triangles at a cone over goes around it by 360 degrees less.
+TEST(MapFolds, ConesAreOpenedToTheirAngle)
+{
+  for (const int sides : { 3, 5 })
+  {
+    const CutExample example = Polygon(sides, 4, Vector3(0.011, 0.005, 0.0));
+    Mapped mapped(example, 6.0);
+    MovablePlaces& movable = mapped.Movable;
+    const auto count = static_cast<Index>(mapped.Places.size());
+    std::vector<Index> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    const Index cone = count - 1;
+    ASSERT_TRUE(movable.IsInTriangle(cone));
+    EXPECT_NEAR(movable.WantedAngle(cone), 0.5 * Pi * sides, 1e-12);
+    EXPECT_TRUE(movable.IsSurrounded(cone));
+    // The neighbour goes to the other side of the cone.
+    const Index t = movable.TrianglesAt(cone)[0];
+    const Index neighbour = example.Mesh.Triangles[t].Vertex[1];
+    movable.MoveTo(
+      neighbour, 2.0 * movable.Corner(t, 0) - movable.Corner(t, 1), movable.FromVertex(t, 1));
+    EXPECT_FALSE(movable.IsSurrounded(cone));
+    OpenCone(movable, cone, all, 0.5);
+    EXPECT_TRUE(movable.IsSurrounded(cone));
+    EXPECT_EQ(movable.TrianglesAt(cone).size(), 3);
+    for (const Index around : movable.TrianglesAt(cone))
+    {
+      EXPECT_FALSE(movable.IsFlipped(around)) << sides;
+    }
+  }
+}
+
+/// Vertices between grid points that are in one place have no map without folds: they stay.
+TEST(MapFolds, GridPointsInOnePlaceAreLeft)
+{
+  const CutExample example = Polygon(5, 1, Vector3(0.011, 0.005, 0.0));
+  Mapped mapped(example, 6.0);
+  std::fill(mapped.Places.begin(), mapped.Places.end(), GridPoint());
+  UnfoldTriangles(mapped.Movable);
+  for (Index v = 0; v < static_cast<Index>(mapped.Places.size()); ++v)
+  {
+    EXPECT_TRUE(mapped.Movable.GetFreedom(v) > 0 || mapped.Places[v] == GridPoint());
+  }
+  EXPECT_GT(mapped.CountFlipped(), 0);
+}
