@@ -192,7 +192,7 @@ struct PairPatch::System
     {
       lowerValues[lower[k]] = diagonal[k] + least;
     }
-    // Eigen asks for rows that ascend, which a transpose has.
+    // Eigen asks for rows that ascend; the transpose of any matrix has them.
     const Matrix upper = Eigen::Map<const Matrix>(this->Rows, this->Rows,
       static_cast<Index>(lowerRows.size()), lower.data(), lowerRows.data(), lowerValues.data())
                            .transpose();

@@ -6,8 +6,8 @@
 #include "Integers/IntegerRounding.h"
 #include "Integers/IntegerSearch.h"
 #include "Parametrization/IsolineFolds.h"
-#include "Parametrization/MapFolds.h"
 #include "Parametrization/ParametrizationEnergy.h"
+#include "Unfolding/MapFolds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -246,13 +246,16 @@ void IntegerGridMap::Solve(
     search.Add(std::move(*free), this->AreaCovered(true), this->AreaCovered(false));
     scale *= search.GetCorrection();
   }
-  if (!search.IsLastBest() || this->CountFlipped() > 0)
-  {
-    this->Evaluate(energy.GetVariables(), search.GetBest(), &settings.PerLength);
-  }
   if (search.IsExcessive())
   {
     this->Failure = MapFailure::ExcessiveArea;
+    return;
+  }
+  const bool isFolded = this->CountFlipped() > 0 && settings.IsUnfolded;
+  if (!search.IsLastBest() || isFolded)
+  {
+    this->Evaluate(energy.GetVariables(), search.GetBest(),
+      settings.IsUnfolded ? &settings.PerLength : nullptr, progress);
   }
 }
 
@@ -311,7 +314,7 @@ std::vector<Transition> OwnTransitions(const ParametrizationVariables& variables
 }
 
 void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free,
-  const std::vector<double>* perLength)
+  const std::vector<double>* perLength, const Progress& progress)
 {
   if (!(free.array().abs() < IntegerGrid::Range).all())
   {
@@ -334,7 +337,7 @@ void IntegerGridMap::Evaluate(ParametrizationVariables& variables, const Eigen::
   if (perLength != nullptr)
   {
     MovablePlaces movable(mesh, own, variables.IsPoint, *perLength, places);
-    UnfoldTriangles(movable);
+    UnfoldTriangles(movable, progress);
   }
   this->Corners.resize(own.size());
   for (std::size_t h = 0; h < own.size(); ++h)

@@ -48,6 +48,8 @@ public:
     std::vector<double> PerLength;
     /// The targets are scaled such that the map covers the area that they ask for.
     bool KeepsArea = true;
+    /// Flipped triangles are unfolded as far as that can be.
+    bool IsUnfolded = true;
   };
 
   /// Throws Stopped.
@@ -80,7 +82,7 @@ private:
   /// Sets the map to these values of the free variables.
   /// @param perLength those of the settings where flipped triangles are to be unfolded, or null
   void Evaluate(ParametrizationVariables& variables, const Eigen::VectorXd& free,
-    const std::vector<double>* perLength = nullptr);
+    const std::vector<double>* perLength = nullptr, const Progress& progress = {});
   void FindTransitions(const CutMesh& mesh, const std::vector<Transition>& own);
   void FindFoldedFeatures(const CutMesh& mesh, const std::vector<FeatureIsoline>& isolines);
   void Collapse(const CutMesh& mesh, const FeatureIsoline& isoline);

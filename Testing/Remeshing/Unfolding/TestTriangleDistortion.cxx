@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/TriangleDistortion.h"
+#include "Unfolding/TriangleDistortion.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -38,6 +38,7 @@ TEST(TriangleDistortion, HasItsDerivatives)
         const TriangleDistortion before(j - step * Derivative::Unit(k), epsilon);
         EXPECT_NEAR((after.Value - before.Value) / (2.0 * step), at.Gradient[k],
           1e-6 * (1.0 + at.Hessian.norm()));
+        EXPECT_EQ(TriangleDistortion::ValueOf(j, epsilon), at.Value);
         EXPECT_LT(((after.Gradient - before.Gradient) / (2.0 * step) - at.Hessian.col(k)).norm(),
           1e-6 * (1.0 + at.Hessian.norm() * at.Value));
       }
@@ -75,7 +76,14 @@ TEST(TriangleDistortion, IsInfiniteWhereATriangleIsFlipped)
 {
   EXPECT_GT(TriangleDistortion({ 1.0, 0.0, 0.0, 1e-9 }, 0.0).Value, 1e8);
   EXPECT_FALSE(std::isfinite(TriangleDistortion({ 1.0, 0.0, 0.0, -0.5 }, 0.0).Value));
-  EXPECT_TRUE(std::isfinite(TriangleDistortion({ 1.0, 0.0, 0.0, -0.5 }, 1e-3).Value));
+  for (const double epsilon : { 1e-3, 1e-6, 1e-9 })
+  {
+    const TriangleDistortion flipped({ 1.0, 0.0, 0.0, -0.5 }, epsilon);
+    EXPECT_TRUE(std::isfinite(flipped.Value) && flipped.Gradient.allFinite());
+    EXPECT_TRUE(flipped.Hessian.allFinite());
+    // Far beyond the fold chi is epsilon^2 / 4 |d|.
+    EXPECT_NEAR(flipped.Value * epsilon * epsilon, 4.0 * 0.5 * (1.25 + 0.2 * 1.25), 1e-4);
+  }
 }
 
 TEST(TriangleDistortion, HasConvexSecondDerivatives)

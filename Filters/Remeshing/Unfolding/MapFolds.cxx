@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/MapFolds.h"
+#include "Unfolding/MapFolds.h"
 
-#include "Parametrization/ConeOpening.h"
-#include "Parametrization/PatchUnfolding.h"
+#include "Unfolding/ConeOpening.h"
+#include "Unfolding/PatchUnfolding.h"
 
 #include <algorithm>
 #include <tuple>
@@ -24,6 +24,9 @@ struct Attempt
   double Opening;
 };
 constexpr std::array<Attempt, 2> Attempts = { Attempt{ 1.0, 0.0 }, { 2.0, 1.2 } };
+/// A map without folds covers no more than this many times the area of a patch with folds, or of
+/// its triangles in space.
+constexpr double MostCovered = 1.5;
 /// Rings of vertices that move at least.
 constexpr int LeastRings = 3;
 
@@ -174,6 +177,7 @@ struct Folds
     for (const Index t : patch.Triangles)
     {
       this->Flipped += places.IsFlipped(t) ? 1 : 0;
+      this->Covered += std::max(0.0, places.AreaInMap(t));
     }
   }
 
@@ -183,13 +187,45 @@ struct Folds
       std::tie(others.Branches, others.WrongAngles, others.Flipped);
   }
 
-  /// Vertices that the map goes around by a wrong angle; those of them without flipped triangles.
+  /// How many vertices the map goes around by a wrong angle.
   Index WrongAngles = 0;
+  /// How many of them have no flipped triangle.
   Index Branches = 0;
   Index Flipped = 0;
+  double Covered = 0.0;
 };
 
-void Unfold(MovablePlaces& places, const Patch& patch, double opening)
+/// Whether a map without folds is worth it: the mesh would have many more faces where the vertices
+/// have to go far.
+bool IsWorthIt(
+  const MovablePlaces& places, const Patch& patch, const Folds& before, const Folds& after)
+{
+  double inSpace = 0.0;
+  for (const Index t : patch.Triangles)
+  {
+    inSpace += places.AreaInSpace(t);
+  }
+  return after.AreLessThan(before) &&
+    after.Covered < MostCovered * std::max(before.Covered, inSpace);
+}
+
+/// How far a cone may be opened, in edges of the grid: not so far that another one is undone.
+double OpeningOf(const MovablePlaces& places, const Patch& patch, Index cone, double most)
+{
+  double radius = most;
+  for (const Index v : patch.Corners)
+  {
+    if (v != cone && places.IsInTriangle(v))
+    {
+      radius = std::min(radius,
+        0.5 * places.PerLength[cone] *
+          (places.Mesh.Positions[v] - places.Mesh.Positions[cone]).norm());
+    }
+  }
+  return radius;
+}
+
+void Unfold(MovablePlaces& places, const Patch& patch, double opening, const Progress& progress)
 {
   const Folds before(places, patch);
   std::vector<GridPoint> former;
@@ -201,11 +237,11 @@ void Unfold(MovablePlaces& places, const Patch& patch, double opening)
   {
     if (places.IsInTriangle(v) && !places.IsSurrounded(v))
     {
-      OpenCone(places, v, patch.Vertices, opening);
+      OpenCone(places, v, patch.Vertices, OpeningOf(places, patch, v, opening));
     }
   }
-  UnfoldPatch(places, patch.Vertices, patch.Triangles);
-  if (!Folds(places, patch).AreLessThan(before))
+  UnfoldPatch(places, patch.Vertices, patch.Triangles, progress);
+  if (!IsWorthIt(places, patch, before, Folds(places, patch)))
   {
     for (std::size_t k = 0; k < former.size(); ++k)
     {
@@ -215,13 +251,14 @@ void Unfold(MovablePlaces& places, const Patch& patch, double opening)
 }
 }
 
-void UnfoldTriangles(MovablePlaces& places)
+void UnfoldTriangles(MovablePlaces& places, const Progress& progress)
 {
   for (const auto [width, opening] : Attempts)
   {
     for (std::vector<Index>& vertices : Surroundings(places, FindFlipped(places), width).Split())
     {
-      Unfold(places, Patch(places, std::move(vertices)), opening);
+      progress.RequireToGoOn();
+      Unfold(places, Patch(places, std::move(vertices)), opening, progress);
     }
   }
 }

@@ -4,7 +4,7 @@
 #ifndef DirectionFields_ConeOpening_h
 #define DirectionFields_ConeOpening_h
 
-#include "Parametrization/MovablePlaces.h"
+#include "Unfolding/MovablePlaces.h"
 
 #include <vector>
 

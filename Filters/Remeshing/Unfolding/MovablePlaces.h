@@ -61,11 +61,24 @@ public:
   {
     return this->PlaceIn(this->FromVertex(t, c), this->Mesh.Triangles[t].Vertex[c]);
   }
+  GridPoint CornerPoint(Index t, int c) const
+  {
+    return this->Plane.Apply(
+      this->FromVertex(t, c), this->Places[this->Mesh.Triangles[t].Vertex[c]]);
+  }
   /// Whether a triangle is turned over, or has no area.
   bool IsFlipped(Index t) const;
 
-  /// Whether a vertex is a cone in the middle of a triangle, which became three around it: the first
-  /// corner of each.
+  /// The area of a triangle in the map, negative where it is flipped, and in space, in squares of
+  /// the grid's edges.
+  double AreaInMap(Index t) const;
+  double AreaInSpace(Index t) const;
+  /// Whether a triangle has no area wherever those of its corners go that may move: two that stay
+  /// are in one place, or all are on a line along which they move.
+  bool StaysFlat(Index t) const;
+
+  /// Whether a vertex is a cone in the middle of a triangle, which became three around it: it is
+  /// the first corner of each.
   bool IsInTriangle(Index v) const { return v >= this->FirstInTriangle; }
   /// The angle that the map is to have around such a cone.
   double WantedAngle(Index cone) const;
@@ -80,14 +93,16 @@ public:
 
 private:
   void LimitMoves(const std::vector<char>& isPoint);
+  void FindAngles();
   double AngleAround(Index v) const;
 
   const std::vector<Transition>& Own;
   Index FirstInTriangle;
   std::vector<char> Freedom;
   std::vector<char> Axis;
-  /// Vertices on the boundary, or without a frame.
-  std::vector<char> HasAnyAngle;
+  /// What a map has around each vertex that is no cone in a triangle; 0 where that may be any
+  /// angle, without a frame and at corners of the boundary.
+  std::vector<double> Angle;
   std::vector<Index> Begin;
   std::vector<Index> Around;
 };

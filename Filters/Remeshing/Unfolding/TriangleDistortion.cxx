@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/TriangleDistortion.h"
+#include "Unfolding/TriangleDistortion.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -12,23 +12,44 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Of the area, as against the shape.
+/// How much a wrong area counts as against a wrong shape: little, since the integers decide on
+/// the area.
 constexpr double AreaWeight = 0.2;
+
+double RootOf(double determinant, double epsilon)
+{
+  return std::sqrt(determinant * determinant + epsilon * epsilon);
+}
+
+/// (d + root) / 2 without cancellation where d is negative.
+double ChiOf(double determinant, double root, double epsilon)
+{
+  return determinant > 0.0 ? 0.5 * (determinant + root)
+                           : 0.5 * epsilon * epsilon / (root - determinant);
+}
+
+double SumOf(const TriangleDistortion::Derivative& j, double determinant)
+{
+  return j.squaredNorm() + AreaWeight * (determinant * determinant + 1.0);
+}
+}
+
+double TriangleDistortion::ValueOf(const Derivative& j, double epsilon)
+{
+  const double d = Determinant(j);
+  return SumOf(j, d) / ChiOf(d, RootOf(d, epsilon), epsilon);
 }
 
 TriangleDistortion::TriangleDistortion(const Derivative& j, double epsilon)
 {
   const double d = Determinant(j);
-  const double root = std::sqrt(d * d + epsilon * epsilon);
-  // The sum without cancellation where d is negative.
-  const double chi = d > 0.0 ? 0.5 * (d + root) : 0.5 * epsilon * epsilon / (root - d);
-  const double slope = chi / root;
-  const double curvature = 0.5 * epsilon * epsilon / (root * root * root);
-  const double sum = j.squaredNorm() + AreaWeight * (d * d + 1.0);
+  const double root = RootOf(d, epsilon);
+  const double chi = ChiOf(d, root, epsilon);
+  const double sum = SumOf(j, d);
   this->Value = sum / chi;
   // The derivatives of 1 / chi by d are -first and second.
-  const double first = slope / (chi * chi);
-  const double second = 2.0 * slope * slope / (chi * chi * chi) - curvature / (chi * chi);
+  const double first = 1.0 / (root * chi);
+  const double second = 2.0 / (root * root * root);
   const double byDeterminant = AreaWeight * 2.0 * d / chi - sum * first;
   const Derivative cofactors(j[3], -j[2], -j[1], j[0]);
   this->Gradient = 2.0 / chi * j + byDeterminant * cofactors;

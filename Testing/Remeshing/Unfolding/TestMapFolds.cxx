@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/MapFolds.h"
+#include "Unfolding/MapFolds.h"
 
 #include "Meshes/Surfaces.h"
-#include "Parametrization/ConeOpening.h"
 #include "Parametrization/ParametrizationVariables.h"
 #include "Remeshing/CutExample.h"
+#include "Unfolding/ConeOpening.h"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ using Meshes::CutExample;
 namespace
 {
 /// A regular polygon with a field that is parallel to its sides and has one singularity inside: of
-/// index (4 - sides) / 4.
-CutExample Polygon(int sides, int levels, const Vector3& singularity)
+/// index (n - sides) / n.
+CutExample Polygon(int degree, int sides, int levels, const Vector3& singularity)
 {
   Surface fan;
   fan.Points.push_back(Vector3::Zero());
@@ -32,15 +32,15 @@ CutExample Polygon(int sides, int levels, const Vector3& singularity)
     fan.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
     fan.Triangles.push_back({ 0, k + 1, (k + 1) % sides + 1 });
   }
-  return { Meshes::FlatlySubdivided(fan, levels), 4,
+  return { Meshes::FlatlySubdivided(fan, levels), degree,
     [&](const SurfaceGeometry& geometry)
     {
-      return Meshes::SectionAlong(geometry, 4,
+      return Meshes::SectionAlong(geometry, degree,
         [&](const Vector3& p)
         {
           // Across each side the field is parallel to its normal.
-          const double angle =
-            (1.0 - 0.25 * sides) * std::atan2(p.y() - singularity.y(), p.x() - singularity.x());
+          const double angle = (1.0 - static_cast<double>(sides) / degree) *
+            std::atan2(p.y() - singularity.y(), p.x() - singularity.x());
           return Vector3(std::cos(angle), std::sin(angle), 0.0);
         });
     } };
@@ -49,8 +49,8 @@ CutExample Polygon(int sides, int levels, const Vector3& singularity)
 /// The places of a map, each vertex in the chart of the first triangle that has it as a corner.
 struct Mapped
 {
-  Mapped(const CutExample& example, double perLength)
-    : Settings(example.Settings(perLength))
+  Mapped(const CutExample& example, double perLength, bool isUnfolded = true)
+    : Settings(SettingsOf(example, perLength, isUnfolded))
     , IsPoint(ParametrizationVariables(example.Mesh).IsPoint)
     , Own(3 * example.Mesh.Triangles.size())
     , Places(example.Mesh.Positions.size())
@@ -58,6 +58,14 @@ struct Mapped
     , Movable(example.Mesh, this->OwnOf(example.Mesh), this->IsPoint, this->Settings.PerLength,
         this->Places)
   {
+  }
+
+  static IntegerGridMap::Settings SettingsOf(
+    const CutExample& example, double perLength, bool isUnfolded)
+  {
+    IntegerGridMap::Settings settings = example.Settings(perLength);
+    settings.IsUnfolded = isUnfolded;
+    return settings;
   }
 
   const std::vector<Transition>& OwnOf(const CutMesh& mesh)
@@ -125,37 +133,48 @@ struct Mapped
 /// would have, and the map over the integers that is closest to the field is folded there.
 TEST(MapFolds, MapsAreUnfoldedAroundCones)
 {
-  for (const int sides : { 3, 5 })
+  for (const auto& [degree, sides] :
+    { std::pair(4, 3), std::pair(4, 5), std::pair(6, 5), std::pair(6, 7) })
   {
-    for (const Vector3& singularity : { Vector3(0.013, 0.007, 0.0), Vector3(0.08, -0.05, 0.0) })
+    Index folded = 0;
+    for (const Vector3& singularity :
+      { Vector3(0.013, 0.007, 0.0), Vector3(0.08, -0.05, 0.0), Vector3(-0.02, 0.09, 0.0) })
     {
-      const CutExample example = Polygon(sides, 5, singularity);
+      const CutExample example = Polygon(degree, sides, 5, singularity);
+      folded += Mapped(example, 6.0, false).CountFlipped();
       const Mapped mapped(example, 6.0);
       ASSERT_FALSE(mapped.Map.GetFailure());
       EXPECT_EQ(mapped.Map.CountFlipped(), 0) << sides;
       EXPECT_EQ(mapped.CountFlipped(), 0) << sides;
       EXPECT_EQ(mapped.CountWronglySurrounded(), 0) << sides;
     }
+    // Towards angles of more than 360 degrees three triangles are few.
+    EXPECT_TRUE(sides < degree || folded > 0) << degree << ", " << sides;
   }
 }
 
 /// Whatever the places of the vertices are that may move, they become those of a map without folds.
-/// Grid points and sides stay.
+/// Grid points stay, and vertices of sides stay on these.
 TEST(MapFolds, ScrambledPlacesAreUnfolded)
 {
-  for (const int sides : { 3, 4, 5 })
+  for (const auto& [degree, sides] :
+    { std::pair(4, 3), std::pair(4, 4), std::pair(4, 5), std::pair(6, 6) })
   {
-    const CutExample example = Polygon(sides, 4, Vector3(0.011, 0.005, 0.0));
-    for (unsigned seed = 0; seed < 12; ++seed)
+    const CutExample example = Polygon(degree, sides, 4, Vector3(0.011, 0.005, 0.0));
+    for (unsigned seed = 0; seed < 8; ++seed)
     {
       Mapped mapped(example, 6.0);
       ASSERT_EQ(mapped.CountFlipped(), 0);
-      mapped.Scramble(Vector3(0.0, 0.0, 0.0), 0.25, 0.4, seed);
-      ASSERT_GT(mapped.CountFlipped(), 10);
+      // Within a patch in the middle, or beside a side.
+      const bool isInMiddle = seed % 2 == 0;
+      mapped.Scramble(isInMiddle ? Vector3::Zero() : Vector3(0.8 * std::cos(Pi / sides), 0.0, 0.0),
+        0.25, 0.4, seed);
+      ASSERT_GT(mapped.CountFlipped(), 0);
       const std::vector<GridPoint> before = mapped.Places;
       UnfoldTriangles(mapped.Movable);
-      EXPECT_EQ(mapped.CountFlipped(), 0) << sides << ", " << seed;
-      EXPECT_EQ(mapped.CountWronglySurrounded(), 0) << sides << ", " << seed;
+      EXPECT_EQ(mapped.CountFlipped(), 0) << degree << ", " << sides << ", " << seed;
+      EXPECT_EQ(mapped.CountWronglySurrounded(), 0) << degree << ", " << sides << ", " << seed;
+      int slid = 0;
       for (std::size_t v = 0; v < before.size(); ++v)
       {
         const auto vertex = static_cast<Index>(v);
@@ -164,7 +183,9 @@ TEST(MapFolds, ScrambledPlacesAreUnfolded)
           mapped.Movable.Plane.Place(mapped.Places[v] - before[v]);
         EXPECT_TRUE(freedom == 2 || std::abs(move.imag()) < 1e-9);
         EXPECT_TRUE(freedom > 0 || move == 0.0);
+        slid += freedom == 1 && move != 0.0 ? 1 : 0;
       }
+      EXPECT_TRUE(isInMiddle || slid > 0);
     }
   }
 }
@@ -172,9 +193,9 @@ TEST(MapFolds, ScrambledPlacesAreUnfolded)
 /// A map that turns one of the three triangles at a cone over goes around it by 360 degrees less.
 TEST(MapFolds, ConesAreOpenedToTheirAngle)
 {
-  for (const int sides : { 3, 5 })
+  for (const auto& [degree, sides] : { std::pair(4, 3), std::pair(4, 5), std::pair(6, 7) })
   {
-    const CutExample example = Polygon(sides, 4, Vector3(0.011, 0.005, 0.0));
+    const CutExample example = Polygon(degree, sides, 4, Vector3(0.011, 0.005, 0.0));
     Mapped mapped(example, 6.0);
     MovablePlaces& movable = mapped.Movable;
     const auto count = static_cast<Index>(mapped.Places.size());
@@ -182,7 +203,7 @@ TEST(MapFolds, ConesAreOpenedToTheirAngle)
     std::iota(all.begin(), all.end(), 0);
     const Index cone = count - 1;
     ASSERT_TRUE(movable.IsInTriangle(cone));
-    EXPECT_NEAR(movable.WantedAngle(cone), 0.5 * Pi * sides, 1e-12);
+    EXPECT_NEAR(movable.WantedAngle(cone), 2.0 * Pi * sides / degree, 1e-12);
     EXPECT_TRUE(movable.IsSurrounded(cone));
     // The neighbour goes to the other side of the cone.
     const Index t = movable.TrianglesAt(cone)[0];
@@ -200,16 +221,36 @@ TEST(MapFolds, ConesAreOpenedToTheirAngle)
   }
 }
 
-/// Vertices between grid points that are in one place have no map without folds: they stay.
+/// Where corners are in one place there is no angle, and nothing that could be unfolded, but
+/// triangles beside may be.
 TEST(MapFolds, GridPointsInOnePlaceAreLeft)
 {
-  const CutExample example = Polygon(5, 1, Vector3(0.011, 0.005, 0.0));
+  const CutExample example = Polygon(4, 5, 0, Vector3(0.011, 0.005, 0.0));
   Mapped mapped(example, 6.0);
-  std::fill(mapped.Places.begin(), mapped.Places.end(), GridPoint());
-  UnfoldTriangles(mapped.Movable);
   for (Index v = 0; v < static_cast<Index>(mapped.Places.size()); ++v)
   {
-    EXPECT_TRUE(mapped.Movable.GetFreedom(v) > 0 || mapped.Places[v] == GridPoint());
+    mapped.Places[v] = mapped.Movable.GetFreedom(v) == 2 ? mapped.Places[v] : GridPoint();
   }
-  EXPECT_GT(mapped.CountFlipped(), 0);
+  const Index before = mapped.CountWronglySurrounded();
+  ASSERT_GT(before, 0);
+  Index flat = 0;
+  for (Index t = 0; t < static_cast<Index>(example.Mesh.Triangles.size()); ++t)
+  {
+    flat += mapped.Movable.StaysFlat(t) ? 1 : 0;
+  }
+  EXPECT_GT(flat, 0);
+  UnfoldTriangles(mapped.Movable);
+  EXPECT_LE(mapped.CountWronglySurrounded(), before);
+  EXPECT_GE(mapped.CountFlipped(), flat);
+}
+
+TEST(MapFolds, StopWhenTheyAreTold)
+{
+  const CutExample example = Polygon(4, 5, 4, Vector3(0.011, 0.005, 0.0));
+  Mapped mapped(example, 6.0);
+  mapped.Scramble(Vector3::Zero(), 0.25, 0.4, 1);
+  int asked = 0;
+  const ProgressFunction stop = [&](double) { return ++asked < 3; };
+  EXPECT_THROW(UnfoldTriangles(mapped.Movable, Progress(stop)), Stopped);
+  EXPECT_EQ(asked, 3);
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/PatchUnfolding.h"
+#include "Unfolding/PatchUnfolding.h"
 
-#include "Parametrization/TriangleDistortion.h"
+#include "Unfolding/TriangleDistortion.h"
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
@@ -25,20 +25,25 @@ constexpr int StepsBeyond = 3;
 constexpr std::size_t Patience = 20;
 /// A step by which neither that nor the energy becomes less by this part is the last one.
 constexpr double LeastProgress = 0.01;
-/// Triangles with less than this part of their area count as flipped, since places are rounded.
-constexpr double LeastArea = 1e-6;
+/// Places are rounded: a triangle counts as flipped where it is less than so many units of the
+/// grid's numbers high, but not for that with more than a part of its area.
+constexpr double LeastHeightInUnits = 8.0;
+constexpr double MostLeastArea = 1e-2;
 /// The epsilon of the distortion: this part of the deepest fold, and at least the other.
 constexpr double OfDeepest = 0.2;
 constexpr double LeastEpsilon = 1e-6;
-/// That of triangles that must not be flipped on the way.
-constexpr double NoEpsilon = 1e-9;
-/// Triangles in space are as high as this part of their longest edge, at least: others have no
-/// inverse.
+/// Triangles in space count as long as this in edges of the grid and as high as this part of their
+/// longest edge, at least, since others have no inverse.
+constexpr double LeastLength = 1e-4;
 constexpr double LeastHeight = 1e-2;
+/// Added to each second derivative, relative to it: made positive they may be singular.
 constexpr double Regularization = 1e-8;
-constexpr double ShortestStep = 1e-6;
-/// Of the decrease that the slope lets expect.
+/// A step is halved until the sum becomes less by this part of what its slope promises, or it is
+/// shorter than this part of Newton's.
 constexpr double LeastDecrease = 1e-4;
+constexpr double ShortestStep = 1e-6;
+/// Patches of more coordinates are left: there the map is folded all over.
+constexpr Index MostCoordinates = 20000;
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 
@@ -65,13 +70,15 @@ public:
     { return size * (places.Mesh.Positions[vertex[to]] - places.Mesh.Positions[vertex[from]]); };
     const Vector3 a = edge(0, 1);
     const Vector3 b = edge(0, 2);
-    const double longest = std::max({ a.norm(), b.norm(), edge(1, 2).norm() });
+    const double longest = std::max({ LeastLength, a.norm(), b.norm(), edge(1, 2).norm() });
     const double base = std::max(a.norm(), LeastHeight * longest);
     const double height = std::max(a.cross(b).norm() / base, LeastHeight * longest);
     Eigen::Matrix2d shape;
     shape << base, a.dot(b) / base, 0.0, height;
     this->Inverse = shape.inverse();
     this->Area = 0.5 * base * height;
+    this->LeastArea =
+      std::min(MostLeastArea, LeastHeightInUnits / IntegerGrid::Unit * longest / (base * height));
     this->MustStay = places.IsInTriangle(vertex[0]) && this->DeterminantAt({}) > 0.0;
   }
 
@@ -96,18 +103,27 @@ public:
   {
     return TriangleDistortion::Determinant(this->DerivativeAt(x));
   }
-  TriangleDistortion DistortionAt(const Eigen::VectorXd& x, double epsilon) const
+  /// How much of its area is flipped, or lacks to the least; negative otherwise.
+  double FoldAt(const Eigen::VectorXd& x) const { return -this->DeterminantAt(x); }
+  double LackAt(const Eigen::VectorXd& x) const { return this->LeastArea + this->FoldAt(x); }
+  /// Infinite where it must not go.
+  double ValueAt(const Eigen::VectorXd& x, double epsilon) const
   {
-    return { this->DerivativeAt(x), this->MustStay ? NoEpsilon : epsilon };
+    const TriangleDistortion::Derivative j = this->DerivativeAt(x);
+    return this->MustStay && !(TriangleDistortion::Determinant(j) > 0.0)
+      ? std::numeric_limits<double>::infinity()
+      : this->Area * TriangleDistortion::ValueOf(j, this->MustStay ? 0.0 : epsilon);
   }
-  double GetArea() const { return this->Area; }
 
-  /// Adds its part of the derivatives of the energy.
-  void AddTo(Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double, Index>>& hessian,
-    const TriangleDistortion& distortion) const
+  /// Adds its part of the derivatives of the sum, of the second ones those below the diagonal.
+  void AddTo(const Eigen::VectorXd& x, double epsilon, Eigen::VectorXd& gradient,
+    std::vector<Eigen::Triplet<double, Index>>& hessian) const
   {
-    // Of the derivative of the map by each coordinate.
-    std::vector<Index> slot;
+    TriangleDistortion distortion(this->DerivativeAt(x), this->MustStay ? 0.0 : epsilon);
+    distortion.Convexify();
+    // The derivatives of the map's derivative by each coordinate.
+    std::array<Index, 6> slot;
+    Index count = 0;
     Eigen::Matrix<double, 4, 6> by;
     for (int c = 0; c < 3; ++c)
     {
@@ -117,18 +133,21 @@ public:
       for (int i = 0; i < this->Freedom[c]; ++i)
       {
         const Complex d = this->DirectionOf(c, i);
-        by.col(static_cast<Index>(slot.size())) << d.real() * weight, d.imag() * weight;
-        slot.push_back(this->Slot[c] + i);
+        by.col(count) << d.real() * weight, d.imag() * weight;
+        slot[count++] = this->Slot[c] + i;
       }
     }
-    for (std::size_t i = 0; i < slot.size(); ++i)
+    for (Index i = 0; i < count; ++i)
     {
-      const auto column = by.col(static_cast<Index>(i));
+      const auto column = by.col(i);
       gradient[slot[i]] += this->Area * column.dot(distortion.Gradient);
       const TriangleDistortion::Derivative image = this->Area * (distortion.Hessian * column);
-      for (std::size_t j = 0; j < slot.size(); ++j)
+      for (Index j = 0; j < count; ++j)
       {
-        hessian.emplace_back(slot[j], slot[i], by.col(static_cast<Index>(j)).dot(image));
+        if (slot[j] >= slot[i])
+        {
+          hessian.emplace_back(slot[j], slot[i], by.col(j).dot(image));
+        }
       }
     }
   }
@@ -146,23 +165,10 @@ private:
   std::array<Complex, 3> Start;
   Eigen::Matrix2d Inverse;
   double Area;
+  double LeastArea;
+  /// Whether no step may flip it.
   bool MustStay;
 };
-
-/// Whether a triangle has no area wherever its vertices move: it has none, or two corners in the same
-/// place, that cannot move.
-bool IsHopeless(const MovablePlaces& places, Index t)
-{
-  std::vector<Complex> fixed;
-  for (int c = 0; c < 3; ++c)
-  {
-    if (places.GetFreedom(places.Mesh.Triangles[t].Vertex[c]) == 0)
-    {
-      fixed.push_back(places.Corner(t, c));
-    }
-  }
-  return fixed.size() == 3 || (fixed.size() == 2 && fixed[0] == fixed[1]);
-}
 
 /// The energy of a patch and its minimization.
 class PatchEnergy
@@ -181,7 +187,7 @@ public:
     }
     for (const Index t : triangles)
     {
-      if (!IsHopeless(places, t))
+      if (!places.StaysFlat(t))
       {
         this->Pieces.emplace_back(places, t, this->Slots);
       }
@@ -189,16 +195,19 @@ public:
     this->X = Eigen::VectorXd::Zero(this->Count);
   }
 
-  void Minimize()
+  Index GetNumberOfCoordinates() const { return this->Count; }
+
+  void Minimize(const Progress& progress)
   {
     std::vector<double> depths;
     int beyond = 0;
-    for (int k = 0; k<MostSteps&& this->Count> 0; ++k)
+    for (int k = 0; k < MostSteps; ++k)
     {
-      depths.push_back(std::max(0.0, LeastArea - this->LeastDeterminant()));
+      progress.RequireToGoOn();
+      depths.push_back(this->Deepest(&Piece::LackAt));
       beyond += depths.back() > 0.0 ? 0 : 1;
       if (this->IsStuck(depths) || beyond > StepsBeyond ||
-        !this->Step(std::max(LeastEpsilon, OfDeepest * depths.back())))
+        !this->Step(std::max(LeastEpsilon, OfDeepest * this->Deepest(&Piece::FoldAt))))
       {
         return;
       }
@@ -207,6 +216,10 @@ public:
 
   void MoveIn(MovablePlaces& places) const
   {
+    if (!(this->X.array().abs() < IntegerGrid::Range).all())
+    {
+      return;
+    }
     for (const auto& [v, slot] : this->Slots)
     {
       places.Move(v, this->X[slot], places.GetFreedom(v) == 2 ? this->X[slot + 1] : 0.0);
@@ -224,14 +237,15 @@ private:
     return depths.back() > 0.0 && (isSlow || stays);
   }
 
-  double LeastDeterminant() const
+  /// The largest of a figure of the triangles, at least 0.
+  double Deepest(double (Piece::*figure)(const Eigen::VectorXd&) const) const
   {
-    double least = std::numeric_limits<double>::infinity();
+    double deepest = 0.0;
     for (const Piece& piece : this->Pieces)
     {
-      least = std::min(least, piece.DeterminantAt(this->X));
+      deepest = std::max(deepest, (piece.*figure)(this->X));
     }
-    return least;
+    return deepest;
   }
 
   double ValueAt(const Eigen::VectorXd& x, double epsilon) const
@@ -239,36 +253,40 @@ private:
     double sum = 0.0;
     for (const Piece& piece : this->Pieces)
     {
-      sum += piece.GetArea() * piece.DistortionAt(x, epsilon).Value;
+      sum += piece.ValueAt(x, epsilon);
     }
     return sum;
+  }
+
+  /// The second derivatives, those below the diagonal, and the gradient.
+  Matrix HessianAt(double epsilon, Eigen::VectorXd& gradient) const
+  {
+    std::vector<Eigen::Triplet<double, Index>> entries;
+    for (const Piece& piece : this->Pieces)
+    {
+      piece.AddTo(this->X, epsilon, gradient, entries);
+    }
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(this->Count);
+    for (const auto& entry : entries)
+    {
+      diagonal[entry.col()] += entry.row() == entry.col() ? entry.value() : 0.0;
+    }
+    for (Index i = 0; i < this->Count; ++i)
+    {
+      // Vertices stay all of whose triangles stay flat.
+      entries.emplace_back(i, i, diagonal[i] > 0.0 ? Regularization * diagonal[i] : 1.0);
+    }
+    Matrix hessian(this->Count, this->Count);
+    hessian.setFromTriplets(entries.begin(), entries.end());
+    return hessian;
   }
 
   /// Returns whether there was a better place.
   bool Step(double epsilon)
   {
-    std::vector<Eigen::Triplet<double, Index>> entries;
+    const double value = this->ValueAt(this->X, epsilon);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(this->Count);
-    double value = 0.0;
-    for (const Piece& piece : this->Pieces)
-    {
-      TriangleDistortion distortion = piece.DistortionAt(this->X, epsilon);
-      value += piece.GetArea() * distortion.Value;
-      distortion.Convexify();
-      piece.AddTo(gradient, entries, distortion);
-    }
-    // Vertices stay whose triangles are all hopeless.
-    double diagonal = 0.0;
-    for (const auto& entry : entries)
-    {
-      diagonal += entry.row() == entry.col() ? entry.value() / this->Count : 0.0;
-    }
-    for (Index i = 0; i < this->Count; ++i)
-    {
-      entries.emplace_back(i, i, Regularization * diagonal);
-    }
-    Matrix hessian(this->Count, this->Count);
-    hessian.setFromTriplets(entries.begin(), entries.end());
+    const Matrix hessian = this->HessianAt(epsilon, gradient);
     if (!this->Solver)
     {
       this->Solver.emplace();
@@ -299,17 +317,20 @@ private:
   Index Count = 0;
   std::vector<Piece> Pieces;
   Eigen::VectorXd X;
-  /// Of the energy by the last step, as a part of it.
+  /// By which part the last step made the sum less.
   double Decrease = 1.0;
   std::optional<Eigen::SimplicialLDLT<Matrix>> Solver;
 };
 }
 
-void UnfoldPatch(
-  MovablePlaces& places, const std::vector<Index>& vertices, const std::vector<Index>& triangles)
+void UnfoldPatch(MovablePlaces& places, const std::vector<Index>& vertices,
+  const std::vector<Index>& triangles, const Progress& progress)
 {
   PatchEnergy energy(places, vertices, triangles);
-  energy.Minimize();
-  energy.MoveIn(places);
+  if (energy.GetNumberOfCoordinates() > 0 && energy.GetNumberOfCoordinates() <= MostCoordinates)
+  {
+    energy.Minimize(progress);
+    energy.MoveIn(places);
+  }
 }
 }

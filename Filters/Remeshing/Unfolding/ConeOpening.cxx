@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Parametrization/ConeOpening.h"
+#include "Unfolding/ConeOpening.h"
 
 #include <algorithm>
 #include <cmath>
