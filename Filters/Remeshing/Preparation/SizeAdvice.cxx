@@ -91,7 +91,8 @@ std::vector<std::string> SizeAdvice::GetSentences(double unit) const
   if (this->Kept > 0 && !isOfSmall)
   {
     sentences.push_back(std::to_string(this->Kept) +
-      " vertices are no points of a grid: the surface is thinner there than three edges, or has features "
+      (this->Kept == 1 ? " vertex is no point" : " vertices are no points") +
+      " of a grid: the surface is thinner there than three edges, or has features "
       "that are closer than one. An edge length of " +
       Figure(unit * this->ShortestEdge) + " would do, but in corners that are narrower still.");
   }
