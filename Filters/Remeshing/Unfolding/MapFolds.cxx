@@ -43,7 +43,7 @@ std::vector<Index> FindFlipped(const MovablePlaces& places)
   return flipped;
 }
 
-/// The vertices within a distance of triangles.
+/// The vertices within about a distance of triangles, along edges.
 class Surroundings
 {
 public:
