@@ -4,6 +4,7 @@
 #include "Curves/CurveCut.h"
 
 #include "Curves/CoarseFirst.h"
+#include "Curves/CurvePoints.h"
 #include "Curves/CurveSentences.h"
 #include "Curves/PartRefinement.h"
 #include "Curves/SplittableMesh.h"
@@ -27,6 +28,11 @@ constexpr double Close = 0.05;
 /// And closer than this part of the way to the curve's points before and after: lines through many
 /// points in one triangle would run in zigzags.
 constexpr double CloseOnWay = 0.25;
+/// Between two of its points it is straight: it takes points only at an offset of up to this part
+/// of the step there, which turns it by 6 degrees at most, or of this part of an edge, where cuts
+/// would leave needles.
+constexpr double CloseOnStep = 0.1;
+constexpr double SamePlace = 1e-3;
 /// Points of a curve that are closer, in parts of the surface's diagonal, are one.
 constexpr double SamePoint = 1e-5;
 /// A given point takes what is closer than this part of an edge: vertices of the mesh get their own
@@ -54,35 +60,6 @@ Surface WithoutCollapsed(const Surface& surface)
     }
   }
   return result;
-}
-
-/// The points of a curve that are farther from each other than a distance, and its last one.
-std::vector<Vector3> Apart(const std::vector<Vector3>& curve, double distance)
-{
-  std::vector<Vector3> apart;
-  for (const Vector3& point : curve)
-  {
-    if (apart.empty() || !((point - apart.back()).norm() <= distance))
-    {
-      apart.push_back(point);
-    }
-  }
-  if (apart.size() > 1)
-  {
-    apart.back() = curve.back();
-  }
-  return apart;
-}
-
-/// How far a point of a curve is from those before and after it.
-double RoomAt(const std::vector<Vector3>& curve, std::size_t i)
-{
-  double room = std::numeric_limits<double>::infinity();
-  for (std::size_t k = i > 0 ? i : 1; k < std::min(i + 2, curve.size()); ++k)
-  {
-    room = std::min(room, (curve[k] - curve[k - 1]).norm());
-  }
-  return room;
 }
 
 class Cutter
@@ -361,13 +338,14 @@ private:
   bool Join(Index from, Index to)
   {
     const std::size_t most = 2 * this->Mesh.GetTriangles().size() + 16;
+    Vector3 strayed = Vector3::Zero();
     for (std::size_t k = 0; k < most && from != to; ++k)
     {
       this->Ask();
       Index next = to;
       if (!this->Mesh.AreJoined(from, to))
       {
-        next = this->Step(from, this->PlaceOf(to));
+        next = this->Step(from, this->PlaceOf(to), strayed);
         if (next == None)
         {
           return false;
@@ -380,7 +358,8 @@ private:
   }
 
   /// The next point on the way to a place; None where it comes no closer.
-  Index Step(Index from, const Vector3& to)
+  /// @param strayed how far the points that the way has taken are from the straight one
+  Index Step(Index from, const Vector3& to, Vector3& strayed)
   {
     const Vector3 way = to - this->PlaceOf(from);
     const Exit exit = this->ExitFrom(from, way);
@@ -389,18 +368,22 @@ private:
       return None;
     }
     const auto isCloser = [&](const Vector3& place) { return (to - place).norm() < way.norm(); };
+    const Vector3 edge = this->PlaceOf(exit.Edge[1]) - this->PlaceOf(exit.Edge[0]);
+    const Vector3 place = this->PlaceOf(exit.Edge[0]) + exit.Part * edge;
     const Index nearer = exit.Edge[exit.Part < 0.5 ? 0 : 1];
-    if (std::min(exit.Part, 1.0 - exit.Part) < Close && isCloser(this->PlaceOf(nearer)))
+    const Vector3 offset = this->PlaceOf(nearer) - place;
+    // From a point off the straight way the rest leads back to it.
+    const Vector3 rest = std::min((to - place).norm() / way.norm(), 1.0) * strayed;
+    const bool isStraight =
+      (rest + offset).norm() < std::max(strayed.norm(), Close * edge.norm()) &&
+      offset.norm() < CloseOnStep * (place - this->PlaceOf(from)).norm();
+    if ((isStraight || offset.norm() < SamePlace * edge.norm()) && isCloser(this->PlaceOf(nearer)))
     {
+      strayed = rest + offset;
       return nearer;
     }
-    const Vector3 place =
-      (1.0 - exit.Part) * this->PlaceOf(exit.Edge[0]) + exit.Part * this->PlaceOf(exit.Edge[1]);
-    if (!isCloser(place))
-    {
-      return None;
-    }
-    return this->SplitEdge(exit.Edge[0], exit.Edge[1], place);
+    strayed = rest;
+    return isCloser(place) ? this->SplitEdge(exit.Edge[0], exit.Edge[1], place) : None;
   }
 
   const Progress& Asked;

@@ -132,6 +132,45 @@ TEST(Curves, CutsKeepTheSurface)
   }
 }
 
+/// Lines across squares that are halved one way or the other: they pass points of the surface at any
+/// distance, in any order.
+TEST(Curves, StraightOnesStayStraight)
+{
+  constexpr int squares = 30;
+  for (const bool isMirrored : { false, true })
+  {
+    Surface plane = Meshes::Square(squares);
+    for (Vector3& p : plane.Points)
+    {
+      p.x() = isMirrored ? 1.0 - p.x() : p.x();
+    }
+    for (Triangle& t : plane.Triangles)
+    {
+      std::swap(t[1], t[isMirrored ? 2 : 1]);
+    }
+    for (int k = 0; k < 60; ++k)
+    {
+      const Vector3 from(0.2, 0.2, 0.0);
+      const Vector3 to(0.8, 0.2 + k / 100.0, 0.0);
+      const CurveCut cut = CutAlong(plane, { { { from, to } }, {} });
+      const Vector3 along = (to - from).normalized();
+      for (const std::array<Index, 2>& edge : cut.Edges)
+      {
+        const Vector3& a = cut.Cut.Points[edge[0]];
+        const Vector3& b = cut.Cut.Points[edge[1]];
+        EXPECT_LT((a - from).cross(along).norm() * squares, 0.05 * std::sqrt(2.0)) << k;
+        EXPECT_GT(std::abs((b - a).normalized().dot(along)), std::cos(10.0 * Pi / 180.0)) << k;
+      }
+    }
+    // One line of the mesh, whose ends are 40 degrees off the sides.
+    const RemeshResult mesh =
+      Remeshed(plane, { { { 0.2, 0.2, 0.0 }, { 0.8, 0.75, 0.0 } } }, 2000, {});
+    EXPECT_EQ(std::count_if(mesh.Chains.begin(), mesh.Chains.end(),
+                [](const MeshChain& chain) { return chain.Kind == ChainKind::Curve; }),
+      1);
+  }
+}
+
 TEST(Curves, CurvesThatCrossMeetInAPoint)
 {
   const CurveCut cut = CutAlong(Meshes::Square(9),
