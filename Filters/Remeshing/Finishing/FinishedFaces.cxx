@@ -28,10 +28,12 @@ constexpr int Trials = 3;
 constexpr double OfTurned = -0.5;
 /// How often edges of lines are split that stray from them.
 constexpr int LineCutRounds = 3;
-/// How close they come. An edge of the wanted length does at circles with a radius of about three
-/// lengths. Triangles that come of it are joined where quads alone are wanted, which takes room.
-constexpr CloseLines Close = { 0.035, 0.2 };
-constexpr CloseLines CloseOfQuads = { 0.04, 0.25 };
+/// How close they come by moves. An edge of the wanted length does at circles with a radius of
+/// about three lengths. Around smaller ones a vertex more gains little, and costs a triangle or two
+/// and a good part of the least scaled Jacobian: edges are split only where a line has lost
+/// vertices. Triangles that come of it are joined where quads alone are wanted, which takes room.
+constexpr CloseLines Close = { 0.035, 0.08, 0.2 };
+constexpr CloseLines CloseOfQuads = { 0.04, 0.08, 0.25 };
 
 /// The least scaled Jacobian; of triangles, which are to go, -1.
 double LeastQuality(const FaceMesh& mesh)

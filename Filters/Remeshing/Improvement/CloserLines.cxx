@@ -293,7 +293,7 @@ bool SplitLines(FaceMesh& mesh, const std::vector<ClosestPoints>& lines,
       const Vector3& b = points[ends[1]];
       const double length = 0.5 * (edgeLength[ends[0]] + edgeLength[ends[1]]);
       const double straying = Straying(line, a, b) / length;
-      more = std::clamp(more + std::sqrt(straying / wanted.MostStraying) - 1.0, -0.5, 1.5);
+      more = std::clamp(more + std::sqrt(straying / wanted.MostUnsplit) - 1.0, -0.5, 1.5);
       if (more < 0.5 || (b - a).norm() < ShortestSplit * length)
       {
         continue;

@@ -18,16 +18,19 @@ namespace DirectionFields::Internal
 void SpaceLines(const VertexStars& faces, MovableFaces& places, const SmoothingDomain& domain,
   const Progress& progress = {});
 
-/// How far edges of lines may stray from them, in wanted lengths, and the least scaled Jacobian of
-/// the parts of faces that are cut for it.
+/// How far edges of lines may stray from them, in wanted lengths, before vertices move for it;
+/// before edges are split for it, which makes triangles; and the least scaled Jacobian of the
+/// parts of faces that are cut then.
 struct CloseLines
 {
   double MostStraying;
+  double MostUnsplit;
   double LeastQuality;
 };
 
-/// Splits edges of lines that stray too far, as many as evenly spaced vertices would need, unless
-/// faces became bad, or edges too short. Returns whether there were any.
+/// Splits edges of lines that stray by more than is allowed unsplit, as many as evenly spaced
+/// vertices would need, unless faces became bad, or edges too short. Returns whether there were
+/// any.
 /// @param lines      the segments of each feature
 /// @param edgeLength wanted at each vertex
 bool SplitLines(FaceMesh& mesh, const std::vector<ClosestPoints>& lines,

@@ -198,7 +198,6 @@ TEST(Regions, EdgesAroundSmallHolesAreAsCloseToThem)
       Labelled(plate, [](const Vector3& p) { return p[1] > 0.0 ? 1 : 0; });
     const RemeshResult mesh = Remeshed(plate, regions, hole.Faces);
     EXPECT_EQ(Meshes::FlawOf(mesh), "");
-    EXPECT_GT(Meshes::LeastQuality(mesh), 0.2);
     Index around = 0;
     double most = 0.0;
     for (const std::array<Index, 4>& face : mesh.Faces)
@@ -215,7 +214,10 @@ TEST(Regions, EdgesAroundSmallHolesAreAsCloseToThem)
         }
       }
     }
-    EXPECT_LE(most, 0.05 * mesh.EdgeLength) << radius;
+    EXPECT_LE(most, 0.08 * mesh.EdgeLength) << radius;
+    // Vertices around a hole that edges of the wanted length do not need would be paid for by these.
+    EXPECT_GT(Meshes::LeastQuality(mesh), 0.5) << radius;
+    EXPECT_EQ(mesh.Triangles, 0) << radius;
     // No more than half as many again as even spacing needs, or edges of the wanted length.
     const double needed = Pi / std::acos(1.0 - 0.035 * mesh.EdgeLength / radius);
     EXPECT_LE(around, 1.5 * std::max(needed, 2.0 * Pi * radius / mesh.EdgeLength)) << radius;
