@@ -12,19 +12,24 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkLongLongArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTriangle.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -310,6 +315,60 @@ void TestTimeSeries()
   CHECK(steps.count("Mapping the surface to a grid") == 1);
   CHECK(mesh->GetNumberOfPoints() != before->GetNumberOfPoints());
 }
+
+/// The segments of a slice are one curve, whatever they measure; those of other numbers are others.
+void TestSegments()
+{
+  constexpr int sides = 48;
+  for (const int parts : { 1, 2 })
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkIntArray> part;
+    part->SetName("Part");
+    vtkNew<vtkDoubleArray> stress;
+    stress->SetName("Stress");
+    for (int k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * k / sides;
+      points->InsertNextPoint(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle), 0.0);
+      // In another order, and each the other way than the one before it.
+      const vtkIdType from = 7 * k % sides;
+      const vtkIdType ends[] = { (from + k % 2) % sides, (from + 1 - k % 2) % sides };
+      lines->InsertNextCell(2, ends);
+      part->InsertNextValue(5 + parts * static_cast<int>(from) / sides);
+      stress->InsertNextValue(0.1 * k);
+    }
+    vtkNew<vtkPolyData> slice;
+    slice->SetPoints(points);
+    slice->SetLines(lines);
+    slice->GetCellData()->AddArray(part);
+    slice->GetCellData()->AddArray(stress);
+    vtkNew<vtkFieldAlignedRemesh> filter;
+    filter->SetInputData(Meshes::ToPolyData(Meshes::Square(24)));
+    filter->SetNumberOfFaces(900);
+    filter->SetCurvesData(slice);
+    filter->Update();
+    vtkCellData* const found = filter->GetOutput(2)->GetCellData();
+    REQUIRE(filter->GetOutput(2)->GetNumberOfCells() == 4 + parts);
+    auto* const names = vtkStringArray::SafeDownCast(found->GetAbstractArray("ChainName"));
+    double length = 0.0;
+    for (int k = 0; k < parts; ++k)
+    {
+      CHECK(names->GetValue(4 + k) == "Curve " + std::to_string(k) + " 1");
+      CHECK(found->GetArray("CurveId")->GetTuple1(4 + k) == k);
+      CHECK(found->GetArray("Part")->GetTuple1(4 + k) == 5 + k);
+      vtkPoints* const on = filter->GetOutput(2)->GetCell(4 + k)->GetPoints();
+      for (vtkIdType i = 1; i < on->GetNumberOfPoints(); ++i)
+      {
+        std::array<double, 3> a;
+        on->GetPoint(i - 1, a.data());
+        length += std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), on->GetPoint(i)));
+      }
+    }
+    CHECK(std::abs(length - 0.6 * vtkMath::Pi()) < 0.02);
+  }
+}
 }
 
 int TestFieldAlignedRemeshData(int, char*[])
@@ -319,5 +378,6 @@ int TestFieldAlignedRemeshData(int, char*[])
   TestFloats();
   TestErrors();
   TestTimeSeries();
+  TestSegments();
   return Result();
 }

@@ -16,10 +16,12 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -41,6 +43,109 @@ Vector3 PlaceOf(vtkPolyData* polyData, vtkIdType id, const char* cell)
       cell + ".");
   }
   return place;
+}
+
+/// Whether two cells are the same in what numbers or names them: integers and texts, not numbers
+/// that are measured.
+bool AreAlike(vtkCellData* data, vtkIdType a, vtkIdType b)
+{
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const array = data->GetAbstractArray(k);
+    const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+    for (int c = 0; c < array->GetNumberOfComponents() && !isReal; ++c)
+    {
+      const vtkIdType size = array->GetNumberOfComponents();
+      if (!(array->GetVariantValue(a * size + c) == array->GetVariantValue(b * size + c)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Lines of two points that meet end to end where no other line is, as slices and Feature Edges
+/// have them, are parts of one curve.
+class JoinedSegments
+{
+public:
+  explicit JoinedSegments(vtkPolyData* polyData)
+    : Data(polyData->GetCellData())
+    , FirstCell(polyData->GetNumberOfVerts())
+  {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType i = 0; i < polyData->GetNumberOfLines(); ++i)
+    {
+      polyData->GetLines()->GetCellAtId(i, ids);
+      this->Lines.emplace_back(ids->begin(), ids->end());
+      for (const vtkIdType p : this->Lines.back())
+      {
+        this->At[p].push_back(i);
+      }
+    }
+  }
+
+  /// The points of each curve, from the end that comes first, and its first line.
+  std::vector<std::pair<std::vector<vtkIdType>, vtkIdType>> Join() const
+  {
+    std::vector<std::pair<std::vector<vtkIdType>, vtkIdType>> curves;
+    std::vector<char> isTaken(this->Lines.size(), 0);
+    for (vtkIdType i = 0; i < static_cast<vtkIdType>(this->Lines.size()); ++i)
+    {
+      if (isTaken[i] == 0)
+      {
+        isTaken[i] = 1;
+        std::vector<vtkIdType> points = this->Lines[i];
+        this->Extend(i, points, isTaken);
+        std::reverse(points.begin(), points.end());
+        this->Extend(i, points, isTaken);
+        std::reverse(points.begin(), points.end());
+        curves.emplace_back(std::move(points), i);
+      }
+    }
+    return curves;
+  }
+
+private:
+  /// Goes on at the last point.
+  void Extend(vtkIdType line, std::vector<vtkIdType>& points, std::vector<char>& isTaken) const
+  {
+    while (this->Lines[line].size() == 2)
+    {
+      const std::vector<vtkIdType>& here = this->At.at(points.back());
+      const vtkIdType next = here[here[0] == line ? here.size() - 1 : 0];
+      if (here.size() != 2 || isTaken[next] != 0 || this->Lines[next].size() != 2 ||
+        !AreAlike(this->Data, this->FirstCell + line, this->FirstCell + next))
+      {
+        return;
+      }
+      isTaken[next] = 1;
+      points.push_back(this->Lines[next][this->Lines[next][0] == points.back() ? 1 : 0]);
+      line = next;
+    }
+  }
+
+  vtkCellData* Data;
+  vtkIdType FirstCell;
+  std::vector<std::vector<vtkIdType>> Lines;
+  /// The lines at each point.
+  std::map<vtkIdType, std::vector<vtkIdType>> At;
+};
+
+/// Appends the lines of polydata, those of two points joined.
+void AddJoinedLines(vtkPolyData* polyData, KeptLines& kept)
+{
+  for (const auto& [points, line] : JoinedSegments(polyData).Join())
+  {
+    std::vector<Vector3> curve;
+    for (const vtkIdType p : points)
+    {
+      curve.push_back(PlaceOf(polyData, p, "with its line"));
+    }
+    kept.Curves.push_back(std::move(curve));
+    kept.OfCurves.push_back({ polyData, polyData->GetNumberOfVerts() + line });
+  }
 }
 
 /// Appends the lines of polydata.
@@ -87,14 +192,16 @@ void AddPoints(vtkPolyData* polyData, KeptLines& kept)
   }
 }
 
-void Add(vtkPolyData* polyData, bool hasPoints, KeptLines& kept)
+void Add(vtkPolyData* polyData, bool isKept, KeptLines& kept)
 {
   CheckPolyData(polyData);
-  AddLines(polyData, kept);
-  if (hasPoints)
+  if (!isKept)
   {
-    AddPoints(polyData, kept);
+    AddLines(polyData, kept);
+    return;
   }
+  AddJoinedLines(polyData, kept);
+  AddPoints(polyData, kept);
 }
 
 /// The same array of other data, or null.
@@ -119,12 +226,12 @@ void SetMissing(vtkAbstractArray* array, vtkIdType at)
 }
 }
 
-KeptLines LinesOf(vtkDataObject* data, bool hasPoints)
+KeptLines LinesOf(vtkDataObject* data, bool isKept)
 {
   KeptLines kept;
   if (auto* const polyData = vtkPolyData::SafeDownCast(data))
   {
-    Add(polyData, hasPoints, kept);
+    Add(polyData, isKept, kept);
   }
   else if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
   {
@@ -134,7 +241,7 @@ KeptLines LinesOf(vtkDataObject* data, bool hasPoints)
     {
       if (auto* const block = vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject()))
       {
-        Add(block, hasPoints, kept);
+        Add(block, isKept, kept);
       }
     }
   }

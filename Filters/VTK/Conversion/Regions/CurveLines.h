@@ -30,7 +30,7 @@ using Curves = std::vector<std::vector<Vector3>>;
 struct KeptLines
 {
   DirectionFields::Curves Curves;
-  /// The cell that each of them is.
+  /// The cell that each of them is, or begins with.
   std::vector<GivenCell> OfCurves;
   std::vector<Vector3> Points;
   /// The cell that each of them is in; None where the data has points alone.
@@ -41,8 +41,10 @@ struct KeptLines
 /// dataset; none for null. Polydata without any cells has its points. A point is taken once. Throws
 /// std::invalid_argument or std::out_of_range for damaged data, and for coordinates that are no
 /// finite numbers, with a sentence that names the second input.
-/// @param hasPoints whether points are wanted
-KeptLines LinesOf(vtkDataObject* data, bool hasPoints = true);
+/// @param isKept whether a mesh is to have them, which takes points, too, and makes one curve of
+///               lines of two points that meet end to end where no other line is, unless integers or
+///               texts of theirs differ
+KeptLines LinesOf(vtkDataObject* data, bool isKept = true);
 
 /// The strengths of curves, 0 to 1: the cell array "Strength" of one component of their data, 1 in
 /// data without it; empty where none has it. Throws std::invalid_argument for other numbers.
