@@ -261,6 +261,8 @@ std::vector<Case> CurveCases()
       },
       Outcome::Error, { "Point 1 of the second input", "Remove it" } },
     { "none", [](Run& r) { r.Curves({}); }, Outcome::Right, {} },
+    { "faces alone", [](Run& r) { r.Filter->SetCurvesData(r.Square); }, Outcome::Warning,
+      { "Kept Curves has faces alone", "Feature Edges or Slice" } },
     { "along the boundary",
       [](Run& r) {
         r.Curves({ { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } } });

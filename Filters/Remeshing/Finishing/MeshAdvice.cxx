@@ -33,6 +33,8 @@ constexpr double MostOnFeatures = 0.25;
 constexpr double MostCrossed = 0.1;
 /// Sizes are judged by this part of the faces, those that are to be the smallest or the largest.
 constexpr double Extremes = 0.1;
+/// Sizes whose largest one is less than this times the smallest one are the same.
+constexpr double HardlyOther = 1.05;
 /// The user is told where fewer edges have the wanted length. Of even ones about .75 to 1 have.
 constexpr double FewAsWanted = 0.6;
 
@@ -126,6 +128,7 @@ std::string AboutNumber(const Faces& faces, const MeshWishes& wishes)
   {
     return {};
   }
+  const auto better = static_cast<Index>(std::min(1e9, std::ceil(wanted * wanted / made)));
   return "There are " + std::to_string(faces.Corners.size()) + " faces in place of " +
     std::to_string(wishes.NumberOfFaces) + ". " +
     (made > ManyTimes * wanted && wishes.PartOnFeatures > MostOnFeatures
@@ -133,9 +136,9 @@ std::string AboutNumber(const Faces& faces, const MeshWishes& wishes)
               ? "The borders, curves and points that are to be kept need so many: fewer "
                 "of them would come closer."
               : "Its sharp edges need so many: Keep Features off would come closer.")
-        : "A Number Of Faces of " +
-          std::to_string(static_cast<Index>(std::min(1e9, std::ceil(wanted * wanted / made)))) +
-          " should come closer.");
+        : better == wishes.NumberOfFaces
+        ? "So few cannot show the surface."
+        : "A Number Of Faces of " + std::to_string(better) + " should come closer.");
 }
 
 /// The area of a face, by its diagonals or two of its sides.
@@ -211,6 +214,11 @@ std::string AboutSizes(
   }
   const auto isSmaller = [](const SizedFace& a, const SizedFace& b) { return a.Wanted < b.Wanted; };
   std::stable_sort(sized.begin(), sized.end(), isSmaller);
+  // Other sentences tell why sizes that hardly differ are missed.
+  if (!(sized.back().Wanted > HardlyOther * sized.front().Wanted))
+  {
+    return {};
+  }
   const double shortest = MiddleRatio(sized, Extremes);
   std::reverse(sized.begin(), sized.end());
   const double longest = MiddleRatio(sized, Extremes);
@@ -224,9 +232,9 @@ std::string AboutSizes(
                              : "A Gradation of 1.3 makes them grow step by step.")
                                : std::string();
   }
-  return "Edges are " + TimesWanted(shortest) +
-    " where the Sizing Array asks for the shortest, and " + TimesWanted(longest) +
-    " where it asks for the longest: a grid of few irregular vertices cannot change its size that "
+  return "Edges are " + TimesWanted(shortest) + " where they are to be shortest, and " +
+    TimesWanted(longest) +
+    " where they are to be longest: a grid of few irregular vertices cannot change its size that "
     "fast. " +
     (wishes.AddsPairs ? "" : "Add Irregular Pairs would help, unless a field is given. ") +
     "Sizes that differ less, as their square roots do, would be kept better.";

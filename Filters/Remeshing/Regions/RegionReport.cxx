@@ -284,9 +284,12 @@ std::vector<std::string> RegionAdvice(const RegionFigures& figures, const LostBo
     sentences.push_back(Figure(100.0 * (1.0 - figures.BordersKept - figures.Stairs)) +
       (hasCurves ? " % of the curves, and of borders of regions,"
                  : " % of the borders of regions") +
-      " are not on edges of the mesh, and of the places where they meet " +
-      std::to_string(figures.MissedCorners) + " are no vertices, since " +
-      (hasCurves ? "they are close" : "regions are narrow") +
+      " are not on edges of the mesh, " +
+      (figures.MissedCorners == 0
+          ? std::string()
+          : "and " + std::to_string(figures.MissedCorners) + " of the places where they meet " +
+            (figures.MissedCorners == 1 ? "is no vertex, " : "are no vertices, ")) +
+      "since " + (hasCurves ? "they are close" : "regions are narrow") +
       " there, or round. More faces, or shorter edges, "
       "come closer.");
   }

@@ -97,9 +97,11 @@ std::string AboutBoundary(const RemeshResult& mesh)
 {
   const BoundaryFigures& boundary = mesh.Boundary;
   const auto points = static_cast<std::size_t>(boundary.Points);
+  // Less is the rounding of coordinates.
+  const double unevenness = boundary.Unevenness < 1e-6 ? 0.0 : boundary.Unevenness;
   return boundary.Kept + boundary.Others > 0 ? ", " + std::to_string(boundary.Kept) + " of " +
       Count(points, "point") + " of the boundary kept"
-    : points > 0 ? ", edges of the boundary even to " + Figure(100.0 * boundary.Unevenness) + " %"
+    : points > 0 ? ", edges of the boundary even to " + Figure(100.0 * unevenness) + " %"
                  : std::string();
 }
 

@@ -274,6 +274,11 @@ void vtkFieldAlignedRemesh::Execute(
       ", which was computed. Set Directions Per Point (Degree) of Direction " + "Field to " +
       std::to_string(degree) + " for the mesh to follow that.");
   }
+  if (kept.HasFaces && kept.Curves.empty() && kept.Points.empty())
+  {
+    warnings.push_back("Kept Curves has faces alone, no lines or vertices: nothing of it is kept. "
+                       "Feature Edges or Slice make lines of it.");
+  }
   const DirectionFields::CellDataRules rules{ options.Regions, OrEmpty(this->RegionArray),
     OrEmpty(this->ConservedArray) };
   DirectionFields::CheckConserved(input, rules);

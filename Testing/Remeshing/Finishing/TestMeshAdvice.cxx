@@ -161,13 +161,13 @@ TEST(MeshAdvice, SizesThatAreNotReachedAreTold)
   // With pairs of irregular vertices these sizes are reached.
   options.AddIrregularPairs = false;
   sizing(1.0);
-  const std::string note = NoteWith(Remeshed(square, options), "Sizing Array");
+  const std::string note = NoteWith(Remeshed(square, options), "to be shortest");
   ASSERT_NE(note, "");
   sizing(0.5);
-  const std::string less = NoteWith(Remeshed(square, options), "Sizing Array");
+  const std::string less = NoteWith(Remeshed(square, options), "to be shortest");
   EXPECT_TRUE(less.empty() || worst(less) < worst(note)) << note << less;
   sizing(0.0);
-  EXPECT_EQ(NoteWith(Remeshed(square, options), "Sizing Array"), "");
+  EXPECT_EQ(NoteWith(Remeshed(square, options), "to be shortest"), "");
 }
 
 TEST(MeshAdvice, ComponentsWithoutAreaAreToldToBeMissing)
@@ -221,6 +221,40 @@ TEST(MeshAdvice, SheetsThatOnlyTouchAreToldToBeApart)
   EXPECT_EQ(NoteWith(Remeshed(cubesAt(2.0 * size), options), words), "");
   EXPECT_EQ(TopologyAdvice(0, 2, 1, 0.5).size(), 1u);
   EXPECT_TRUE(TopologyAdvice(0, 2, 2, 0.5).empty());
+}
+
+/// Four squares in a row that are to be a millionth of what they are, or fewer.
+TEST(MeshAdvice, WhatCannotHelpIsNotAdvised)
+{
+  std::vector<Vector3> points;
+  Faces faces;
+  for (Index k = 0; k <= 4; ++k)
+  {
+    points.emplace_back(k, 0.0, 0.0);
+    points.emplace_back(k, 1.0, 0.0);
+    if (k < 4)
+    {
+      faces.Corners.push_back({ 2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1 });
+    }
+  }
+  MeshWishes wishes;
+  wishes.Extent = 5.0;
+  wishes.EdgeLength = 1e-6;
+  wishes.Sizes.assign(points.size(), 1e-6);
+  EXPECT_TRUE(MeshAdvice(points, faces, wishes).empty());
+  // Those that differ, by a factor that the mesh has not.
+  wishes.Sizes[0] = wishes.Sizes[1] = 1e-7;
+  ASSERT_EQ(MeshAdvice(points, faces, wishes).size(), 1u);
+  EXPECT_NE(
+    MeshAdvice(points, faces, wishes)[0].find("where they are to be shortest"), std::string::npos);
+  wishes.Sizes.clear();
+  wishes.NumberOfFaces = 1;
+  EXPECT_EQ(MeshAdvice(points, faces, wishes),
+    std::vector<std::string>{ "There are 4 faces in place of 1. So few cannot show the surface." });
+  wishes.NumberOfFaces = 2;
+  EXPECT_EQ(MeshAdvice(points, faces, wishes),
+    std::vector<std::string>{
+      "There are 4 faces in place of 2. A Number Of Faces of 1 should come closer." });
 }
 
 TEST(MeshAdvice, ProgressNeverGoesBackwards)

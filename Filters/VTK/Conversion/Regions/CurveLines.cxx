@@ -200,6 +200,7 @@ void Add(vtkPolyData* polyData, bool isKept, KeptLines& kept)
     AddLines(polyData, kept);
     return;
   }
+  kept.HasFaces = kept.HasFaces || polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0;
   AddJoinedLines(polyData, kept);
   AddPoints(polyData, kept);
 }

@@ -35,6 +35,8 @@ struct KeptLines
   std::vector<Vector3> Points;
   /// The cell that each of them is in; None where the data has points alone.
   std::vector<GivenCell> OfPoints;
+  /// Whether there are faces, which are none of both.
+  bool HasFaces = false;
 };
 
 /// The lines, and the points of the vertices, of polydata, or of all polydata in a composite
@@ -42,8 +44,8 @@ struct KeptLines
 /// std::invalid_argument or std::out_of_range for damaged data, and for coordinates that are no
 /// finite numbers, with a sentence that names the second input.
 /// @param isKept whether a mesh is to have them, which takes points, too, and makes one curve of
-///               lines of two points that meet end to end where no other line is, unless integers or
-///               texts of theirs differ
+///               lines of two points that meet end to end where no other line is, unless integers
+///               or texts of theirs differ
 KeptLines LinesOf(vtkDataObject* data, bool isKept = true);
 
 /// The strengths of curves, 0 to 1: the cell array "Strength" of one component of their data, 1 in
