@@ -148,8 +148,14 @@ void TestRemeshed()
   remesh->SetNumberOfFaces(200);
   remesh->Update();
   const auto writer = Writer(remesh->GetOutput());
+  vtkNew<Messages> messages;
+  writer->AddObserver(vtkCommand::WarningEvent, messages);
+  CHECK(writer->Write() == 1);
+  REQUIRE(messages->Warnings.size() == 1);
+  CHECK(messages->Warnings[0].find("its regions are not in the file") != std::string::npos);
   writer->SetRegionArray("Half");
   CHECK(writer->Write() == 1);
+  CHECK(messages->Warnings.size() == 1);
   std::istringstream text(ReadFile(Path));
   std::string line;
   vtkIdType inSets = 0;

@@ -14,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -119,6 +120,13 @@ ShellMesh PolyDataToShell(vtkPolyData* polyData, const char* regions, const char
     warnings.push_back(
       "The lines that came with the mesh are of another one, since they do not run along its edges: "
       "there are no sets of nodes for them. Write the mesh that Field Aligned Remesh has made.");
+  }
+  const auto isBorder = [](const NamedSet& set) { return set.Name.rfind("Border ", 0) == 0; };
+  if (mesh.FaceSets.empty() && std::any_of(mesh.PointSets.begin(), mesh.PointSets.end(), isBorder))
+  {
+    warnings.push_back(
+      "The mesh has borders of regions, but its regions are not in the file: there "
+      "is a set of elements for each if their array is the Region Array.");
   }
   return mesh;
 }
