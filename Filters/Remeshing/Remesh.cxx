@@ -434,6 +434,7 @@ void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& 
     const ComponentMap map = MapComponent(input, component, part.Part(0.15, 0.7));
     extracted.push_back(ExtractMesh(input.Geometry, map, part.Part(0.7, 1.0)));
   }
+  this->IsCostly = AreCostly(extracted);
   const FinishedMesh finished =
     Finish(request, input.Features, extracted, progress.Part(AfterCells, AfterFinishing));
   Report(request, input.Features, extracted, finished, result);

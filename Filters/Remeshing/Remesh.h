@@ -299,6 +299,8 @@ private:
   std::unique_ptr<Internal::ChosenPoints> Points;
   std::unique_ptr<Internal::Apices> Tips;
   std::unique_ptr<Internal::PreparedField> Cache;
+  /// The last map has so many integers that each one takes far longer than all else.
+  bool IsCostly = false;
   /// What the user is told about features that are left out; empty for none.
   std::vector<std::string> AboutFeatures;
 };

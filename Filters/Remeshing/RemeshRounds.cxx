@@ -163,9 +163,13 @@ void Remesh::Make(const RemeshOptions& given, const std::vector<Vector3>& direct
     {
       result = last;
     }
+    else if (this->IsCostly)
+    {
+      break;
+    }
   }
   // Other integers are as good for the energy, and by chance for the faces or not.
-  const bool mayVary = !isRough && !isCrowded && options.SmoothingIterations > 0;
+  const bool mayVary = !isRough && !isCrowded && !this->IsCostly && options.SmoothingIterations > 0;
   const auto isBad = [&](const MeshStanding& standing) {
     return standing.LeastQuality < LeastUsable || (!isLastTaken && standing.Farthest > edgeLength);
   };

@@ -9,6 +9,7 @@
 #include "Extraction/GridPoints.h"
 #include "Extraction/Pairing.h"
 #include "Extraction/VertexRemoval.h"
+#include "Integers/IntegerRounding.h"
 
 #include <algorithm>
 
@@ -153,5 +154,11 @@ ExtractedMesh ExtractMesh(
 {
   const std::optional<MapFailure>& failure = map.Map.GetFailure();
   return failure ? Unchanged(geometry, map.Component, *failure) : CellsOf(map, progress);
+}
+
+bool AreCostly(const std::vector<ExtractedMesh>& extracted)
+{
+  return std::any_of(extracted.begin(), extracted.end(),
+    [](const ExtractedMesh& part) { return part.Integers > MostRounded; });
 }
 }

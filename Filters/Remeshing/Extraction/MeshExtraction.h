@@ -56,6 +56,9 @@ struct ExtractedMesh
 /// Stopped.
 ExtractedMesh ExtractMesh(
   const SurfaceGeometry& geometry, const ComponentMap& map, const Progress& progress = {});
+
+/// Whether a map has so many integers (MostRounded) that it takes far longer than its faces do.
+bool AreCostly(const std::vector<ExtractedMesh>& extracted);
 }
 
 #endif

@@ -11,8 +11,10 @@ namespace DirectionFields::Internal
 {
 namespace
 {
-/// Maps of a component, each with fewer features than the one before.
+/// Maps of a component, each with fewer features than the one before; one less where each takes
+/// long, as with the integers of hundreds of handles.
 constexpr int MostAttempts = 3;
+constexpr int MostCostlyAttempts = 2;
 
 IntegerGridMap::Settings SettingsFor(const ParametrizationInput& input,
   const TriangleMesh::Component& component, const CutMesh& cutMesh)
@@ -70,10 +72,12 @@ ComponentMap MapComponent(
     const CutMesh& cutMesh = cache.MeshFor(
       input.Geometry, component, input.Matching, input.Features, input.IsFrameless, input.Section);
     const IntegerGridMap::Settings settings = SettingsFor(input, component, cutMesh);
-    IntegerGridMap map(cache.EnergyFor(settings.PerLength), settings, progress);
+    ParametrizationEnergy& energy = cache.EnergyFor(settings.PerLength);
+    const int most = energy.IsFactored() ? MostAttempts : MostCostlyAttempts;
+    IntegerGridMap map(energy, settings, progress);
     cache.Shrink(static_cast<double>(component.Triangles()) /
       static_cast<double>(mesh.GetNumberOfTriangles()));
-    const bool isLast = attempt == MostAttempts || map.GetFailure();
+    const bool isLast = attempt >= most || map.GetFailure();
     if (isLast || !DropFeatures(input, component, map.GetCollapsedFeatures()))
     {
       return { component, cutMesh, std::move(map) };
