@@ -89,8 +89,12 @@ std::string AboutTurned(const MeshWishes& wishes)
   }
   return std::to_string(wishes.Turned) + (wishes.Turned == 1 ? " face is" : " faces are") +
     " turned over, to the other side than the surface below, beside an edge of it "
-    "that bends more than theirs can follow. An edge length of " +
-    Figure(0.5 * wishes.ShortestEdge) + " gives them room.";
+    "that bends more than theirs can follow" +
+    (wishes.HasHard
+        ? ", or beside a kept curve or border at about 45 degrees to others or to the boundary"
+        : "") +
+    ". An edge length of " + Figure(0.5 * wishes.ShortestEdge) + " gives them room" +
+    (wishes.HasHard ? " at edges. Curves at up to 34 degrees to the others have enough." : ".");
 }
 
 std::string AboutDistance(const MeshWishes& wishes)

@@ -171,6 +171,24 @@ TEST(Curves, StraightOnesStayStraight)
   }
 }
 
+TEST(Curves, OnesFarFromHalfARightAngleTurnNoFaceOver)
+{
+  // The sentence on faces that are turned over says so.
+  for (const double degrees : { 20.0, 34.0 })
+  {
+    const double angle = degrees * Pi / 180.0;
+    const Vector3 half = 0.3 * Vector3(std::cos(angle), std::sin(angle), 0.0);
+    const Vector3 middle(0.5, 0.5, 0.0);
+    for (const Index faces : { 2000, 4000 })
+    {
+      const RemeshResult mesh =
+        Remeshed(Meshes::Square(30), { { middle - half, middle + half } }, faces);
+      EXPECT_EQ(mesh.TurnedFaces, 0) << degrees << ' ' << faces;
+      EXPECT_GT(Meshes::LeastQuality(mesh), 0.2) << degrees << ' ' << faces;
+    }
+  }
+}
+
 TEST(Curves, CurvesThatCrossMeetInAPoint)
 {
   const CurveCut cut = CutAlong(Meshes::Square(9),

@@ -255,6 +255,16 @@ TEST(MeshAdvice, WhatCannotHelpIsNotAdvised)
   EXPECT_EQ(MeshAdvice(points, faces, wishes),
     std::vector<std::string>{
       "There are 4 faces in place of 2. A Number Of Faces of 1 should come closer." });
+  wishes.NumberOfFaces = 0;
+  wishes.Turned = 2;
+  for (const bool hasHard : { false, true })
+  {
+    wishes.HasHard = hasHard;
+    ASSERT_EQ(MeshAdvice(points, faces, wishes).size(), 1u);
+    EXPECT_EQ(
+      MeshAdvice(points, faces, wishes)[0].find("Curves at up to 34 degrees") != std::string::npos,
+      hasHard);
+  }
 }
 
 TEST(MeshAdvice, ProgressNeverGoesBackwards)
