@@ -8,6 +8,7 @@
 #include "Computation/Stages.h"
 #include "Features/KeptFeatures.h"
 #include "Guidance/Guidance.h"
+#include "OwnField/FreeEnds.h"
 #include "OwnField/HoleBands.h"
 #include "OwnField/SharpCorners.h"
 #include "OwnField/SizeMetric.h"
@@ -22,6 +23,18 @@ namespace
 /// The part of the cost of a singularity that is left where sizes vary: pairs that the sizes need
 /// would not pay the rest.
 constexpr double CostForSizes = 0.125;
+
+/// Replaces the guidance of vertices where there is a direction.
+void Replace(const TriangleMesh& mesh, const std::vector<Vector3>& directions, Guidance& guidance)
+{
+  for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (!directions[v].isZero(0.0))
+    {
+      guidance.Vectors[mesh.Point(v)] = directions[v];
+    }
+  }
+}
 
 /// The directions that are given, or else those along the features and around holes, and those in
 /// sharp corners.
@@ -42,16 +55,9 @@ Guidance GuidanceFor(const Surface& surface, const SurfaceGeometry& geometry,
     SharpCorners(geometry, settings.Degree, isFeature, settings.Face).Directions;
   Guidance guidance;
   guidance.Vectors.assign(surface.Points.size(), Vector3::Zero());
-  for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
-  {
-    const Vector3& direction = !inCorners[v].isZero(0.0) ? inCorners[v]
-      : !directions[v].isZero(0.0)                       ? directions[v]
-                                                         : aroundHoles[v];
-    if (!direction.isZero(0.0))
-    {
-      guidance.Vectors[geometry.Mesh.Point(v)] = direction;
-    }
-  }
+  Replace(geometry.Mesh, aroundHoles, guidance);
+  Replace(geometry.Mesh, directions, guidance);
+  Replace(geometry.Mesh, inCorners, guidance);
   return guidance;
 }
 }
@@ -65,7 +71,7 @@ std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   Options options;
   options.Degree = settings.Degree;
   options.ConstrainBoundary = known.empty();
-  const Guidance guidance = GuidanceFor(*surface, geometry, isFeature, settings, known);
+  Guidance guidance = GuidanceFor(*surface, geometry, isFeature, settings, known);
   options.ConstrainGuidance = std::any_of(guidance.Vectors.begin(), guidance.Vectors.end(),
     [](const Vector3& vector) { return !vector.isZero(0.0); });
   options.MergePoints = MergePoints::Off;
@@ -79,12 +85,24 @@ std::vector<Complex> OwnField(const std::shared_ptr<const Surface>& surface,
   }
   std::vector<std::string> notes;
   Stages stages(surface, MergePoints::Off, sizes);
-  const Guide guide(stages, options, guidance, notes);
   constexpr double afterEnergy = 0.55;
   EnergyStage& energy = stages.GetEnergy(options, progress.Part(0.0, afterEnergy));
-  std::vector<Complex> section =
-    SolveComponents(stages, energy, guide, {}, options, false, progress.Part(afterEnergy, 1.0))
-      .Section;
+  const auto solve = [&](const Progress& part)
+  {
+    const Guide guide(stages, options, guidance, notes);
+    return SolveComponents(stages, energy, guide, {}, options, false, part).Section;
+  };
+  constexpr double afterFirst = 0.95;
+  std::vector<Complex> section = solve(progress.Part(afterEnergy, afterFirst));
+  if (known.empty() && settings.FollowsFeatures)
+  {
+    const FreeEnds ends(stages.GetGeometry(), settings.Degree, isFeature, section, settings.Face);
+    if (!ends.IsEmpty())
+    {
+      Replace(geometry.Mesh, ends.Directions(), guidance);
+      section = solve(progress.Part(afterFirst, 1.0));
+    }
+  }
   if (!sizes.empty())
   {
     TurnToFrames(stages.GetGeometry(), geometry, settings.Degree, section);

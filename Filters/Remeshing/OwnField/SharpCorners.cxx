@@ -13,6 +13,9 @@ namespace
 {
 /// Corners sharper than this, in radians, have no faces that would be worth it.
 constexpr double Sharpest = 3.0 / 180.0 * Pi;
+/// In parts of half of 2 pi / n: at half of it the field takes one face or none by chance, so that
+/// corners a little wider have one, too.
+constexpr double Widest = 10.0 / 9.0;
 /// The radius of the part of a corner with given directions, in parts of how far its sides move
 /// apart. Faces inside are as skew as the corner, so that a map folds where there are more of them:
 /// the radius is one to six lengths of edges, and at most this part of the length of the sides.
@@ -104,7 +107,8 @@ private:
         const Index back = TriangleMesh::Previous(h);
         corner.Last = isSide(back) ? this->Mesh.Tail(back) : None;
       }
-      if (corner.Last != None && corner.Angle > Sharpest && corner.Angle < Pi / this->Degree)
+      if (corner.Last != None && corner.Angle > Sharpest &&
+        corner.Angle < Widest * Pi / this->Degree)
       {
         this->Fill(corner);
       }

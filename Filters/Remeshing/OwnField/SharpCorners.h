@@ -11,11 +11,11 @@
 namespace DirectionFields::Internal
 {
 /// What a field of degree n needs inside of corners where two features, or features and the
-/// boundary, meet at an angle of less than half of 2 pi / n. A field that follows both sides turns
-/// least by not changing from one direction to the next between them. Then both sides are parallel
-/// in a map, which has no room for the corner. Directions half of 2 pi / n off the middle between
-/// the sides, given near the corner, make it the corner of a face; the field has a singularity of
-/// index 1 / n where they end.
+/// boundary, meet at an angle of less than 5/9 of 2 pi / n. A field that follows both sides turns
+/// least by not changing from one direction to the next between them, or as much either way where
+/// the angle is half of 2 pi / n. Then both sides are parallel in a map, which has no room for the
+/// corner. Directions half of 2 pi / n off the middle between the sides, given near the corner,
+/// make it the corner of a face; the field has a singularity of index 1 / n where they end.
 struct SharpCorners
 {
   /// @param isFeature not 0 for each edge that is a feature

@@ -171,10 +171,9 @@ TEST(Curves, StraightOnesStayStraight)
   }
 }
 
-TEST(Curves, OnesFarFromHalfARightAngleTurnNoFaceOver)
+TEST(Curves, OnesAtAnyAngleTurnNoFaceOver)
 {
-  // The sentence on faces that are turned over says so.
-  for (const double degrees : { 20.0, 34.0 })
+  for (const double degrees : { 20.0, 34.0, 38.0, 42.0 })
   {
     const double angle = degrees * Pi / 180.0;
     const Vector3 half = 0.3 * Vector3(std::cos(angle), std::sin(angle), 0.0);
@@ -185,6 +184,20 @@ TEST(Curves, OnesFarFromHalfARightAngleTurnNoFaceOver)
         Remeshed(Meshes::Square(30), { { middle - half, middle + half } }, faces);
       EXPECT_EQ(mesh.TurnedFaces, 0) << degrees << ' ' << faces;
       EXPECT_GT(Meshes::LeastQuality(mesh), 0.2) << degrees << ' ' << faces;
+    }
+  }
+}
+
+TEST(Curves, OneFromSideToSideAtHalfARightAngleTurnsNoFaceOver)
+{
+  for (const double begin : { 0.25, 0.35 })
+  {
+    for (const Index faces : { 2000, 4000 })
+    {
+      const RemeshResult mesh = Remeshed(Meshes::Square(30),
+        { { Vector3(0.0, begin, 0.0), Vector3(1.0 - begin, 1.0, 0.0) } }, faces);
+      EXPECT_EQ(mesh.TurnedFaces, 0) << begin << ' ' << faces;
+      EXPECT_GT(Meshes::LeastQuality(mesh), 0.2) << begin << ' ' << faces;
     }
   }
 }
