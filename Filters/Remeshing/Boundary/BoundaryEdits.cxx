@@ -259,10 +259,28 @@ private:
   const std::vector<double>& Sizes;
 };
 
-/// Places between the first and the last one whose distances, one after the other, are the same.
-void EvenOut(const BoundaryLine& line, const RelativeLength& length, std::vector<double>& places)
+/// Moves lengths along a line all alike, so that they are at those given in the mean.
+void ShiftTo(const std::vector<double>& given, std::vector<double>& arcs)
+{
+  double shift = 0.0;
+  for (std::size_t k = 1; k < arcs.size(); ++k)
+  {
+    shift += (given[k] - arcs[k]) / static_cast<double>(arcs.size() - 1);
+  }
+  for (double& arc : arcs)
+  {
+    arc += shift;
+  }
+}
+
+/// Makes the distances of places, one after the other, the same.
+/// @param isAround the last place is the first one, which need not stay where it is: vertices that
+///                 came closer to each other by chance there would turn all others else
+void EvenOut(const BoundaryLine& line, const RelativeLength& length, bool isAround,
+  std::vector<double>& places)
 {
   constexpr int rounds = 30;
+  constexpr int shifts = 3;
   const std::size_t edges = places.size() - 1;
   std::vector<double> arcs;
   for (const double place : places)
@@ -270,8 +288,14 @@ void EvenOut(const BoundaryLine& line, const RelativeLength& length, std::vector
     arcs.push_back(line.LengthTo(place));
   }
   std::sort(arcs.begin(), arcs.end());
+  const std::vector<double> given = arcs;
   for (int round = 0; round < rounds; ++round)
   {
+    // Distances along a line that bends are not those in space, and differ by the shift.
+    if (isAround && round > 0 && round % (rounds / shifts) == 0)
+    {
+      ShiftTo(given, arcs);
+    }
     std::vector<double> sums = { 0.0 };
     for (std::size_t k = 0; k < edges; ++k)
     {
@@ -292,7 +316,7 @@ void EvenOut(const BoundaryLine& line, const RelativeLength& length, std::vector
     }
     arcs = std::move(even);
   }
-  for (std::size_t k = 1; k < edges; ++k)
+  for (std::size_t k = 0; k <= edges; ++k)
   {
     places[k] = line.PlaceAt(arcs[k]);
   }
@@ -344,8 +368,10 @@ void SpaceBoundary(FaceMesh& mesh, const Surface& surface, const std::vector<Bou
     {
       std::vector<double> places(side.Places.begin() + static_cast<std::ptrdiff_t>(first),
         side.Places.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-      EvenOut(line, length, places);
-      for (std::size_t k = first + 1; k < last; ++k)
+      const Index start = side.Vertices[first];
+      const bool isAround = start == side.Vertices[last] && mesh.Vertices[start].Line > 0;
+      EvenOut(line, length, isAround, places);
+      for (std::size_t k = isAround ? first : first + 1; k < last; ++k)
       {
         mesh.Points[side.Vertices[k]] = line.PositionAt(places[k - first]);
       }

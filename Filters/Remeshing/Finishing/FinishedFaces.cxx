@@ -26,6 +26,8 @@ constexpr double Good = 0.2;
 constexpr int Trials = 3;
 /// What a mesh counts as at most that has faces turned over.
 constexpr double OfTurned = -0.5;
+/// How many times as many steps faces take that follow vertices moved along the boundary.
+constexpr int FollowingSteps = 2;
 /// How often edges of lines are split that stray from them.
 constexpr int LineCutRounds = 3;
 /// How close they come by moves. An edge of the wanted length does at circles with a radius of
@@ -270,6 +272,27 @@ void ImproveAll(FaceMesh& mesh, const FinishedFaces& wanted, const SurfaceContex
 {
   Improvement(mesh, wanted, context).Run(progress);
 }
+
+/// Makes faces with even edges along the boundary.
+void SpaceAndImprove(FaceMesh& mesh, const std::vector<BoundaryLine>& lines,
+  const FinishedFaces& wanted, const SurfaceContext& context, const Progress& progress)
+{
+  // The faces are made for these edges: those that are made for others have no room when the
+  // vertices move there.
+  SpaceBoundary(mesh, context.Input, lines, context.Sizes, true);
+  ImproveAll(mesh, wanted, context, progress.Part(0.0, 0.8));
+  Release(mesh);
+  // Where lines were brought closer there are other numbers of edges now.
+  SpaceBoundary(mesh, context.Input, lines, context.Sizes, true);
+  ShapingSettings following;
+  following.Steps = FollowingSteps * wanted.Steps;
+  following.AreQuads = wanted.AreQuads;
+  following.MayMakeTriangles = !wanted.IsPure;
+  ShapeFaces(mesh, following, context.Triangles, context.Lines,
+    WantedLengths(context, mesh.Points, wanted.EdgeLength), PatchesFor(mesh, context),
+    progress.Part(0.8, 1.0));
+  Release(mesh);
+}
 }
 
 BoundaryFigures FinishFaces(FaceMesh& mesh, const FinishedFaces& wanted,
@@ -294,17 +317,7 @@ BoundaryFigures FinishFaces(FaceMesh& mesh, const FinishedFaces& wanted,
     figures.Others = count.Others;
     return figures;
   }
-  // The faces come near to what they will be first, and then go with the boundary.
-  SpaceBoundary(mesh, context.Input, lines, context.Sizes, false);
-  ImproveAll(mesh, wanted, context, progress.Part(0.0, 0.8));
-  SpaceBoundary(mesh, context.Input, lines, context.Sizes, true);
-  ShapingSettings following;
-  following.Steps = wanted.Steps;
-  following.AreQuads = false;
-  ShapeFaces(mesh, following, context.Triangles, context.Lines,
-    WantedLengths(context, mesh.Points, wanted.EdgeLength), PatchesFor(mesh, context),
-    progress.Part(0.8, 1.0));
-  Release(mesh);
+  SpaceAndImprove(mesh, lines, wanted, context, progress);
   figures.Points = BoundaryCount(mesh, context.Input, lines).Points;
   figures.Unevenness = UnevennessOf(mesh, context.Input, lines, context.Sizes);
   return figures;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Boundary/BoundaryEdits.h"
 #include "Boundary/BoundaryMatch.h"
 
 #include "Meshes/Remeshed.h"
@@ -151,6 +152,66 @@ TEST(BoundarySpacing, EvenEdgesAreOfOneLength)
       EXPECT_GT(Meshes::LeastQuality(mesh), 0.35);
       EXPECT_TRUE(example.IsOneSided || Meshes::FlawOf(mesh).empty()) << Meshes::FlawOf(mesh);
       EXPECT_NE(Summary(mesh, {}).find("edges of the boundary even to"), std::string::npos);
+    }
+  }
+}
+
+/// Oblique strips whose borders are stairs of the triangles leave little room at the boundary: no
+/// face is folded, for they are made for the places where the vertices are at the end.
+TEST(BoundarySpacing, StripsThatRunInStairsHaveNoFoldedFacesWithEvenEdges)
+{
+  Surface plate = Meshes::Square(60, 2.0);
+  plate.Triangles.erase(std::remove_if(plate.Triangles.begin(), plate.Triangles.end(),
+                          [&](const Triangle& t) {
+                            return std::max(plate.Points[t[0]].y(), plate.Points[t[2]].y()) > 1.01;
+                          }),
+    plate.Triangles.end());
+  RemeshOptions options;
+  for (const Triangle& t : plate.Triangles)
+  {
+    const Vector3 middle = (plate.Points[t[0]] + plate.Points[t[1]] + plate.Points[t[2]]) / 3.0;
+    options.Regions.push_back(static_cast<Index>(2.0 * middle.x() + 0.6 * middle.y()));
+  }
+  options.NumberOfFaces = 300;
+  options.BoundarySpacing = BoundarySpacing::Even;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(plate)).Compute(options);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.25);
+  EXPECT_LE(mesh.Boundary.Unevenness, 0.001);
+}
+
+/// One vertex that is off its place does not turn the others around a circle: the angles of all
+/// have the mean that they had, and differ by the same.
+TEST(BoundaryEdits, EvenEdgesAroundAHoleTurnByNothingInTheMean)
+{
+  const Surface disk = Meshes::Disk(40);
+  const std::vector<BoundaryLine> lines =
+    BoundaryLinesOf(disk, std::vector<char>(disk.Triangles.size(), 1));
+  constexpr Index sides = 16;
+  const double step = std::acos(-1.0) / 8.0;
+  for (const Index moved : { 0, 5 })
+  {
+    FaceMesh fan;
+    double sum = 0.0;
+    for (Index k = 0; k < sides; ++k)
+    {
+      const double angle = step * (static_cast<double>(k) + (k == moved ? 0.4 : 0.0));
+      sum += angle;
+      fan.Points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+      fan.Vertices.emplace_back();
+      fan.Vertices.back().Line = 1;
+      fan.Vertices.back().IsBoundary = true;
+      fan.LineEdges.push_back({ { k, (k + 1) % sides }, 1 });
+      fan.Cells.Corners.push_back({ k, (k + 1) % sides, sides, None });
+      fan.Cells.IsRegular.push_back(1);
+    }
+    fan.Points.emplace_back(0.0, 0.0, 0.0);
+    fan.Vertices.emplace_back();
+    SpaceBoundary(fan, disk, lines, {}, false);
+    for (Index k = 0; k < sides; ++k)
+    {
+      const double angle = step * static_cast<double>(k) + (sum - 120.0 * step) / sides;
+      const Vector3 wanted(std::cos(angle), std::sin(angle), 0.0);
+      EXPECT_LE((fan.Points[k] - wanted).norm(), 0.01 * step) << k;
     }
   }
 }
