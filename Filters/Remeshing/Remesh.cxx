@@ -388,6 +388,7 @@ RemeshResult Remesh::Compute(const RemeshOptions& given,
   try
   {
     double errorOfSizes = 0.0;
+    this->RequirePossible(given);
     options = this->WithSizes(given, errorOfSizes);
     this->CutSurface(progress);
     if (this->Cut)

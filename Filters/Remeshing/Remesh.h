@@ -261,6 +261,9 @@ private:
   static constexpr double AfterFirst = 0.9;
   static constexpr double AfterShrinkings = 0.96;
 
+  /// Throws std::invalid_argument, its text a sentence for the user, for lengths of edges that are
+  /// no positive numbers, or that need more faces than a mesh can have.
+  void RequirePossible(const RemeshOptions& options) const;
   /// Options with the lengths that another source of sizes asks for, and the error that these are
   /// for. Throws MeshError, and std::invalid_argument for values that are no function.
   RemeshOptions WithSizes(const RemeshOptions& given, double& error) const;

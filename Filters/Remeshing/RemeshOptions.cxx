@@ -106,6 +106,41 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
 }
 
+void Remesh::RequirePossible(const RemeshOptions& options) const
+{
+  // More has no map, and would take more memory than there is.
+  constexpr double mostFaces = 1e8;
+  const bool areLengths = options.SizingIsLength && !options.Sizing.empty();
+  if (!areLengths && !options.UseEdgeLength)
+  {
+    return;
+  }
+  const std::size_t points = this->Given->Points.size();
+  const RelativeSizes sizes = areLengths
+    ? SizesFor(*this->Given, options.Sizing, this->Unit)
+    : RelativeSizes{ options.EdgeLength / this->Unit, options.Sizing, {} };
+  const double area = RelativeArea(*this->Given, ClampedSizes(sizes.Sizes, points));
+  const double perSquare = options.Element == Element::Quads ? 1.0 : 4.0 / std::sqrt(3.0);
+  // The square of a length may be 0.
+  const double faces = perSquare * area / sizes.EdgeLength / sizes.EdgeLength;
+  if (!(faces > mostFaces))
+  {
+    return;
+  }
+  const double factor = std::sqrt(faces / mostFaces);
+  const std::string needed = std::isfinite(faces) ? "about " + Figure(faces) : "too many";
+  if (areLengths)
+  {
+    const double least = *std::min_element(options.Sizing.begin(), options.Sizing.end());
+    throw std::invalid_argument("Edges as long as the Sizing Array says, " + Figure(least) +
+      " at the shortest, need " + needed + " faces, more than 100 million. Lengths that are " +
+      Figure(factor) + " times as large are possible; Calculator makes them.");
+  }
+  throw std::invalid_argument("An Edge Length of " + Figure(options.EdgeLength) + " needs " +
+    needed + " faces, more than 100 million. From " + Figure(factor * options.EdgeLength) +
+    " on it is possible.");
+}
+
 RemeshOptions Remesh::WithSizes(const RemeshOptions& given, double& error) const
 {
   constexpr double usualGradation = 1.3;

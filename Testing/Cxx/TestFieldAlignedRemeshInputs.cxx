@@ -182,8 +182,19 @@ std::vector<Case> SizeCases()
       { "at point 7 is no number", "finite and above 0" } },
     { "length infinite", [](Run& r) { r.Sizes(Lengths, 0.1, Infinity); }, Outcome::Error,
       { "at point 7 is inf", "finite and above 0" } },
-    { "lengths that no mesh reaches", [](Run& r) { r.Sizes(Lengths, 1e-5, 1e-5); },
-      Outcome::Warning, { "more than 100 million cells", "edges are to be longer" } },
+    { "lengths that no mesh reaches", [](Run& r) { r.Sizes(Lengths, 1e-5, 1e-5); }, Outcome::Error,
+      { "need about 1e+10 faces", "100 million", "are 10 times as large" } },
+    { "lengths whose squares are 0", [](Run& r) { r.Sizes(Lengths, 1e-200, 1e-200); },
+      Outcome::Error, { "need too many faces", "100 million" } },
+    { "few lengths that no mesh reaches", [](Run& r) { r.Sizes(Lengths, 0.1, 1e-6); },
+      Outcome::Error, { "1e-06 at the shortest", "100 million", "times as large are possible" } },
+    { "an edge length that no mesh reaches",
+      [](Run& r)
+      {
+        r.Filter->SetSizeMode(vtkFieldAlignedRemesh::EDGE_LENGTH);
+        r.Filter->SetEdgeLength(1e-6);
+      },
+      Outcome::Error, { "1e-06 needs about 1e+12 faces", "From 0.0001 on it is possible" } },
     { "lengths far above the square", [](Run& r) { r.Sizes(Lengths, 10.0, 10.0); },
       Outcome::Warning, { "too small for faces of the size asked for", "edge length of" } },
     { "relative 0", [](Run& r) { r.Sizes(Relative, 0.0, 0.0); }, Outcome::Warning,

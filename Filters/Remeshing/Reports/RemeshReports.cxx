@@ -105,6 +105,25 @@ std::string AboutBoundary(const RemeshResult& mesh)
                  : std::string();
 }
 
+/// How far mesh and surface are from each other. Distances that are the rounding of coordinates in
+/// single precision say nothing about faces.
+std::string AboutDistances(const RemeshResult& mesh)
+{
+  constexpr double rounding = 1e-7;
+  double largest = 0.0;
+  for (const Vector3& point : mesh.Points)
+  {
+    largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
+  }
+  const auto from = [&](double distance)
+  { return distance > rounding * largest ? Figure(distance) + " or less from" : "on"; };
+  const std::string there = from(mesh.MaximumDistance);
+  const std::string back = from(mesh.MaximumDistanceToMesh);
+  return there == "on" && back == "on"
+    ? ", exactly on the surface"
+    : ", " + there + " the surface, which is " + back + " the mesh";
+}
+
 std::string AboutLimits(const QualityReport& quality)
 {
   return !quality.IsLimited ? std::string()
@@ -134,8 +153,7 @@ std::string Summary(const RemeshResult& mesh, const QualityReport& quality)
     Count(
       static_cast<std::size_t>(mesh.IrregularVertices), "irregular vertex", "irregular vertices") +
     AboutRegions(mesh) + ", edge length " + Figure(mesh.EdgeLength) + AboutSizes(mesh) +
-    AboutBoundary(mesh) + ", scaled Jacobian " + Figure(quality.LeastScaledJacobian) +
-    " or more, " + Figure(mesh.MaximumDistance) + " or less from the surface, which is " +
-    Figure(mesh.MaximumDistanceToMesh) + " or less from the mesh" + AboutLimits(quality);
+    AboutBoundary(mesh) + ", scaled Jacobian " + Figure(quality.LeastScaledJacobian) + " or more" +
+    AboutDistances(mesh) + AboutLimits(quality);
 }
 }
