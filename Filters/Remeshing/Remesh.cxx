@@ -333,35 +333,6 @@ void Report(const Request& request, const FeatureLines& features,
   ReportExtraction(request, extracted, finished, result);
   ReportQuality(request, finished.Faces, result);
 }
-
-/// The same for progress that does not go back: where a solver did not converge or a map is bad
-/// another one begins anew.
-ProgressFunction Forward(const ProgressFunction& progress)
-{
-  if (!progress)
-  {
-    return progress;
-  }
-  return [&progress, furthest = 0.0](double done) mutable
-  {
-    furthest = std::max(furthest, done);
-    return progress(furthest);
-  };
-}
-
-/// A result whose places and lengths are those of the surface given.
-RemeshResult InUnitOfSurface(RemeshResult&& result, const Vector3& origin, double unit)
-{
-  for (Vector3& point : result.Points)
-  {
-    point = unit * point + origin;
-  }
-  result.MaximumDistance *= unit;
-  result.MaximumDistanceToMesh *= unit;
-  result.MaximumBoundaryDistance *= unit;
-  result.EdgeLength *= unit;
-  return std::move(result);
-}
 }
 
 const char* Remesh::StepAt(double done)
@@ -375,49 +346,30 @@ const char* Remesh::StepAt(double done)
                                   : "Making another mesh for better faces";
 }
 
-RemeshResult Remesh::Compute(const RemeshOptions& given,
-  const std::vector<Vector3>& givenDirections, const ProgressFunction& progressFunction)
+RemeshResult Remesh::MakeForGiven(
+  const RemeshOptions& given, const std::vector<Vector3>& givenDirections, const Progress& progress)
 {
-  Check(given, this->Given->Points.size(), this->Given->Triangles.size());
   RemeshOptions options = given;
   std::vector<Vector3> directions = givenDirections;
-  Threads threads(options.NumberOfThreads);
-  const Threads::Scope scope(threads);
-  const ProgressFunction forward = Forward(progressFunction);
-  const Progress progress(forward);
-  try
+  if (this->Cut)
   {
-    double errorOfSizes = 0.0;
-    this->RequirePossible(given);
-    options = this->WithSizes(given, errorOfSizes);
-    this->CutSurface(progress);
-    if (this->Cut)
-    {
-      const CurveMapping mapping(*this->Given, *this->Cut);
-      options.Regions = mapping.RegionsOfParts(given.Regions);
-      mapping.ContinueSizes(options.Sizing);
-      mapping.ContinueDirections(directions);
-    }
-    std::vector<std::string> aboutSizes;
-    options = this->InUnitOfInput(options, aboutSizes);
-    RemeshResult result;
-    this->Make(options, directions, progress, result);
-    if (this->Cut)
-    {
-      const CurveMapping mapping(*this->Given, *this->Cut);
-      mapping.ReferToGiven(result.SourceTriangle, result.SourceWeights, result.FaceSource);
-      result.Notes.insert(result.Notes.end(), this->Cut->Notes.begin(), this->Cut->Notes.end());
-    }
-    result.Notes.insert(result.Notes.end(), aboutSizes.begin(), aboutSizes.end());
-    result.ErrorOfSizes = errorOfSizes;
-    return InUnitOfSurface(std::move(result), this->Origin, this->Unit);
+    const CurveMapping mapping(*this->Given, *this->Cut);
+    options.Regions = mapping.RegionsOfParts(given.Regions);
+    mapping.ContinueSizes(options.Sizing);
+    mapping.ContinueDirections(directions);
   }
-  catch (const Stopped&)
+  std::vector<std::string> aboutSizes;
+  options = this->InUnitOfInput(options, aboutSizes);
+  RemeshResult result;
+  this->Make(options, directions, progress, result);
+  if (this->Cut)
   {
-    RemeshResult result;
-    result.Aborted = true;
-    return result;
+    const CurveMapping mapping(*this->Given, *this->Cut);
+    mapping.ReferToGiven(result.SourceTriangle, result.SourceWeights, result.FaceSource);
+    result.Notes.insert(result.Notes.end(), this->Cut->Notes.begin(), this->Cut->Notes.end());
   }
+  result.Notes.insert(result.Notes.end(), aboutSizes.begin(), aboutSizes.end());
+  return result;
 }
 
 void Remesh::MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,

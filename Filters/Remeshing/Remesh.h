@@ -147,6 +147,9 @@ void Check(const RemeshOptions& options, std::size_t points, std::size_t triangl
 /// Whether these are the same, so that the mesh of a surface and its field is, too.
 bool AreSame(const RemeshOptions& a, const RemeshOptions& b);
 
+/// The factor by which edges beside each other differ at most where sizes are for an error.
+double GradationOfErrors(const RemeshOptions& options);
+
 /// The length of edges that is asked for, or that gives the wanted number of faces.
 /// @param area of the surface in units of the square of the size there
 double EdgeLengthFor(double area, const RemeshOptions& options);
@@ -272,6 +275,13 @@ private:
   RemeshOptions InUnitOfInput(const RemeshOptions& given, std::vector<std::string>& notes) const;
   /// Cuts the surface along the lines given, if that is not done yet. Throws MeshError and Stopped.
   void CutSurface(const Progress& progress);
+  /// Makes a mesh of the surface given, with the sizes of these options, in the unit within.
+  RemeshResult MakeForGiven(
+    const RemeshOptions& given, const std::vector<Vector3>& directions, const Progress& progress);
+  /// Makes a mesh with lengths for an error, and others with shorter ones where faces are farther
+  /// from the surface than that.
+  RemeshResult MakeForError(const RemeshOptions& given, double error, double gradation,
+    const std::vector<Vector3>& directions, const Progress& progress);
   /// Makes a mesh, and others where that one loses thin parts or has faces that are of no use.
   /// Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,

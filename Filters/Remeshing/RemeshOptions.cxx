@@ -143,7 +143,6 @@ void Remesh::RequirePossible(const RemeshOptions& options) const
 
 RemeshOptions Remesh::WithSizes(const RemeshOptions& given, double& error) const
 {
-  constexpr double usualGradation = 1.3;
   RemeshOptions options = given;
   if (given.SizeSource == SizeSource::Sizing || this->Given->Triangles.empty())
   {
@@ -168,7 +167,7 @@ RemeshOptions Remesh::WithSizes(const RemeshOptions& given, double& error) const
   ErrorWish wish;
   wish.Error = given.MaximumError / unit;
   wish.Squares = area / (length * length);
-  wish.Gradation = given.Gradation > 1.0 ? given.Gradation : usualGradation;
+  wish.Gradation = GradationOfErrors(given);
   wish.AreChords = isOfShape;
   ErrorLengths lengths = LengthsForError(*this->Given,
     isOfShape ? CurvatureSums(*this->Given) : DerivativeSums(*this->Given, given.Sizing), wish);

@@ -219,3 +219,39 @@ TEST(ErrorSizes, SaysWhatItCannotTake)
   options.MaximumError = -1.0;
   EXPECT_THROW(Meshed(square, options), std::invalid_argument);
 }
+
+/// The distance of faces from a sphere is the one that is asked for, also around the eight irregular
+/// vertices, beside which faces are larger than elsewhere, and they are not far more than needed.
+TEST(ErrorSizes, DistancesFromASphereAreThoseAskedFor)
+{
+  for (const double scale : { 1.0, 1e-3 })
+  {
+    const auto sphere = std::make_shared<Surface>(Meshes::Transformed(
+      Meshes::Icosphere(5), scale * Eigen::Matrix3d::Identity(), Vector3(scale, 0.0, 0.0)));
+    for (const double error : { 0.02, 0.005, 0.001 })
+    {
+      RemeshOptions options;
+      options.SizeSource = SizeSource::Curvature;
+      options.MaximumError = error * scale;
+      const RemeshResult mesh = Remesh(sphere).Compute(options);
+      EXPECT_LE(mesh.MaximumDistance, 1.1 * options.MaximumError) << error;
+      // A square of edges h is h^2 / 4 from the unit sphere: pi / error squares.
+      EXPECT_LE(static_cast<double>(mesh.Faces.size()), 1.6 * std::acos(-1.0) / error) << error;
+    }
+  }
+}
+
+/// Where a distance is not met the user is told which one there is.
+TEST(ErrorSizes, SayWhereADistanceIsMissed)
+{
+  const auto rough = std::make_shared<Surface>(Meshes::Roughened(Meshes::Icosphere(5), 0.3, 1));
+  RemeshOptions options;
+  options.SizeSource = SizeSource::Curvature;
+  options.MaximumError = 0.002;
+  const RemeshResult mesh = Remesh(rough).Compute(options);
+  const bool isSaid = std::any_of(mesh.Notes.begin(), mesh.Notes.end(),
+    [](const std::string& note)
+    { return note.find("where Maximum Error asks for 0.002") != std::string::npos; });
+  EXPECT_GT(mesh.MaximumDistance, 1.1 * options.MaximumError);
+  EXPECT_TRUE(isSaid);
+}
