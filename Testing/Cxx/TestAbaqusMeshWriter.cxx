@@ -88,7 +88,8 @@ vtkSmartPointer<vtkAbaqusMeshWriter> Writer(vtkPolyData* mesh)
 void TestParameters()
 {
   vtkNew<vtkAbaqusMeshWriter> writer;
-  CHECK(writer->GetFileName() == nullptr && writer->GetRegionArray() == nullptr);
+  CHECK(writer->GetFileName() == nullptr);
+  CHECK(std::string(writer->GetRegionArray()) == "Automatic");
   writer->SetFileName("a.inp");
   writer->SetRegionArray("Part");
   writer->SetDirectionArray("Fibre");
@@ -150,12 +151,19 @@ void TestRemeshed()
   const auto writer = Writer(remesh->GetOutput());
   vtkNew<Messages> messages;
   writer->AddObserver(vtkCommand::WarningEvent, messages);
+  // Without a word the regions are those that the mesh was made for.
   CHECK(writer->Write() == 1);
+  CHECK(messages->Warnings.empty());
+  const std::string automatic = ReadFile(Path);
+  writer->SetRegionArray("None");
+  CHECK(writer->Write() == 1);
+  CHECK(ReadFile(Path).find("*ELSET") == std::string::npos);
   REQUIRE(messages->Warnings.size() == 1);
   CHECK(messages->Warnings[0].find("its regions are not in the file") != std::string::npos);
   writer->SetRegionArray("Half");
   CHECK(writer->Write() == 1);
   CHECK(messages->Warnings.size() == 1);
+  CHECK(ReadFile(Path) == automatic);
   std::istringstream text(ReadFile(Path));
   std::string line;
   vtkIdType inSets = 0;

@@ -28,6 +28,8 @@ def check_property(property, name, figures, enumerations):
                    for i in range(domain.GetNumberOfEntries())]
         assert entries == list(enumerate(enumerations[name])), entries
         assert (entries[0][0], entries[-1][0]) == (figures["min"], figures["max"]), name
+    elif isinstance(value, str):
+        assert property.GetDomain("array_list"), name
     elif "min" not in figures:
         assert property.GetDomain("bool"), name
     else:

@@ -116,6 +116,22 @@ def test_save_mesh():
         assert lines.count(line) == 1, line
 
 
+def test_save_regions():
+    """Save Data writes the regions that a mesh was made for, if nobody chooses others."""
+    divided = PythonCalculator(Input=mesh(), ArrayAssociation="Cell Data", ArrayName="Part",
+                               Expression="(numpy.arange(inputs[0].GetNumberOfCells()) > 9).astype(int)")
+    remesh = FieldAlignedRemesh(Input=divided, NumberOfFaces=100, RegionArray="Part")
+    remesh.UpdatePipeline()
+    writer = servermanager.writers.AbaqusMeshWriter(Input=remesh)
+    regions = writer.GetProperty("RegionArray")
+    assert regions.GetData() == "Automatic" and regions.Available[0] == "Automatic", regions
+    path = os.path.join(FOLDER, "regions.inp")
+    for chosen, count in (({}, 2), ({"RegionArray": "None"}, 0)):
+        SaveData(path, proxy=remesh, **chosen)
+        with open(path, encoding="ascii") as file:
+            assert file.read().count("*ELSET, ELSET=PART_") == count, chosen
+
+
 def test_decimal_comma():
     """Fields are written, opened and shown as ever where numbers have a decimal comma."""
     try:

@@ -28,6 +28,7 @@ vtkAbaqusMeshWriter::vtkAbaqusMeshWriter()
   , SecondOrder(false)
   , Thickness(0.0)
 {
+  this->SetRegionArray(DirectionFields::AutomaticRegions);
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,9 @@ public:
   /**
    * Name of a cell array of 1 component, integers, strings, or numbers that are whole: there is an
    * *ELSET for each of its values, which is named by the string, or by the array and the number, as
-   * REGION_7. An error if there is none. Null, the default, an empty name and "None" are no array.
+   * REGION_7. An error if there is none. "Automatic", the default, is the array whose regions
+   * vtkFieldAlignedRemesh has made the mesh for, if it is there. Null, an empty name and "None" are
+   * no array.
    */
   vtkSetStringMacro(RegionArray);
   vtkGetStringMacro(RegionArray);

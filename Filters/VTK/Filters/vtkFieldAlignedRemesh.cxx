@@ -308,6 +308,8 @@ void vtkFieldAlignedRemesh::Execute(
   DirectionFields::AddIrregularVertices(
     mesh, degree, pointType, vtkPolyData::SafeDownCast(outputs[1]));
   DirectionFields::KeepChains(mesh.Chains, output->GetFieldData());
+  DirectionFields::KeepRegionArray(
+    mesh.Regions.empty() ? std::string() : rules.RegionArray, output->GetFieldData());
   if (!kept.Points.empty())
   {
     DirectionFields::AddGivenPoints(mesh.Chains, output);

@@ -90,7 +90,8 @@
  *   on none.
  * The mesh of port 0 has them in its field data, too, for files: `ChainNames`, string, a value for
  * each line; `ChainOffsets`, int, where each line begins in `ChainPoints`, and the end; and
- * `ChainPoints`, int, the numbers of the points.
+ * `ChainPoints`, int, the numbers of the points. Where there are regions `RegionArray`, string, is
+ * the name of their cell array.
  *
  * The same input gives the same bytes, whatever the number of threads.
  *

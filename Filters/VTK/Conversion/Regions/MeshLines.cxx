@@ -30,6 +30,7 @@ namespace
 constexpr const char* NamesOfChains = "ChainNames";
 constexpr const char* OffsetsOfChains = "ChainOffsets";
 constexpr const char* PointsOfChains = "ChainPoints";
+constexpr const char* NameOfRegions = "RegionArray";
 
 vtkNew<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts)
 {
@@ -242,6 +243,21 @@ void KeepChains(const std::vector<MeshChain>& chains, vtkFieldData* data)
   data->AddArray(MakeTexts(NamesOfChains, NamesOf(chains)));
   data->AddArray(MakeScalars<vtkIntArray>(OffsetsOfChains, offsets));
   data->AddArray(MakeScalars<vtkIntArray>(PointsOfChains, points));
+}
+
+void KeepRegionArray(const std::string& name, vtkFieldData* data)
+{
+  data->RemoveArray(NameOfRegions);
+  if (!name.empty())
+  {
+    data->AddArray(MakeTexts(NameOfRegions, { name }));
+  }
+}
+
+std::string KeptRegionArray(vtkFieldData* data)
+{
+  auto* const kept = vtkStringArray::SafeDownCast(data->GetAbstractArray(NameOfRegions));
+  return kept && kept->GetNumberOfValues() == 1 ? kept->GetValue(0) : std::string();
 }
 
 std::vector<NamedSet> KeptChains(vtkFieldData* data, const ShellMesh& mesh, bool& isOther)

@@ -34,6 +34,12 @@ void AddGivenPoints(const std::vector<MeshChain>& chains, vtkPolyData* output);
 /// ChainOffsets and ChainPoints. Without chains there are none.
 void KeepChains(const std::vector<MeshChain>& chains, vtkFieldData* data);
 
+/// The name of the cell array that has the regions of a mesh, as an array that stays with it in
+/// files: RegionArray. Without a name there is none.
+void KeepRegionArray(const std::string& name, vtkFieldData* data);
+/// The name that was kept with a mesh; empty for none.
+std::string KeptRegionArray(vtkFieldData* data);
+
 /// The chains that were kept with a mesh, a set of points each; empty if there are none.
 /// @param isOther true where there are some, but of another mesh: they do not run along edges
 std::vector<NamedSet> KeptChains(vtkFieldData* data, const ShellMesh& mesh, bool& isOther);

@@ -55,6 +55,20 @@ void AddFaces(vtkPolyData* polyData, ShellMesh& mesh)
     });
 }
 
+/// The array that has the regions: for AutomaticRegions that which came with the mesh, if it is
+/// still there.
+std::string RegionsOf(vtkPolyData* polyData, const char* name)
+{
+  const std::string wanted = name ? name : "";
+  vtkCellData* const data = polyData->GetCellData();
+  if (wanted != AutomaticRegions || data->HasArray(AutomaticRegions))
+  {
+    return wanted;
+  }
+  const std::string kept = KeptRegionArray(polyData->GetFieldData());
+  return data->HasArray(kept.c_str()) ? kept : std::string();
+}
+
 void AddRegions(vtkPolyData* polyData, const char* name, ShellMesh& mesh)
 {
   const vtkIdType first = FirstPolygon(polyData);
@@ -111,7 +125,7 @@ ShellMesh PolyDataToShell(vtkPolyData* polyData, const char* regions, const char
     polyData->GetPoint(static_cast<vtkIdType>(p), mesh.Points[p].data());
   }
   AddFaces(polyData, mesh);
-  AddRegions(polyData, regions, mesh);
+  AddRegions(polyData, RegionsOf(polyData, regions).c_str(), mesh);
   AddDirections(polyData, directions ? directions : "", mesh);
   bool isOther = false;
   mesh.PointSets = KeptChains(polyData->GetFieldData(), mesh, isOther);
