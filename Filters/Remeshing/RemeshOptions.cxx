@@ -127,7 +127,7 @@ void Remesh::RequirePossible(const RemeshOptions& options) const
   {
     return;
   }
-  const double factor = std::sqrt(faces / mostFaces);
+  const double factor = std::sqrt(perSquare * area / mostFaces) / sizes.EdgeLength;
   const std::string needed = std::isfinite(faces) ? "about " + Figure(faces) : "too many";
   if (areLengths)
   {
