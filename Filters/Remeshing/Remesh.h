@@ -107,7 +107,9 @@ struct RemeshOptions
   /// 260 degrees, vertices. The boundary always becomes edges.
   bool KeepFeatures = true;
   /// As in Options, but 0.5 for less. Where features of less than 30 degrees meet at more points
-  /// than a 20th of the faces, the least sharp are left out, and a note says so.
+  /// than a 20th of the faces, the least sharp are left out, and a note says so. Where edges are
+  /// sharp by all angles, as those of a bent surface of few triangles, and the mesh is much better
+  /// without features, it has none, and a note says so, too.
   double FeatureAngle = DefaultFeatureAngle;
   double MinimumFeatureLength = DefaultMinimumFeatureLength;
   /// With KeepFeatures and a FeatureAngle from 15 to 90 degrees edges that are bent less become
@@ -286,10 +288,15 @@ private:
   /// Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
-  /// Makes a mesh with soft features, and one without where that one is bad. Returns the options of
-  /// the better one.
+  /// Makes a mesh with features, or without them where they are accidental and that is the better
+  /// one. Returns the options of the result.
   RemeshOptions MakeFirst(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Internal::ThinParts& thin, const Progress& progress, RemeshResult& result);
+  /// Makes a mesh with soft features, and one without where that one is bad. Returns the options of
+  /// the better one.
+  RemeshOptions MakeWithFeatures(const RemeshOptions& options,
+    const std::vector<Vector3>& directions, const Internal::ThinParts& thin,
+    const Progress& progress, RemeshResult& result);
   /// Makes one mesh, with smaller faces at thin parts.
   /// @param gridLength of the grid's edges, as a part of the wanted one
   void MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,
@@ -316,6 +323,8 @@ private:
   bool IsCostly = false;
   /// What the user is told about features that are left out; empty for none.
   std::vector<std::string> AboutFeatures;
+  /// About accidental features that are left out.
+  std::vector<std::string> AboutAccidental;
 };
 }
 

@@ -6,8 +6,10 @@
 #include "Finishing/CloserMesh.h"
 #include "Finishing/FaceSources.h"
 #include "Finishing/ThinParts.h"
+#include "Preparation/AffordableFeatures.h"
 #include "Preparation/PreparedField.h"
 #include "Preparation/WantedSizes.h"
+#include "Quality/FaceQuality.h"
 
 #include <algorithm>
 #include <array>
@@ -91,9 +93,41 @@ MeshStanding StandingOf(const RemeshResult& mesh)
     std::abs(mesh.EulerCharacteristicAfter - mesh.EulerCharacteristicBefore),
     Negligible * mesh.EdgeLength, mesh.RegionsShown.Regions - lost + static_cast<Index>(points) };
 }
+
+/// The part of the progress in which the surface is looked at.
+constexpr double BeforeFirst = 0.2;
+/// Where features meet or end at more points, a mesh without them is tried first: each is a point
+/// of the grid that its neighbours depend on, and takes time.
+constexpr double FewMeetingPoints = 100.0;
+constexpr double PointsPerFace = 0.05;
+
+/// Faces that are triangles where quads are wanted, nearly flat, folded or turned over.
+Index CountBad(const RemeshResult& mesh, Element element)
+{
+  const FaceQuality quality = QualityOf(mesh.Points, mesh.Faces);
+  return (element == Element::Quads ? mesh.Triangles : 0) + mesh.TurnedFaces +
+    std::count_if(quality.ScaledJacobian.begin(), quality.ScaledJacobian.end(),
+      [](double each) { return each < LeastUsable; });
 }
 
-RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
+bool HasManyBadFaces(const RemeshResult& mesh, Element element)
+{
+  constexpr double most = 0.01;
+  return static_cast<double>(CountBad(mesh, element)) >
+    most * static_cast<double>(mesh.Faces.size());
+}
+
+/// Whether leaving features out halves the bad faces without losing parts of the surface.
+bool IsBetterWithoutFeatures(
+  const MeshStanding& with, Index badWith, const MeshStanding& without, Index badWithout)
+{
+  constexpr double farther = 1.5;
+  return without.MissedHoles <= with.MissedHoles && without.KeptParts >= with.KeptParts &&
+    without.Farthest <= farther * with.Farthest && 2 * badWithout < badWith;
+}
+}
+
+RemeshOptions Remesh::MakeWithFeatures(const RemeshOptions& options,
   const std::vector<Vector3>& directions, const ThinParts& thin, const Progress& progress,
   RemeshResult& result)
 {
@@ -117,6 +151,63 @@ RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
   {
     return options;
   }
+  result = std::move(other);
+  return without;
+}
+
+RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
+  const std::vector<Vector3>& directions, const ThinParts& thin, const Progress& progress,
+  RemeshResult& result)
+{
+  this->AboutAccidental.clear();
+  if (!options.KeepFeatures)
+  {
+    return this->MakeWithFeatures(options, directions, thin, progress, result);
+  }
+  const WantedSizes sizes =
+    this->Prepare(options, directions, thin, progress.Part(0.0, BeforeFirst));
+  const AccidentalFeatures accidental(
+    this->Cache->GetGeometry(), this->Cache->GetFeatures(), options.FeatureAngle);
+  if (!accidental.IsAny)
+  {
+    return this->MakeWithFeatures(options, directions, thin, progress, result);
+  }
+  // Tips of cones stay.
+  RemeshOptions without = options;
+  without.FeatureAngle = 180.0;
+  without.KeepSoftFeatures = false;
+  RemeshResult other;
+  const auto makeWithout = [&] { this->MakeOnce(without, directions, thin, 1.0, progress, other); };
+  const std::vector<char>& isFrameless = this->Cache->GetFrameless();
+  const double faces =
+    RelativeArea(*this->Input, sizes.AtPoints) / (sizes.EdgeLength * sizes.EdgeLength);
+  const bool areMany = static_cast<double>(std::count(isFrameless.begin(), isFrameless.end(), 1)) >
+    std::max(FewMeetingPoints, PointsPerFace * faces);
+  if (areMany)
+  {
+    makeWithout();
+    if (StandingOf(other).Farthest < other.EdgeLength && !HasManyBadFaces(other, options.Element))
+    {
+      this->AboutAccidental = { accidental.Sentence() };
+      result = std::move(other);
+      return without;
+    }
+  }
+  const RemeshOptions with = this->MakeWithFeatures(options, directions, thin, progress, result);
+  if (!HasManyBadFaces(result, options.Element) || (!areMany && this->IsCostly))
+  {
+    return with;
+  }
+  if (!areMany)
+  {
+    makeWithout();
+  }
+  if (!IsBetterWithoutFeatures(StandingOf(result), CountBad(result, options.Element),
+        StandingOf(other), CountBad(other, options.Element)))
+  {
+    return with;
+  }
+  this->AboutAccidental = { accidental.Sentence() };
   result = std::move(other);
   return without;
 }
@@ -192,5 +283,7 @@ void Remesh::Make(const RemeshOptions& given, const std::vector<Vector3>& direct
       result = std::move(other);
     }
   }
+  result.Notes.insert(
+    result.Notes.end(), this->AboutAccidental.begin(), this->AboutAccidental.end());
 }
 }

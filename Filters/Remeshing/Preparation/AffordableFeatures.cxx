@@ -4,6 +4,7 @@
 #include "Preparation/AffordableFeatures.h"
 
 #include "Charts/FeatureLines.h"
+#include "Geometry/DihedralAngles.h"
 #include "Mesh/MergePoints.h"
 #include "Support/Sentences.h"
 
@@ -75,5 +76,55 @@ std::vector<std::string> AffordableFeatures::Sentences() const
     Figure(this->Settings.Angle) +
     " degrees are left out. That angle, or a larger one, gives the same mesh without this sentence."
   };
+}
+
+AccidentalFeatures::AccidentalFeatures(
+  const SurfaceGeometry& geometry, const std::vector<char>& isFeature, double angle)
+  : Wanted(angle)
+{
+  constexpr double step = 1.125;
+  constexpr double least = 0.04;
+  const std::vector<double> dihedral = DihedralAngles(geometry);
+  const auto lengthAbove = [&](double degrees)
+  {
+    double sum = 0.0;
+    for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
+    {
+      const Index h = geometry.Mesh.HalfEdge(e);
+      sum += isFeature[e] != 0 && std::abs(dihedral[e]) > degrees / 180.0 * Pi
+        ? (geometry.Positions[geometry.Mesh.Head(h)] - geometry.Positions[geometry.Mesh.Tail(h)])
+            .norm()
+        : 0.0;
+    }
+    return sum;
+  };
+  for (double above = angle; above < 180.0; above *= step)
+  {
+    const double all = lengthAbove(above);
+    const double sharper = lengthAbove(step * above);
+    const double sharpest = lengthAbove(step * step * above);
+    if (all == 0.0)
+    {
+      return;
+    }
+    if (all - sharper < least * all || sharper - sharpest < least * all)
+    {
+      this->Clear = above;
+      return;
+    }
+    this->IsAny = true;
+  }
+}
+
+std::string AccidentalFeatures::Sentence() const
+{
+  return "No edges are features: the surface bends at its edges by all angles around the Feature "
+         "Angle of " +
+    Figure(this->Wanted) +
+    " degrees, as bent ones of few triangles do, and faces along them would be triangles or "
+    "folded. " +
+    (this->Clear > 0.0
+        ? "A Feature Angle of " + Figure(this->Clear) + " keeps the sharpest ones."
+        : "Curves that are given, as those of Feature Edges, are kept all the same.");
 }
 }

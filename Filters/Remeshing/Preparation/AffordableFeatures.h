@@ -5,6 +5,7 @@
 #define DirectionFields_AffordableFeatures_h
 
 #include "Features/KeptFeatures.h"
+#include "Geometry/SurfaceGeometry.h"
 
 #include <string>
 #include <vector>
@@ -32,6 +33,27 @@ struct AffordableFeatures
   double Wanted;
   /// The points where features of the wanted angle meet or end.
   Index Meeting = 0;
+};
+
+/// Features that may be no edges of a shape but how coarsely a bent surface is cut into triangles:
+/// it bends at its edges by all angles. Then at least 4 % of the features' length are sharper than
+/// the wanted angle by less than an eighth, and as much by an eighth to a quarter. Edges of a shape
+/// have a few angles only.
+struct AccidentalFeatures
+{
+  /// @param isFeature not 0 for each edge that is a feature
+  /// @param angle     the wanted one, in degrees
+  AccidentalFeatures(
+    const SurfaceGeometry& geometry, const std::vector<char>& isFeature, double angle);
+
+  /// What the user is told where they are left out.
+  std::string Sentence() const;
+
+  bool IsAny = false;
+  double Wanted;
+  /// The least larger angle, in degrees, at which features are none of these; 0 if there are no
+  /// features then.
+  double Clear = 0.0;
 };
 }
 

@@ -332,6 +332,8 @@ public:
    * Angle between the normals of two faces above which their edge is sharp, in degrees. Range 0 to
    * 180, default 40. Below 0.5, edges are taken for flat. Where features of less than 30 degrees
    * meet at more points than a 20th of the faces, the least sharp are left out, with a warning.
+   * Where edges are sharp by all angles, as those of a bent surface of few triangles, and the mesh
+   * is much better without features, it has none, with a warning.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

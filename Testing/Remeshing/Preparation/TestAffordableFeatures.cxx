@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 using namespace DirectionFields;
 using Internal::AffordableFeatures;
@@ -78,4 +81,41 @@ TEST(AffordableFeatures, NothingIsCountedWithoutFeaturesOrFaces)
   EXPECT_EQ(AffordableFeatures(sphere, { false, 0.0, 0.0, 0.0 }, 4, Faces).Meeting, 0);
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(AffordableFeatures(sphere, { true, 0.0, 0.0, 0.0 }, 4, infinite).Meeting, 0);
+}
+
+namespace
+{
+Internal::AccidentalFeatures AccidentalOf(const Surface& surface)
+{
+  const SurfaceGeometry geometry(surface);
+  const std::vector<char> all(geometry.Mesh.GetNumberOfEdges(), 1);
+  return { geometry, all, 40.0 };
+}
+}
+
+TEST(AccidentalFeatures, ThoseOfAShapeAreNone)
+{
+  EXPECT_FALSE(AccidentalOf(Meshes::Cube()).IsAny);
+  // All of its edges are sharp by 45 degrees.
+  EXPECT_FALSE(AccidentalOf(Meshes::ChamferedCube(6)).IsAny);
+}
+
+TEST(AccidentalFeatures, StretchedTrianglesHaveThem)
+{
+  EXPECT_TRUE(AccidentalOf(Meshes::BallWithLimbs()).IsAny);
+}
+
+TEST(AccidentalFeatures, AreLeftOutWhereFacesAlongThemAreBad)
+{
+  RemeshOptions options;
+  options.NumberOfFaces = 3000;
+  const RemeshResult mesh =
+    Remesh(std::make_shared<Surface>(Meshes::BallWithLimbs())).Compute(options);
+  EXPECT_EQ(mesh.TurnedFaces, 0);
+  EXPECT_LE(mesh.Triangles, 30);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.3);
+  EXPECT_LT(std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh), mesh.EdgeLength);
+  EXPECT_TRUE(std::any_of(mesh.Notes.begin(), mesh.Notes.end(),
+    [](const std::string& note)
+    { return note.find("No edges are features") != std::string::npos; }));
 }
