@@ -134,11 +134,13 @@ void Remesh::RequirePossible(const RemeshOptions& options) const
     const double least = *std::min_element(options.Sizing.begin(), options.Sizing.end());
     throw std::invalid_argument("Edges as long as the Sizing Array says, " + Figure(least) +
       " at the shortest, need " + needed + " faces, more than 100 million. Lengths that are " +
-      Figure(factor) + " times as large are possible; Calculator makes them.");
+      Figure(factor) +
+      " times as large, as Calculator makes them, are not refused, and take about 2 "
+      "kB a face.");
   }
   throw std::invalid_argument("An Edge Length of " + Figure(options.EdgeLength) + " needs " +
-    needed + " faces, more than 100 million. From " + Figure(factor * options.EdgeLength) +
-    " on it is possible.");
+    needed + " faces, more than 100 million. Lengths of " + Figure(factor * options.EdgeLength) +
+    " and more are not refused, and take about 2 kB a face.");
 }
 
 RemeshOptions Remesh::WithSizes(const RemeshOptions& given, double& error) const

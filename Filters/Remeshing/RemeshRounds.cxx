@@ -96,34 +96,22 @@ MeshStanding StandingOf(const RemeshResult& mesh)
 
 /// The part of the progress in which the surface is looked at.
 constexpr double BeforeFirst = 0.2;
-/// Where features meet or end at more points, a mesh without them is tried first: each is a point
-/// of the grid that its neighbours depend on, and takes time.
+/// Accidental features that meet or end at more points than these, and than one in twenty faces,
+/// are left out if a mesh without them is good: each is a point of the grid that its neighbours
+/// depend on.
 constexpr double FewMeetingPoints = 100.0;
 constexpr double PointsPerFace = 0.05;
 
-/// Faces that are triangles where quads are wanted, nearly flat, folded or turned over.
-Index CountBad(const RemeshResult& mesh, Element element)
-{
-  const FaceQuality quality = QualityOf(mesh.Points, mesh.Faces);
-  return (element == Element::Quads ? mesh.Triangles : 0) + mesh.TurnedFaces +
-    std::count_if(quality.ScaledJacobian.begin(), quality.ScaledJacobian.end(),
-      [](double each) { return each < LeastUsable; });
-}
-
+/// Whether more than a hundredth of the faces are triangles where quads are wanted, nearly flat,
+/// folded or turned over.
 bool HasManyBadFaces(const RemeshResult& mesh, Element element)
 {
   constexpr double most = 0.01;
-  return static_cast<double>(CountBad(mesh, element)) >
-    most * static_cast<double>(mesh.Faces.size());
-}
-
-/// Whether leaving features out halves the bad faces without losing parts of the surface.
-bool IsBetterWithoutFeatures(
-  const MeshStanding& with, Index badWith, const MeshStanding& without, Index badWithout)
-{
-  constexpr double farther = 1.5;
-  return without.MissedHoles <= with.MissedHoles && without.KeptParts >= with.KeptParts &&
-    without.Farthest <= farther * with.Farthest && 2 * badWithout < badWith;
+  const FaceQuality quality = QualityOf(mesh.Points, mesh.Faces);
+  const auto bad = (element == Element::Quads ? mesh.Triangles : 0) + mesh.TurnedFaces +
+    std::count_if(quality.ScaledJacobian.begin(), quality.ScaledJacobian.end(),
+      [](double each) { return each < LeastUsable; });
+  return static_cast<double>(bad) > most * static_cast<double>(mesh.Faces.size());
 }
 }
 
@@ -160,55 +148,40 @@ RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
   RemeshResult& result)
 {
   this->AboutAccidental.clear();
+  const auto makeWithFeatures = [&]
+  { return this->MakeWithFeatures(options, directions, thin, progress, result); };
   if (!options.KeepFeatures)
   {
-    return this->MakeWithFeatures(options, directions, thin, progress, result);
+    return makeWithFeatures();
   }
   const WantedSizes sizes =
     this->Prepare(options, directions, thin, progress.Part(0.0, BeforeFirst));
+  const double faces =
+    RelativeArea(*this->Input, sizes.AtPoints) / (sizes.EdgeLength * sizes.EdgeLength);
+  const std::vector<char>& isFrameless = this->Cache->GetFrameless();
+  const auto meeting = std::count(isFrameless.begin(), isFrameless.end(), 1);
+  if (!(static_cast<double>(meeting) > std::max(FewMeetingPoints, PointsPerFace * faces)))
+  {
+    return makeWithFeatures();
+  }
   const AccidentalFeatures accidental(
     this->Cache->GetGeometry(), this->Cache->GetFeatures(), options.FeatureAngle);
   if (!accidental.IsAny)
   {
-    return this->MakeWithFeatures(options, directions, thin, progress, result);
+    return makeWithFeatures();
   }
   // Tips of cones stay.
   RemeshOptions without = options;
   without.FeatureAngle = 180.0;
   without.KeepSoftFeatures = false;
-  RemeshResult other;
-  const auto makeWithout = [&] { this->MakeOnce(without, directions, thin, 1.0, progress, other); };
-  const std::vector<char>& isFrameless = this->Cache->GetFrameless();
-  const double faces =
-    RelativeArea(*this->Input, sizes.AtPoints) / (sizes.EdgeLength * sizes.EdgeLength);
-  const bool areMany = static_cast<double>(std::count(isFrameless.begin(), isFrameless.end(), 1)) >
-    std::max(FewMeetingPoints, PointsPerFace * faces);
-  if (areMany)
+  this->MakeOnce(without, directions, thin, 1.0, progress, result);
+  if (!(StandingOf(result).Farthest < result.EdgeLength) ||
+    HasManyBadFaces(result, options.Element))
   {
-    makeWithout();
-    if (StandingOf(other).Farthest < other.EdgeLength && !HasManyBadFaces(other, options.Element))
-    {
-      this->AboutAccidental = { accidental.Sentence() };
-      result = std::move(other);
-      return without;
-    }
-  }
-  const RemeshOptions with = this->MakeWithFeatures(options, directions, thin, progress, result);
-  if (!HasManyBadFaces(result, options.Element) || (!areMany && this->IsCostly))
-  {
-    return with;
-  }
-  if (!areMany)
-  {
-    makeWithout();
-  }
-  if (!IsBetterWithoutFeatures(StandingOf(result), CountBad(result, options.Element),
-        StandingOf(other), CountBad(other, options.Element)))
-  {
-    return with;
+    result = RemeshResult();
+    return makeWithFeatures();
   }
   this->AboutAccidental = { accidental.Sentence() };
-  result = std::move(other);
   return without;
 }
 

@@ -19,19 +19,8 @@ DiscreteForms::DiscreteForms(
     {
       for (Index e = begin; e < end; ++e)
       {
-        const Index h = mesh.HalfEdge(component.FirstEdge + e);
-        double weight = 0.0;
-        for (const Index side : { h, mesh.Twin(h) })
-        {
-          if (side != None)
-          {
-            const LargeArray<double>& squared = geometry.Lengths.SquaredLength;
-            const double opposite = squared[mesh.Edge(TriangleMesh::Next(side))] +
-              squared[mesh.Edge(TriangleMesh::Previous(side))] - squared[mesh.Edge(side)];
-            weight += opposite / (8.0 * geometry.Lengths.Area[side / 3]);
-          }
-        }
-        this->Weights[e] = weight;
+        this->Weights[e] =
+          geometry.Lengths.EdgeWeight(mesh, mesh.HalfEdge(component.FirstEdge + e));
       }
     });
 }

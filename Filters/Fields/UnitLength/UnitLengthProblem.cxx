@@ -76,19 +76,7 @@ private:
   /// Half of the cotangents of the corners opposite of an edge.
   double Weight(Index h) const
   {
-    double weight = 0.0;
-    for (const Index side : { h, this->Geometry.Mesh.Twin(h) })
-    {
-      if (side != None)
-      {
-        const auto squared = [this](Index s)
-        { return this->Geometry.Lengths.SquaredLength[this->Geometry.Mesh.Edge(s)]; };
-        weight += (squared(TriangleMesh::Next(side)) + squared(TriangleMesh::Previous(side)) -
-                    squared(side)) /
-          (8.0 * this->Geometry.Lengths.Area[side / 3]);
-      }
-    }
-    return std::max(0.0, weight);
+    return std::max(0.0, this->Geometry.Lengths.EdgeWeight(this->Geometry.Mesh, h));
   }
 
   const IntrinsicGeometry& Geometry;

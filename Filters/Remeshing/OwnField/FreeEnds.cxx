@@ -3,6 +3,8 @@
 
 #include "OwnField/FreeEnds.h"
 
+#include "Geometry/DihedralAngles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,33 +21,6 @@ constexpr double LeastFlux = 3.0;
 constexpr double Sharpest = 15.0 / 180.0 * Pi;
 /// In lengths of edges of the mesh to be made.
 constexpr double ShortestLine = 3.0;
-
-double HalfCotangent(const IntrinsicGeometry& geometry, Index h)
-{
-  const TriangleMesh& mesh = geometry.Mesh;
-  const auto& squared = geometry.Lengths.SquaredLength;
-  const double across = squared[mesh.Edge(TriangleMesh::Next(h))] +
-    squared[mesh.Edge(TriangleMesh::Previous(h))] - squared[mesh.Edge(h)];
-  return across / (8.0 * geometry.Lengths.Area[h / 3]);
-}
-
-/// The angle between the triangles on both sides of a half-edge.
-double BendAlong(const SurfaceGeometry& geometry, Index h)
-{
-  const auto normal = [&](Index t)
-  {
-    const auto at = [&](Index c) { return geometry.Positions[geometry.Mesh.Tail(3 * t + c)]; };
-    return Vector3((at(1) - at(0)).cross(at(2) - at(0)));
-  };
-  const Index twin = geometry.Mesh.Twin(h);
-  if (twin == None)
-  {
-    return 0.0;
-  }
-  const Vector3 a = normal(h / 3);
-  const Vector3 b = normal(twin / 3);
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 }
 
 FreeEnds::FreeEnds(const SurfaceGeometry& geometry, int degree, const std::vector<char>& isFeature,
@@ -63,16 +38,23 @@ FreeEnds::FreeEnds(const SurfaceGeometry& geometry, int degree, const std::vecto
     this->Sides[this->Mesh.Tail(h)] += isSide;
     this->Sides[this->Mesh.Head(h)] += isSide;
   }
+  std::vector<Index> ends;
   for (Index v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
   {
-    if (!this->IsFreeEnd(v))
+    if (this->IsFreeEnd(v))
     {
-      continue;
+      ends.push_back(v);
     }
+  }
+  const std::vector<double> dihedral =
+    ends.empty() ? std::vector<double>() : DihedralAngles(geometry);
+  for (const Index v : ends)
+  {
     const std::vector<Index> line = this->LineFrom(v);
+    const Index end = this->Mesh.Head(line.back());
     // A line of two free ends is visited from the first one.
-    if ((this->IsFreeEnd(line.back()) && line.back() < v) ||
-      this->LengthOfFlat(line) < ShortestLine * face)
+    if ((this->IsFreeEnd(end) && end < v) ||
+      this->LengthOfFlat(line, dihedral) < ShortestLine * face)
     {
       continue;
     }
@@ -81,47 +63,41 @@ FreeEnds::FreeEnds(const SurfaceGeometry& geometry, int degree, const std::vecto
     {
       // The side of less flux is turned: it has more room.
       const bool turnsLeft = std::abs(fluxes.Left) < std::abs(fluxes.Right);
-      this->Lines.push_back({ line, turnsLeft == (fluxes.Sum() < 0.0) ? 1 : -1 });
+      this->Lines.push_back({ v, end, turnsLeft == (fluxes.Sum() < 0.0) ? 1 : -1 });
     }
   }
 }
 
 /// The length of a line in the surface's unit, 0 of one that is sharp.
-double FreeEnds::LengthOfFlat(const std::vector<Index>& line) const
+double FreeEnds::LengthOfFlat(
+  const std::vector<Index>& line, const std::vector<double>& dihedral) const
 {
   double length = 0.0;
   double bend = 0.0;
-  std::vector<Index> fan;
-  for (std::size_t k = 1; k < line.size(); ++k)
+  for (const Index h : line)
   {
     const double edge =
-      (this->Geometry.Positions[line[k]] - this->Geometry.Positions[line[k - 1]]).norm();
-    this->Mesh.GetFan(line[k - 1], fan);
-    const auto h = std::find_if(
-      fan.begin(), fan.end(), [&](Index each) { return this->Mesh.Head(each) == line[k]; });
+      (this->Geometry.Positions[this->Mesh.Head(h)] - this->Geometry.Positions[this->Mesh.Tail(h)])
+        .norm();
     length += edge;
-    bend += edge * BendAlong(this->Geometry, *h);
+    bend += edge * std::abs(dihedral[this->Mesh.Edge(h)]);
   }
   return bend > Sharpest * length ? 0.0 : length;
 }
 
+/// The half-edges of a line from a free end on.
 std::vector<Index> FreeEnds::LineFrom(Index v) const
 {
-  std::vector<Index> line{ v };
+  std::vector<Index> line;
   std::vector<Index> fan;
-  Index before = None;
   do
   {
-    Index next = None;
+    const Index before = line.empty() ? None : this->Mesh.Edge(line.back());
     this->Mesh.GetFan(v, fan);
-    for (const Index h : fan)
-    {
-      const Index head = this->Mesh.Head(h);
-      next = this->IsFeature[this->Mesh.Edge(h)] != 0 && head != before ? head : next;
-    }
-    before = v;
-    v = next;
-    line.push_back(v);
+    line.push_back(*std::find_if(fan.begin(), fan.end(),
+      [&](Index h)
+      { return this->IsFeature[this->Mesh.Edge(h)] != 0 && this->Mesh.Edge(h) != before; }));
+    v = this->Mesh.Head(line.back());
   } while (this->Sides[v] == 2 && !this->Mesh.IsBoundary(v));
   return line;
 }
@@ -129,9 +105,7 @@ std::vector<Index> FreeEnds::LineFrom(Index v) const
 /// The rotation of a field along a half-edge by the half-edge's weight.
 double FreeEnds::FluxAlong(Index h, const std::vector<Complex>& section) const
 {
-  const Index twin = this->Mesh.Twin(h);
-  const double weight =
-    HalfCotangent(this->Geometry, h) + (twin != None ? HalfCotangent(this->Geometry, twin) : 0.0);
+  const double weight = this->Geometry.Lengths.EdgeWeight(this->Mesh, h);
   const double transport = this->Geometry.Transport.RotationAlong(this->Mesh, h);
   const Complex turn = section[this->Mesh.Head(h)] *
     std::conj(section[this->Mesh.Tail(h)] * std::polar(1.0, this->Degree * transport));
@@ -143,18 +117,18 @@ FreeEnds::Fluxes FreeEnds::FluxesOf(
 {
   Fluxes fluxes;
   std::vector<Index> fan;
-  for (std::size_t k = 0; k < line.size(); ++k)
+  for (std::size_t k = 0; k <= line.size(); ++k)
   {
-    const bool isEnd = k == 0 || k + 1 == line.size();
-    if (isEnd && !this->IsFreeEnd(line[k]))
+    // From the last vertex it is the edge back.
+    const Index ahead = k < line.size() ? line[k] : this->Mesh.Twin(line.back());
+    const Index v = this->Mesh.Tail(ahead);
+    const bool isEnd = k == 0 || k == line.size();
+    if (isEnd && !this->IsFreeEnd(v))
     {
       continue;
     }
-    this->Mesh.GetFan(line[k], fan);
-    const Index ahead = k + 1 < line.size() ? line[k + 1] : line[k - 1];
-    std::rotate(fan.begin(),
-      std::find_if(fan.begin(), fan.end(), [&](Index h) { return this->Mesh.Head(h) == ahead; }),
-      fan.end());
+    this->Mesh.GetFan(v, fan);
+    std::rotate(fan.begin(), std::find(fan.begin(), fan.end(), ahead), fan.end());
     // Counter-clockwise from the edge ahead its left side comes first.
     double* side = isEnd ? &fluxes.Ends : &fluxes.Left;
     for (std::size_t at = 1; at < fan.size(); ++at)
@@ -201,10 +175,10 @@ std::vector<Vector3> FreeEnds::Directions() const
   std::vector<Vector3> directions(this->Mesh.GetNumberOfVertices(), Vector3::Zero());
   for (const Line& line : this->Lines)
   {
-    this->AddDirections(line.Vertices.front(), line.Turn, directions);
-    if (this->IsFreeEnd(line.Vertices.back()))
+    this->AddDirections(line.First, line.Turn, directions);
+    if (this->IsFreeEnd(line.Last))
     {
-      this->AddDirections(line.Vertices.back(), -line.Turn, directions);
+      this->AddDirections(line.Last, -line.Turn, directions);
     }
   }
   return directions;

@@ -35,10 +35,11 @@ public:
   std::vector<Vector3> Directions() const;
 
 private:
-  /// From a free end on, vertex by vertex.
+  /// From a free end to where it ends.
   struct Line
   {
-    std::vector<Index> Vertices;
+    Index First;
+    Index Last;
     /// How many times 2 pi / n the field turns around the first vertex, counter-clockwise.
     int Turn;
   };
@@ -51,7 +52,7 @@ private:
   };
   bool IsFreeEnd(Index v) const { return this->Sides[v] == 1 && !this->Mesh.IsBoundary(v); }
   std::vector<Index> LineFrom(Index v) const;
-  double LengthOfFlat(const std::vector<Index>& line) const;
+  double LengthOfFlat(const std::vector<Index>& line, const std::vector<double>& dihedral) const;
   Fluxes FluxesOf(const std::vector<Index>& line, const std::vector<Complex>& section) const;
   double FluxAlong(Index h, const std::vector<Complex>& section) const;
   void AddDirections(Index end, int turn, std::vector<Vector3>& directions) const;

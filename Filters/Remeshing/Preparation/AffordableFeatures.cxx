@@ -84,6 +84,7 @@ AccidentalFeatures::AccidentalFeatures(
 {
   constexpr double step = 1.125;
   constexpr double least = 0.04;
+  constexpr double few = 0.25;
   const std::vector<double> dihedral = DihedralAngles(geometry);
   const auto lengthAbove = [&](double degrees)
   {
@@ -109,7 +110,7 @@ AccidentalFeatures::AccidentalFeatures(
     }
     if (all - sharper < least * all || sharper - sharpest < least * all)
     {
-      this->Clear = above;
+      this->Clear = all > few * lengthAbove(angle) ? above : 0.0;
       return;
     }
     this->IsAny = true;

@@ -51,8 +51,8 @@ struct AccidentalFeatures
 
   bool IsAny = false;
   double Wanted;
-  /// The least larger angle, in degrees, at which features are none of these; 0 if there are no
-  /// features then.
+  /// The least larger angle, in degrees, at which features are none of these; 0 if less than a
+  /// quarter of their length is left then.
   double Clear = 0.0;
 };
 }

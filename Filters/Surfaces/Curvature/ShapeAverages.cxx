@@ -39,21 +39,9 @@ void ForEachEdge(const TriangleMesh& mesh, Index v, const Body& body)
   }
 }
 
-/// Half the cotangent of the corner opposite of a half-edge.
-double HalfCotangent(const Metric& metric, const TriangleMesh& mesh, Index h)
-{
-  const double across = metric.SquaredLength[mesh.Edge(TriangleMesh::Next(h))] +
-    metric.SquaredLength[mesh.Edge(TriangleMesh::Previous(h))] - metric.SquaredLength[mesh.Edge(h)];
-  return across / (8.0 * metric.Area[h / 3]);
-}
-
 float EdgeWeight(const SurfaceGeometry& geometry, Index h)
 {
-  const TriangleMesh& mesh = geometry.Mesh;
-  const Index twin = mesh.Twin(h);
-  const double weight = HalfCotangent(geometry.Lengths, mesh, h) +
-    (twin != None ? HalfCotangent(geometry.Lengths, mesh, twin) : 0.0);
-  return static_cast<float>(std::max(weight, LeastWeight));
+  return static_cast<float>(std::max(geometry.Lengths.EdgeWeight(geometry.Mesh, h), LeastWeight));
 }
 }
 

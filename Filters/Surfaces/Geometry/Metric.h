@@ -55,6 +55,24 @@ struct Metric
     return this->CornerAngles(mesh, h / 3)[h % 3];
   }
 
+  /// Half the sum of the cotangents of the corners opposite of a half-edge and its twin, if it has
+  /// one: the weight of the edge in the Dirichlet energy of linear functions.
+  double EdgeWeight(const TriangleMesh& mesh, Index h) const
+  {
+    double weight = 0.0;
+    for (const Index side : { h, mesh.Twin(h) })
+    {
+      if (side != None)
+      {
+        const double across = this->SquaredLength[mesh.Edge(TriangleMesh::Next(side))] +
+          this->SquaredLength[mesh.Edge(TriangleMesh::Previous(side))] -
+          this->SquaredLength[mesh.Edge(side)];
+        weight += across / (8.0 * this->Area[side / 3]);
+      }
+    }
+    return weight;
+  }
+
 private:
   Index Measure(const TriangleMesh& mesh, const std::vector<Vector3>& positions,
     const std::vector<double>& sizes, Index c);
