@@ -284,19 +284,20 @@ private:
   /// from the surface than that.
   RemeshResult MakeForError(const RemeshOptions& given, double error, double gradation,
     const std::vector<Vector3>& directions, const Progress& progress);
-  /// Makes a mesh, and others where that one loses thin parts or has faces that are of no use.
-  /// Throws Stopped.
+  /// Makes a mesh, of many accidental features without them if that is a good one. Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
-  /// Makes a mesh with features, or without them where they are accidental and that is the better
-  /// one. Returns the options of the result.
-  RemeshOptions MakeFirst(const RemeshOptions& options, const std::vector<Vector3>& directions,
-    const Internal::ThinParts& thin, const Progress& progress, RemeshResult& result);
+  /// What the user is told where accidental features are left out; empty where there are few.
+  std::string AboutAccidental(
+    const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress);
+  /// Makes a mesh, and others where that one loses thin parts or has faces that are of no use.
+  /// Throws Stopped.
+  void MakeRounds(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    const Progress& progress, RemeshResult& result);
   /// Makes a mesh with soft features, and one without where that one is bad. Returns the options of
   /// the better one.
-  RemeshOptions MakeWithFeatures(const RemeshOptions& options,
-    const std::vector<Vector3>& directions, const Internal::ThinParts& thin,
-    const Progress& progress, RemeshResult& result);
+  RemeshOptions MakeFirst(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    const Internal::ThinParts& thin, const Progress& progress, RemeshResult& result);
   /// Makes one mesh, with smaller faces at thin parts.
   /// @param gridLength of the grid's edges, as a part of the wanted one
   void MakeOnce(const RemeshOptions& options, const std::vector<Vector3>& directions,
@@ -323,8 +324,6 @@ private:
   bool IsCostly = false;
   /// What the user is told about features that are left out; empty for none.
   std::vector<std::string> AboutFeatures;
-  /// About accidental features that are left out.
-  std::vector<std::string> AboutAccidental;
 };
 }
 

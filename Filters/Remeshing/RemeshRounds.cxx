@@ -115,7 +115,7 @@ bool HasManyBadFaces(const RemeshResult& mesh, Element element)
 }
 }
 
-RemeshOptions Remesh::MakeWithFeatures(const RemeshOptions& options,
+RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
   const std::vector<Vector3>& directions, const ThinParts& thin, const Progress& progress,
   RemeshResult& result)
 {
@@ -143,49 +143,7 @@ RemeshOptions Remesh::MakeWithFeatures(const RemeshOptions& options,
   return without;
 }
 
-RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
-  const std::vector<Vector3>& directions, const ThinParts& thin, const Progress& progress,
-  RemeshResult& result)
-{
-  this->AboutAccidental.clear();
-  const auto makeWithFeatures = [&]
-  { return this->MakeWithFeatures(options, directions, thin, progress, result); };
-  if (!options.KeepFeatures)
-  {
-    return makeWithFeatures();
-  }
-  const WantedSizes sizes =
-    this->Prepare(options, directions, thin, progress.Part(0.0, BeforeFirst));
-  const double faces =
-    RelativeArea(*this->Input, sizes.AtPoints) / (sizes.EdgeLength * sizes.EdgeLength);
-  const std::vector<char>& isFrameless = this->Cache->GetFrameless();
-  const auto meeting = std::count(isFrameless.begin(), isFrameless.end(), 1);
-  if (!(static_cast<double>(meeting) > std::max(FewMeetingPoints, PointsPerFace * faces)))
-  {
-    return makeWithFeatures();
-  }
-  const AccidentalFeatures accidental(
-    this->Cache->GetGeometry(), this->Cache->GetFeatures(), options.FeatureAngle);
-  if (!accidental.IsAny)
-  {
-    return makeWithFeatures();
-  }
-  // Tips of cones stay.
-  RemeshOptions without = options;
-  without.FeatureAngle = 180.0;
-  without.KeepSoftFeatures = false;
-  this->MakeOnce(without, directions, thin, 1.0, progress, result);
-  if (!(StandingOf(result).Farthest < result.EdgeLength) ||
-    HasManyBadFaces(result, options.Element))
-  {
-    result = RemeshResult();
-    return makeWithFeatures();
-  }
-  this->AboutAccidental = { accidental.Sentence() };
-  return without;
-}
-
-void Remesh::Make(const RemeshOptions& given, const std::vector<Vector3>& directions,
+void Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& directions,
   const Progress& progress, RemeshResult& result)
 {
   const std::vector<double> wanted = given.Sizing.empty()
@@ -256,7 +214,50 @@ void Remesh::Make(const RemeshOptions& given, const std::vector<Vector3>& direct
       result = std::move(other);
     }
   }
-  result.Notes.insert(
-    result.Notes.end(), this->AboutAccidental.begin(), this->AboutAccidental.end());
+}
+
+std::string Remesh::AboutAccidental(
+  const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress)
+{
+  if (!options.KeepFeatures)
+  {
+    return {};
+  }
+  const WantedSizes sizes =
+    this->Prepare(options, directions, ThinParts(*this->Input, {}), progress);
+  const double faces =
+    RelativeArea(*this->Input, sizes.AtPoints) / (sizes.EdgeLength * sizes.EdgeLength);
+  const std::vector<char>& isFrameless = this->Cache->GetFrameless();
+  const auto meeting = std::count(isFrameless.begin(), isFrameless.end(), 1);
+  if (!(static_cast<double>(meeting) > std::max(FewMeetingPoints, PointsPerFace * faces)))
+  {
+    return {};
+  }
+  const AccidentalFeatures accidental(
+    this->Cache->GetGeometry(), this->Cache->GetFeatures(), options.FeatureAngle);
+  return accidental.IsAny ? accidental.Sentence() : std::string();
+}
+
+void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
+  const Progress& progress, RemeshResult& result)
+{
+  const std::string sentence =
+    this->AboutAccidental(options, directions, progress.Part(0.0, BeforeFirst));
+  if (!sentence.empty())
+  {
+    // Tips of cones stay.
+    RemeshOptions without = options;
+    without.FeatureAngle = 180.0;
+    without.KeepSoftFeatures = false;
+    this->MakeRounds(without, directions, progress, result);
+    if (StandingOf(result).Farthest < result.EdgeLength &&
+      !HasManyBadFaces(result, options.Element))
+    {
+      result.Notes.push_back(sentence);
+      return;
+    }
+    result = RemeshResult();
+  }
+  this->MakeRounds(options, directions, progress, result);
 }
 }

@@ -9,7 +9,9 @@
 #include "Support/Sentences.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -82,39 +84,32 @@ AccidentalFeatures::AccidentalFeatures(
   const SurfaceGeometry& geometry, const std::vector<char>& isFeature, double angle)
   : Wanted(angle)
 {
+  constexpr std::size_t bands = 6;
   constexpr double step = 1.125;
-  constexpr double least = 0.04;
-  constexpr double few = 0.25;
+  constexpr double least = 0.02;
   const std::vector<double> dihedral = DihedralAngles(geometry);
-  const auto lengthAbove = [&](double degrees)
+  std::array<double, bands> lengths{};
+  double all = 0.0;
+  for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
   {
-    double sum = 0.0;
-    for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
+    const double times = std::abs(dihedral[e]) * 180.0 / Pi / angle;
+    if (isFeature[e] == 0 || !(times > 1.0))
     {
-      const Index h = geometry.Mesh.HalfEdge(e);
-      sum += isFeature[e] != 0 && std::abs(dihedral[e]) > degrees / 180.0 * Pi
-        ? (geometry.Positions[geometry.Mesh.Head(h)] - geometry.Positions[geometry.Mesh.Tail(h)])
-            .norm()
-        : 0.0;
+      continue;
     }
-    return sum;
-  };
-  for (double above = angle; above < 180.0; above *= step)
-  {
-    const double all = lengthAbove(above);
-    const double sharper = lengthAbove(step * above);
-    const double sharpest = lengthAbove(step * step * above);
-    if (all == 0.0)
+    const Index h = geometry.Mesh.HalfEdge(e);
+    const double length =
+      (geometry.Positions[geometry.Mesh.Head(h)] - geometry.Positions[geometry.Mesh.Tail(h)])
+        .norm();
+    const double band = std::log(times) / std::log(step);
+    all += length;
+    if (band < static_cast<double>(bands))
     {
-      return;
+      lengths[static_cast<std::size_t>(band)] += length;
     }
-    if (all - sharper < least * all || sharper - sharpest < least * all)
-    {
-      this->Clear = all > few * lengthAbove(angle) ? above : 0.0;
-      return;
-    }
-    this->IsAny = true;
   }
+  this->IsAny = all > 0.0 &&
+    std::all_of(lengths.begin(), lengths.end(), [&](double each) { return each > least * all; });
 }
 
 std::string AccidentalFeatures::Sentence() const
@@ -123,9 +118,6 @@ std::string AccidentalFeatures::Sentence() const
          "Angle of " +
     Figure(this->Wanted) +
     " degrees, as bent ones of few triangles do, and faces along them would be triangles or "
-    "folded. " +
-    (this->Clear > 0.0
-        ? "A Feature Angle of " + Figure(this->Clear) + " keeps the sharpest ones."
-        : "Curves that are given, as those of Feature Edges, are kept all the same.");
+    "folded. Curves that are given, as those of Feature Edges, are kept all the same.";
 }
 }

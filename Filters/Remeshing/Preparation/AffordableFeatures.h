@@ -36,9 +36,9 @@ struct AffordableFeatures
 };
 
 /// Features that may be no edges of a shape but how coarsely a bent surface is cut into triangles:
-/// it bends at its edges by all angles. Then at least 4 % of the features' length are sharper than
-/// the wanted angle by less than an eighth, and as much by an eighth to a quarter. Edges of a shape
-/// have a few angles only.
+/// it bends at its edges by all angles. Of the features' length more than 2 % are in each of the
+/// six bands, an eighth wide, from the wanted angle to twice that. Edges of a shape have a few
+/// angles.
 struct AccidentalFeatures
 {
   /// @param isFeature not 0 for each edge that is a feature
@@ -51,9 +51,6 @@ struct AccidentalFeatures
 
   bool IsAny = false;
   double Wanted;
-  /// The least larger angle, in degrees, at which features are none of these; 0 if less than a
-  /// quarter of their length is left then.
-  double Clear = 0.0;
 };
 }
 

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -110,6 +112,50 @@ TEST(FreeEnds, HalfwayBetweenTwoDirectionsOneSideTurnsTheOtherWay)
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(std::abs(found[0].second), 1);
   EXPECT_EQ(found[0].second, -found[1].second);
+}
+
+TEST(FreeEnds, DirectionsTurnTheOtherWayAroundTheOtherEnd)
+{
+  // Along the line the field is turned by 42 degrees, and by less and less beside it.
+  constexpr double turned = 42.0 * Pi / 180.0;
+  const Example example(0.6, 42.0);
+  const std::vector<Vector3> ends = Example::Line(0.6, 42.0);
+  const SurfaceGeometry& geometry = example.Geometry;
+  std::vector<Complex> section;
+  for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+  {
+    const Vector3 edge = ends[1] - ends[0];
+    const Vector3& p = geometry.Positions[v];
+    const double along = std::clamp((p - ends[0]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    const double angle = turned * std::max(0.0, 1.0 - (p - ends[0] - along * edge).norm() / 0.2);
+    const Complex direction =
+      geometry.Frames.Tangential(v, Vector3(std::cos(angle), std::sin(angle), 0.0));
+    section.push_back(std::polar(1.0, 4.0 * std::arg(direction)));
+  }
+  const FreeEnds found(geometry, 4, example.IsFeature, section, Example::Face);
+  ASSERT_FALSE(found.IsEmpty());
+  const std::vector<Vector3> directions = found.Directions();
+  std::array<double, 2> turns{};
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const Vector3 back = (ends[1 - k] - ends[k]).normalized();
+    for (Index v = 0; v < geometry.Mesh.GetNumberOfVertices(); ++v)
+    {
+      const Vector3 from = geometry.Positions[v] - ends[k];
+      if (directions[v].isZero(0.0) || from.norm() > 0.1)
+      {
+        continue;
+      }
+      // Counter-clockwise from the line the directions turn by a quarter of the angle around. The
+      // line ends at a point of the plane within a twentieth of its edges.
+      double around = std::atan2(back.cross(from).z(), back.dot(from));
+      around += around < 0.0 ? 2.0 * Pi : 0.0;
+      const double turn = std::atan2(back.cross(directions[v]).z(), back.dot(directions[v]));
+      EXPECT_NEAR(std::abs(turn), around / 4.0, 0.1);
+      turns[k] += turn;
+    }
+  }
+  EXPECT_LT(turns[0] * turns[1], 0.0);
 }
 
 TEST(FreeEnds, LinesThatTurnTheFieldLittleHaveNone)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -118,4 +119,24 @@ TEST(AccidentalFeatures, AreLeftOutWhereFacesAlongThemAreBad)
   EXPECT_TRUE(std::any_of(mesh.Notes.begin(), mesh.Notes.end(),
     [](const std::string& note)
     { return note.find("No edges are features") != std::string::npos; }));
+}
+
+TEST(AccidentalFeatures, ThinPartsComeBackBeforeAMeshWithoutThemIsJudged)
+{
+  // Limbs of a quarter of the width are lost at first, and kept by smaller faces then.
+  Surface thin = Meshes::BallWithLimbs();
+  for (Vector3& point : thin.Points)
+  {
+    Index along = 0;
+    const double far = point.cwiseAbs().maxCoeff(&along);
+    const double narrower = 1.0 - 0.75 * std::clamp((far - 1.1) / 0.3, 0.0, 1.0);
+    const double kept = point[along];
+    point *= narrower;
+    point[along] = kept;
+  }
+  RemeshOptions options;
+  options.NumberOfFaces = 3000;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(thin)).Compute(options);
+  EXPECT_LE(mesh.Triangles + mesh.TurnedFaces, 30);
+  EXPECT_LT(std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh), mesh.EdgeLength);
 }
