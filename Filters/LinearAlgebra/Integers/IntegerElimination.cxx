@@ -82,6 +82,11 @@ IntegerSum IntegerElimination::Resolve(const IntegerSum& sum)
   IntegerSum resolved;
   for (const auto& [variable, factor] : sum)
   {
+    if (this->IsFree(variable))
+    {
+      resolved.emplace_back(variable, factor);
+      continue;
+    }
     for (const auto& [free, coefficient] : IntegerSum(this->Resolve(variable)))
     {
       resolved.emplace_back(free, coefficient * factor);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace DirectionFields::Internal
@@ -18,22 +19,41 @@ namespace
 /// Places that are closer to a point of the line than this part of an edge are that point.
 constexpr double AtPoint = 1e-9;
 
-/// The edges that are there once, at each of their ends.
-std::map<Index, std::vector<Index>> SingleEdges(std::vector<std::array<Index, 2>>&& edges)
+/// The edges that are there once, at each of their ends. They are put in order by their first ends,
+/// of which each has a few: most are there twice, as many as a closed surface has.
+std::map<Index, std::vector<Index>> SingleEdges(
+  const std::vector<std::array<Index, 2>>& edges, std::size_t points)
 {
-  std::sort(edges.begin(), edges.end());
-  std::map<Index, std::vector<Index>> next;
-  for (std::size_t k = 0, end = 0; k < edges.size(); k = end)
+  std::vector<std::size_t> end(points + 1, 0);
+  for (const std::array<Index, 2>& edge : edges)
   {
-    while (end < edges.size() && edges[end] == edges[k])
+    ++end[edge[0] + 1];
+  }
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Index> seconds(edges.size());
+  for (const std::array<Index, 2>& edge : edges)
+  {
+    seconds[end[edge[0]]++] = edge[1];
+  }
+  std::map<Index, std::vector<Index>> next;
+  for (std::size_t p = 0, k = 0; p < points; ++p)
+  {
+    const auto last = seconds.begin() + static_cast<std::ptrdiff_t>(end[p]);
+    auto at = seconds.begin() + static_cast<std::ptrdiff_t>(k);
+    std::sort(at, last);
+    while (at != last)
     {
-      ++end;
+      const Index first = static_cast<Index>(p);
+      const Index second = *at;
+      const auto same = at;
+      at = std::find_if(at, last, [&](Index other) { return other != second; });
+      if (at - same == 1 && first != second)
+      {
+        next[first].push_back(second);
+        next[second].push_back(first);
+      }
     }
-    if (end - k == 1 && edges[k][0] != edges[k][1])
-    {
-      next[edges[k][0]].push_back(edges[k][1]);
-      next[edges[k][1]].push_back(edges[k][0]);
-    }
+    k = end[p];
   }
   return next;
 }
@@ -64,9 +84,9 @@ std::vector<Vector3> CornersOf(const Surface& surface, const BoundaryPath& path)
 }
 
 std::vector<BoundaryPath> BoundaryPathsOf(
-  std::vector<std::array<Index, 2>> edges, const std::vector<char>& isMarked)
+  const std::vector<std::array<Index, 2>>& edges, const std::vector<char>& isMarked)
 {
-  std::map<Index, std::vector<Index>> next = SingleEdges(std::move(edges));
+  std::map<Index, std::vector<Index>> next = SingleEdges(edges, isMarked.size());
   std::vector<char> isEnd = isMarked;
   for (const auto& [point, others] : next)
   {
@@ -192,6 +212,7 @@ std::vector<BoundaryLine> BoundaryLinesOf(const Surface& surface, const std::vec
 {
   const std::vector<Index> first = FirstAtSamePlace(surface);
   std::vector<std::array<Index, 2>> edges;
+  edges.reserve(3 * surface.Triangles.size());
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
     const Triangle& corners = surface.Triangles[t];
@@ -203,8 +224,7 @@ std::vector<BoundaryLine> BoundaryLinesOf(const Surface& surface, const std::vec
     }
   }
   std::vector<BoundaryLine> lines;
-  for (BoundaryPath& path :
-    BoundaryPathsOf(std::move(edges), std::vector<char>(surface.Points.size(), 0)))
+  for (BoundaryPath& path : BoundaryPathsOf(edges, std::vector<char>(surface.Points.size(), 0)))
   {
     lines.emplace_back(surface, std::move(path));
   }

@@ -29,7 +29,7 @@ struct BoundaryPath
 /// @param edges    of all faces, each as often as faces have it, the lower point first
 /// @param isMarked not 0 for points at which paths end
 std::vector<BoundaryPath> BoundaryPathsOf(
-  std::vector<std::array<Index, 2>> edges, const std::vector<char>& isMarked);
+  const std::vector<std::array<Index, 2>>& edges, const std::vector<char>& isMarked);
 
 /// A path along the boundary of a surface. Places on it are numbers: k at point number k, and in
 /// between on the edge to the next one; of closed ones n more is once around.

@@ -170,7 +170,7 @@ std::vector<BoundarySide> BoundarySidesOf(
   const AllSegments all(lines);
   std::vector<BoundarySide> sides;
   std::vector<int> times(lines.size(), 0);
-  for (const BoundaryPath& path : BoundaryPathsOf(std::move(edges), isEnd))
+  for (const BoundaryPath& path : BoundaryPathsOf(edges, isEnd))
   {
     const Index line = LineAt(mesh, path, all);
     if (line != None)

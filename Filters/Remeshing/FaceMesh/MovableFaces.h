@@ -82,6 +82,7 @@ public:
   /// A vertex of more than 64 faces: repeated trials at it would take as long as all other faces.
   bool IsHub(Index v) const { return this->Cells.At(v).size() > 64; }
   bool IsFace(Index f) const { return this->Cells.IsFace(f); }
+  const std::vector<Index>& FacesAt(Index v) const { return this->Cells.At(v); }
   const Faces::Face& Face(Index f) const { return this->Cells.Face(f); }
   double EdgeLength(Index v) const { return this->Domain.EdgeLength[v]; }
   std::vector<Vector3>& GetPoints() { return this->Points; }

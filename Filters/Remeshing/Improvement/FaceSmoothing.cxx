@@ -3,6 +3,7 @@
 
 #include "Improvement/FaceSmoothing.h"
 
+#include "Improvement/ParallelSweep.h"
 #include "Improvement/WorstFaces.h"
 #include "Support/Threads.h"
 
@@ -45,27 +46,22 @@ void Step(MovableFaces& faces, std::vector<MovableFaces::Regular>& regular)
     });
 }
 
-void CarefulSweep(MovableFaces& faces)
+/// Moves a vertex if no face becomes worse that is not good.
+void MoveCarefully(MovableFaces& faces, Index v)
 {
   std::vector<Vector3>& points = faces.GetPoints();
-  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
+  const double before = faces.LeastQuality(v);
+  const Vector3 start = points[v];
+  points[v] = faces.Projected(v, 0.5 * (start + faces.Ideal(v, points)), points);
+  double now = faces.LeastQuality(v);
+  if (now < before && now < GoodEnough)
   {
-    if (!faces.IsFree(v))
-    {
-      continue;
-    }
-    const double before = faces.LeastQuality(v);
-    const Vector3 start = points[v];
-    points[v] = faces.Projected(v, 0.5 * (start + faces.Ideal(v, points)), points);
-    const double now = faces.LeastQuality(v);
-    if (now < before && now < GoodEnough)
-    {
-      points[v] = start;
-    }
-    if (faces.LeastQuality(v) < Bad)
-    {
-      MoveToBetterPlace(faces, v, 1.0);
-    }
+    points[v] = start;
+    now = before;
+  }
+  if (now < Bad)
+  {
+    MoveToBetterPlace(faces, v, 1.0);
   }
 }
 }
@@ -82,9 +78,18 @@ void RelaxFaces(MovableFaces& faces, int steps, const Progress& progress)
 
 void ImproveFaces(MovableFaces& faces, const Progress& progress)
 {
+  std::vector<Index> free;
+  for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
+  {
+    if (faces.IsFree(v))
+    {
+      free.push_back(v);
+    }
+  }
+  const ParallelSweep sweep(faces, free);
   for (int k = 0; k < CarefulSweeps; ++k)
   {
-    CarefulSweep(faces);
+    sweep.Run([&](Index v) { MoveCarefully(faces, v); });
     progress.Report(0.5 * (k + 1) / CarefulSweeps);
   }
   ImproveWorstFaces(faces, progress.Part(0.5, 1.0));

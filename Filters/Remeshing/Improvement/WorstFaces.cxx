@@ -3,6 +3,7 @@
 
 #include "Improvement/WorstFaces.h"
 
+#include "Improvement/ParallelSweep.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -73,7 +74,6 @@ void MoveToBetterPlace(MovableFaces& faces, Index v, double size)
 
 namespace
 {
-
 /// The vertices that may move of faces that are not good, ascending.
 std::vector<Index> VerticesOfWorst(const MovableFaces& faces)
 {
@@ -110,13 +110,11 @@ std::vector<Index> VerticesOfWorst(const MovableFaces& faces)
 void ImproveWorstFaces(MovableFaces& faces, const Progress& progress)
 {
   const std::vector<Index> vertices = VerticesOfWorst(faces);
+  const ParallelSweep sweep(faces, vertices);
   double size = 1.0;
   for (int k = 0; k < Rounds; ++k, size *= Shrinking)
   {
-    for (const Index v : vertices)
-    {
-      MoveToBetterPlace(faces, v, size);
-    }
+    sweep.Run([&](Index v) { MoveToBetterPlace(faces, v, size); });
     progress.Report((k + 1.0) / Rounds);
   }
 }

@@ -95,8 +95,9 @@ public:
     return this->Away(v).norm() * this->Places.PerLength[this->Cone];
   }
 
-  /// The vertices within a radius, the neighbours first.
-  std::vector<Vertex> Within(double radius, const StretchedAngles& angles) const
+  /// The vertices of some, ascending, within a radius, the neighbours first.
+  std::vector<Vertex> Within(
+    double radius, const std::vector<Index>& corners, const StretchedAngles& angles) const
   {
     std::vector<Vertex> reached;
     std::unordered_set<Index> known;
@@ -126,7 +127,7 @@ public:
           const Index v = corner[d];
           if (this->Distance(v) < radius &&
             std::abs(this->Normal.dot(this->Away(v))) < MostSlope * this->Away(v).norm() &&
-            known.insert(v).second)
+            std::binary_search(corners.begin(), corners.end(), v) && known.insert(v).second)
           {
             reached.push_back({ v, from.Angle + std::arg(this->Flat(v) / this->Flat(from.Number)),
               this->Places.Plane.Composed(ofTriangle, this->Places.FromVertex(t, d)) });
@@ -159,7 +160,8 @@ private:
 };
 }
 
-void OpenCone(MovablePlaces& places, Index cone, const std::vector<Index>& movable, double radius)
+void OpenCone(MovablePlaces& places, Index cone, const std::vector<Index>& movable,
+  const std::vector<Index>& corners, double radius)
 {
   const ConeDisk disk(places, cone);
   const std::array<double, 3> between = disk.AnglesBetweenNeighbours();
@@ -169,7 +171,7 @@ void OpenCone(MovablePlaces& places, Index cone, const std::vector<Index>& movab
     return;
   }
   const StretchedAngles angles(between, places.WantedAngle(cone));
-  const std::vector<ConeDisk::Vertex> vertices = disk.Within(radius, angles);
+  const std::vector<ConeDisk::Vertex> vertices = disk.Within(radius, corners, angles);
   const Complex centre = places.Plane.Place(places.Places[cone]);
   std::vector<Complex> polar;
   Complex turn(0.0);

@@ -6,7 +6,10 @@
 #include "Unfolding/ConeOpening.h"
 #include "Unfolding/PatchUnfolding.h"
 
+#include "Support/Threads.h"
+
 #include <algorithm>
+#include <thread>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -229,7 +232,7 @@ void Unfold(MovablePlaces& places, const Patch& patch, double opening, const Pro
 {
   const Folds before(places, patch);
   std::vector<GridPoint> former;
-  for (const Index v : patch.Corners)
+  for (const Index v : patch.Vertices)
   {
     former.push_back(places.Places[v]);
   }
@@ -237,7 +240,7 @@ void Unfold(MovablePlaces& places, const Patch& patch, double opening, const Pro
   {
     if (places.IsInTriangle(v) && !places.IsSurrounded(v))
     {
-      OpenCone(places, v, patch.Vertices, OpeningOf(places, patch, v, opening));
+      OpenCone(places, v, patch.Vertices, patch.Corners, OpeningOf(places, patch, v, opening));
     }
   }
   UnfoldPatch(places, patch.Vertices, patch.Triangles, progress);
@@ -245,21 +248,74 @@ void Unfold(MovablePlaces& places, const Patch& patch, double opening, const Pro
   {
     for (std::size_t k = 0; k < former.size(); ++k)
     {
-      places.Places[patch.Corners[k]] = former[k];
+      places.Places[patch.Vertices[k]] = former[k];
     }
   }
+}
+
+/// Patches in groups that do not touch: none has a corner in common with a patch of another group,
+/// and what is at other places makes no difference to it. Larger groups are first.
+std::vector<std::vector<std::size_t>> GroupsOf(const std::vector<Patch>& patches)
+{
+  std::vector<std::size_t> first(patches.size());
+  const auto rootOf = [&](std::size_t k)
+  {
+    while (first[k] != k)
+    {
+      k = first[k] = first[first[k]];
+    }
+    return k;
+  };
+  std::unordered_map<Index, std::size_t> patchAt;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+  {
+    first[k] = k;
+    for (const Index v : patches[k].Corners)
+    {
+      const std::size_t a = rootOf(patchAt.emplace(v, k).first->second);
+      const std::size_t b = rootOf(k);
+      first[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::vector<std::size_t>> groups(patches.size());
+  std::vector<std::size_t> triangles(patches.size(), 0);
+  for (std::size_t k = 0; k < patches.size(); ++k)
+  {
+    groups[rootOf(k)].push_back(k);
+    triangles[rootOf(k)] += patches[k].Triangles.size();
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+    [&](const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+    { return (a.empty() ? 0 : triangles[a[0]]) > (b.empty() ? 0 : triangles[b[0]]); });
+  groups.erase(std::find_if(groups.begin(), groups.end(),
+                 [](const std::vector<std::size_t>& group) { return group.empty(); }),
+    groups.end());
+  return groups;
 }
 }
 
 void UnfoldTriangles(MovablePlaces& places, const Progress& progress)
 {
+  const std::thread::id asker = std::this_thread::get_id();
   for (const auto [width, opening] : Attempts)
   {
+    std::vector<Patch> patches;
     for (std::vector<Index>& vertices : Surroundings(places, FindFlipped(places), width).Split())
     {
-      progress.RequireToGoOn();
-      Unfold(places, Patch(places, std::move(vertices)), opening, progress);
+      patches.emplace_back(places, std::move(vertices));
     }
+    const std::vector<std::vector<std::size_t>> groups = GroupsOf(patches);
+    Threads::Run(static_cast<Index>(groups.size()),
+      [&, opening = opening](Index group)
+      {
+        // Only the calling thread may ask whether to go on.
+        const Progress part = std::this_thread::get_id() == asker ? progress : Progress();
+        for (const std::size_t k : groups[group])
+        {
+          part.RequireToGoOn();
+          Unfold(places, patches[k], opening, part);
+        }
+      });
   }
 }
 }

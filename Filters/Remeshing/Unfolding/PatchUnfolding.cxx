@@ -115,15 +115,34 @@ public:
       : this->Area * TriangleDistortion::ValueOf(j, this->MustStay ? 0.0 : epsilon);
   }
 
-  /// Adds its part of the derivatives of the sum, of the second ones those below the diagonal.
-  void AddTo(const Eigen::VectorXd& x, double epsilon, Eigen::VectorXd& gradient,
-    std::vector<Eigen::Triplet<double, Index>>& hessian) const
+  /// Calls visit with the row and the column of each of its second derivatives that are not above
+  /// the diagonal.
+  template <typename Visit>
+  void VisitEntries(const Visit& visit) const
+  {
+    const Coordinates of = this->GetCoordinates();
+    for (int i = 0; i < of.Count; ++i)
+    {
+      for (int j = 0; j < of.Count; ++j)
+      {
+        if (of.Slot[j] >= of.Slot[i])
+        {
+          visit(of.Slot[j], of.Slot[i]);
+        }
+      }
+    }
+  }
+
+  /// Adds its part of the derivatives of the sum.
+  /// @param entry where among the values each of the second derivatives is, in their order
+  void AddTo(const Eigen::VectorXd& x, double epsilon, Eigen::VectorXd& gradient, double* values,
+    const Index* entry) const
   {
     TriangleDistortion distortion(this->DerivativeAt(x), this->MustStay ? 0.0 : epsilon);
     distortion.Convexify();
     // The derivatives of the map's derivative by each coordinate.
-    std::array<Index, 6> slot;
-    Index count = 0;
+    const Coordinates of = this->GetCoordinates();
+    int count = 0;
     Eigen::Matrix<double, 4, 6> by;
     for (int c = 0; c < 3; ++c)
     {
@@ -133,26 +152,44 @@ public:
       for (int i = 0; i < this->Freedom[c]; ++i)
       {
         const Complex d = this->DirectionOf(c, i);
-        by.col(count) << d.real() * weight, d.imag() * weight;
-        slot[count++] = this->Slot[c] + i;
+        by.col(count++) << d.real() * weight, d.imag() * weight;
       }
     }
-    for (Index i = 0; i < count; ++i)
+    for (int i = 0; i < of.Count; ++i)
     {
       const auto column = by.col(i);
-      gradient[slot[i]] += this->Area * column.dot(distortion.Gradient);
+      gradient[of.Slot[i]] += this->Area * column.dot(distortion.Gradient);
       const TriangleDistortion::Derivative image = this->Area * (distortion.Hessian * column);
-      for (Index j = 0; j < count; ++j)
+      for (int j = 0; j < of.Count; ++j)
       {
-        if (slot[j] >= slot[i])
+        if (of.Slot[j] >= of.Slot[i])
         {
-          hessian.emplace_back(slot[j], slot[i], by.col(j).dot(image));
+          values[*entry++] += by.col(j).dot(image);
         }
       }
     }
   }
 
 private:
+  /// The coordinates that it depends on.
+  struct Coordinates
+  {
+    std::array<Index, 6> Slot;
+    int Count = 0;
+  };
+  Coordinates GetCoordinates() const
+  {
+    Coordinates of;
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int i = 0; i < this->Freedom[c]; ++i)
+      {
+        of.Slot[of.Count++] = this->Slot[c] + i;
+      }
+    }
+    return of;
+  }
+
   Complex DirectionOf(int c, int i) const
   {
     return i == 0 ? this->Direction[c] : this->Direction[c] * Complex(0.0, 1.0);
@@ -258,27 +295,53 @@ private:
     return sum;
   }
 
-  /// The second derivatives, those below the diagonal, and the gradient.
-  Matrix HessianAt(double epsilon, Eigen::VectorXd& gradient) const
+  /// Finds which of the second derivatives there are, and where among the values each triangle's
+  /// are: they stay the same from step to step.
+  void FindPattern()
   {
     std::vector<Eigen::Triplet<double, Index>> entries;
+    const auto add = [&](Index row, Index column) { entries.emplace_back(row, column, 0.0); };
     for (const Piece& piece : this->Pieces)
     {
-      piece.AddTo(this->X, epsilon, gradient, entries);
+      piece.VisitEntries(add);
     }
-    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(this->Count);
-    for (const auto& entry : entries)
+    for (Index i = 0; i < this->Count; ++i)
     {
-      diagonal[entry.col()] += entry.row() == entry.col() ? entry.value() : 0.0;
+      add(i, i);
+    }
+    this->Hessian.resize(this->Count, this->Count);
+    this->Hessian.setFromTriplets(entries.begin(), entries.end());
+    const Index* begin = this->Hessian.outerIndexPtr();
+    const Index* rows = this->Hessian.innerIndexPtr();
+    for (const Piece& piece : this->Pieces)
+    {
+      this->FirstEntry.push_back(static_cast<Index>(this->Entries.size()));
+      piece.VisitEntries(
+        [&](Index row, Index column)
+        {
+          const Index* last = rows + begin[column + 1];
+          this->Entries.push_back(
+            static_cast<Index>(std::lower_bound(rows + begin[column], last, row) - rows));
+        });
+    }
+  }
+
+  /// Computes the second derivatives, those that are not above the diagonal, and the gradient.
+  void Differentiate(double epsilon, Eigen::VectorXd& gradient)
+  {
+    double* values = this->Hessian.valuePtr();
+    std::fill(values, values + this->Hessian.nonZeros(), 0.0);
+    for (std::size_t k = 0; k < this->Pieces.size(); ++k)
+    {
+      this->Pieces[k].AddTo(
+        this->X, epsilon, gradient, values, this->Entries.data() + this->FirstEntry[k]);
     }
     for (Index i = 0; i < this->Count; ++i)
     {
       // Vertices stay all of whose triangles stay flat.
-      entries.emplace_back(i, i, diagonal[i] > 0.0 ? Regularization * diagonal[i] : 1.0);
+      double& diagonal = values[this->Hessian.outerIndexPtr()[i]];
+      diagonal += diagonal > 0.0 ? Regularization * diagonal : 1.0;
     }
-    Matrix hessian(this->Count, this->Count);
-    hessian.setFromTriplets(entries.begin(), entries.end());
-    return hessian;
   }
 
   /// Returns whether there was a better place.
@@ -286,13 +349,14 @@ private:
   {
     const double value = this->ValueAt(this->X, epsilon);
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(this->Count);
-    const Matrix hessian = this->HessianAt(epsilon, gradient);
     if (!this->Solver)
     {
+      this->FindPattern();
       this->Solver.emplace();
-      this->Solver->analyzePattern(hessian);
+      this->Solver->analyzePattern(this->Hessian);
     }
-    this->Solver->factorize(hessian);
+    this->Differentiate(epsilon, gradient);
+    this->Solver->factorize(this->Hessian);
     if (this->Solver->info() != Eigen::Success)
     {
       return false;
@@ -319,6 +383,11 @@ private:
   Eigen::VectorXd X;
   /// By which part the last step made the sum less.
   double Decrease = 1.0;
+  Matrix Hessian;
+  /// Where among its values the entries of each triangle are, in the order of Piece::VisitEntries,
+  /// and the first one of each.
+  std::vector<Index> Entries;
+  std::vector<Index> FirstEntry;
   std::optional<Eigen::SimplicialLDLT<Matrix>> Solver;
 };
 }

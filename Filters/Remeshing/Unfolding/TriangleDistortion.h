@@ -26,12 +26,28 @@ struct TriangleDistortion
   static double Determinant(const Derivative& j) { return j[0] * j[3] - j[1] * j[2]; }
   /// The value alone.
   static double ValueOf(const Derivative& j, double epsilon);
-  /// Replaces the second derivatives by the nearest that no direction has less than 0 of.
+  /// Replaces the second derivatives by the nearest that no direction has less than 0 of. Their
+  /// eigenvectors are known, as turning the image or the triangle changes nothing (B. Smith et al.:
+  /// Analytic eigensystems for isotropic distortion energies, 2019): a turn against the part of the
+  /// map that keeps angles, one against the part that reflects, and two in the plane of both parts.
   void Convexify();
 
   double Value;
   Derivative Gradient;
   Eigen::Matrix4d Hessian;
+
+private:
+  /// Of the second derivatives: 1/2 of that by |J|^2 counts in all directions, that of the
+  /// determinant by J once, and with its gradient squared and times J.
+  struct Factors
+  {
+    double All;
+    double OfDeterminant;
+    double Squared;
+    double Mixed;
+  };
+  Derivative J;
+  Factors Of;
 };
 }
 

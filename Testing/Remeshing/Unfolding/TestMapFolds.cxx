@@ -6,6 +6,7 @@
 #include "Meshes/Surfaces.h"
 #include "Parametrization/ParametrizationVariables.h"
 #include "Remeshing/CutExample.h"
+#include "Support/Threads.h"
 #include "Unfolding/ConeOpening.h"
 #include "Unfolding/PatchUnfolding.h"
 
@@ -175,7 +176,7 @@ TEST(MapFolds, ConesKeepTheirAngle)
   {
     Mapped mapped(example, 6.0);
     mapped.Scramble(Vector3::Zero(), 0.25, 1.0, seed);
-    OpenCone(mapped.Movable, vertices.back(), vertices, 0.0);
+    OpenCone(mapped.Movable, vertices.back(), vertices, vertices, 0.0);
     ASSERT_TRUE(mapped.Movable.IsSurrounded(vertices.back()));
     UnfoldPatch(mapped.Movable, vertices, triangles);
     lost += mapped.Movable.IsSurrounded(vertices.back()) ? 0 : 1;
@@ -220,6 +221,33 @@ TEST(MapFolds, ScrambledPlacesAreUnfolded)
   }
 }
 
+/// Patches that do not touch are shared among threads, and those that do are not.
+TEST(MapFolds, AreTheSameForAnyNumberOfThreads)
+{
+  const CutExample example = Polygon(4, 5, 5, Vector3(0.011, 0.005, 0.0));
+  int folded = 0;
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    std::vector<std::vector<GridPoint>> places;
+    for (const int number : { 1, 2, 3 })
+    {
+      Mapped mapped(example, 12.0);
+      for (unsigned k = 0; k < 9; ++k)
+      {
+        const Complex middle = std::polar(0.4 + 0.01 * k * seed, 0.7 * k);
+        mapped.Scramble(Vector3(middle.real(), middle.imag(), 0.0), 0.06, 0.7, 9 * seed + k);
+      }
+      folded += mapped.CountFlipped();
+      Threads threads(number);
+      const Threads::Scope scope(threads);
+      UnfoldTriangles(mapped.Movable);
+      places.push_back(mapped.Places);
+    }
+    EXPECT_TRUE(places[0] == places[1] && places[0] == places[2]) << seed;
+  }
+  EXPECT_GT(folded, 100);
+}
+
 /// A map that turns one of the three triangles at a cone over goes around it by 360 degrees less.
 TEST(MapFolds, ConesAreOpenedToTheirAngle)
 {
@@ -241,7 +269,7 @@ TEST(MapFolds, ConesAreOpenedToTheirAngle)
     movable.MoveTo(
       neighbour, 2.0 * movable.Corner(t, 0) - movable.Corner(t, 1), movable.FromVertex(t, 1));
     EXPECT_FALSE(movable.IsSurrounded(cone));
-    OpenCone(movable, cone, all, 0.5);
+    OpenCone(movable, cone, all, all, 0.5);
     EXPECT_TRUE(movable.IsSurrounded(cone));
     EXPECT_EQ(movable.TrianglesAt(cone).size(), 3);
     for (const Index around : movable.TrianglesAt(cone))

@@ -86,17 +86,28 @@ TEST(TriangleDistortion, IsInfiniteWhereATriangleIsFlipped)
   }
 }
 
+/// The nearest ones: eigenvalues below 0 become 0, and the eigenvectors stay. Also for maps that keep
+/// angles, and that reflect, which have no direction of the other part.
 TEST(TriangleDistortion, HasConvexSecondDerivatives)
 {
-  for (const Derivative& j : Examples())
+  std::vector<Derivative> examples = Examples();
+  examples.insert(examples.end(),
+    { { 0.6, -0.8, 0.8, 0.6 }, { -0.03, 0.04, 0.04, 0.03 }, { -0.7, 0.1, 0.6, 0.9 },
+      Derivative::Zero() });
+  int changed = 0;
+  for (const double epsilon : { 1.0, 0.1, 1e-3 })
   {
-    TriangleDistortion convex(j, 0.1);
-    const Eigen::Matrix4d before = convex.Hessian;
-    convex.Convexify();
-    const Eigen::Vector4d was =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(before).eigenvalues();
-    const Eigen::Vector4d is =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(convex.Hessian).eigenvalues();
-    EXPECT_LT((is - was.cwiseMax(0.0)).norm(), 1e-12 * before.norm());
+    for (const Derivative& j : examples)
+    {
+      TriangleDistortion convex(j, epsilon);
+      const Eigen::Matrix4d before = convex.Hessian;
+      convex.Convexify();
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(before);
+      const Eigen::Matrix4d nearest = solver.eigenvectors() *
+        solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
+      EXPECT_LT((convex.Hessian - nearest).norm(), 1e-13 * before.norm());
+      changed += solver.eigenvalues()[0] < 0.0 ? 1 : 0;
+    }
   }
+  EXPECT_GT(changed, 12);
 }
