@@ -175,7 +175,8 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
     ? std::optional<SurfacePatches>(std::in_place, field.GetSurface(), features, sizes.EdgeLength)
     : std::nullopt;
   const SurfaceContext context{ request.Input, field.GetSurface(), field.GetInputTriangles(), lines,
-    sizes.IsEven ? options.Sizing : sizes.AtPoints, hasCloseLines, patches ? &*patches : nullptr };
+    sizes.IsEven ? options.Sizing : sizes.AtPoints, hasCloseLines, patches ? &*patches : nullptr,
+    field.GetNeedless() > 0 };
   const UprightFaces upright = FinishUpright(finished.Faces,
     { options.Element == Element::Quads, IsPure(options), options.SmoothingIterations,
       sizes.EdgeLength, options.BoundarySpacing, sizes.HasRows },

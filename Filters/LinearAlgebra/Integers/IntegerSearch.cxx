@@ -3,7 +3,7 @@
 
 #include "Integers/IntegerSearch.h"
 
-#include <Eigen/Dense>
+#include "Integers/TriangularSquares.h"
 
 #include <cmath>
 #include <limits>
@@ -26,12 +26,11 @@ class ChainSearch
 public:
   ChainSearch(const Eigen::MatrixXd& factor, const Eigen::VectorXd& relaxed, Eigen::VectorXd& x,
     const Eigen::VectorXd& least)
-    : X(x)
+    : Matrix(SquareOf(factor))
+    , X(x)
     , Least(least.size() == x.size() ? least : Eigen::VectorXd::Constant(x.size(), -Infinity))
     , IsTaken(x.size(), 0)
   {
-    const Eigen::MatrixXd lower = factor.triangularView<Eigen::Lower>();
-    this->Matrix.noalias() = lower * lower.transpose();
     this->Slope = this->Matrix * (x - relaxed);
   }
 

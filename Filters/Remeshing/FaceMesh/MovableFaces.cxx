@@ -323,6 +323,10 @@ double MovableFaces::LeastQuality(Index v) const
 
 double MovableFaces::Distance(const Faces::Face& face) const
 {
+  if (this->Domain.IsRough)
+  {
+    return 0.0;
+  }
   const int size = Faces::Size(face);
   Vector3 middle = Vector3::Zero();
   double length = 0.0;

@@ -56,6 +56,8 @@ struct SmoothingDomain
   bool KeepsSides = false;
   /// Vertices that are free on the surface do not get over its lines.
   VertexPatches Patches = {};
+  /// The surface is rougher than its faces can show: their middles are not near it anywhere.
+  bool IsRough = false;
 };
 
 /// How far the edge between two places is from a line.
@@ -117,6 +119,7 @@ public:
   /// count as negative.
   double LeastQuality(Index v) const;
   /// The distance of the middle of a face from the surface, in wanted lengths of edges; at most 1.
+  /// 0 where the surface is rough.
   double Distance(Index f) const { return this->Distance(this->Cells.Face(f)); }
   double Distance(const Faces::Face& face) const;
   /// Whether a vertex of a line may be taken out between two others of it.

@@ -41,7 +41,8 @@ void ShapeFaces(FaceMesh& mesh, const ShapingSettings& settings, const ClosestPo
     return;
   }
   VertexStars stars(mesh.Cells, static_cast<Index>(mesh.Points.size()), mesh.LineEdges);
-  SmoothingDomain domain{ surface, lines, {}, edgeLength, settings.MostStraying, false, patches };
+  SmoothingDomain domain{ surface, lines, {}, edgeLength, settings.MostStraying, false, patches,
+    settings.IsRough };
   for (const FaceMesh::Vertex& vertex : mesh.Vertices)
   {
     domain.Line.push_back(vertex.Line);

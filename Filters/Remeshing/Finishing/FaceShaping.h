@@ -27,6 +27,8 @@ struct ShapingSettings
   bool MayMakeTriangles = false;
   /// How far edges of lines may stray from them, in wanted lengths; 0 for as far as it comes.
   double MostStraying = 0.0;
+  /// SmoothingDomain::IsRough.
+  bool IsRough = false;
   /// Triangles are joined in pairs before anything else.
   std::optional<JoinPolicy> Joins;
 };

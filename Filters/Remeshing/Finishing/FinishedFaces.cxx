@@ -114,6 +114,7 @@ public:
   {
     this->Settings.Steps = wanted.Steps;
     this->Settings.AreQuads = wanted.AreQuads;
+    this->Settings.IsRough = context.IsRough;
     this->Settings.MostStraying =
       context.HasCloseLines && !wanted.IsPure ? Close.MostStraying : 0.0;
   }
@@ -287,6 +288,7 @@ void SpaceAndImprove(FaceMesh& mesh, const std::vector<BoundaryLine>& lines,
   ShapingSettings following;
   following.Steps = FollowingSteps * wanted.Steps;
   following.AreQuads = wanted.AreQuads;
+  following.IsRough = context.IsRough;
   following.MayMakeTriangles = !wanted.IsPure;
   ShapeFaces(mesh, following, context.Triangles, context.Lines,
     WantedLengths(context, mesh.Points, wanted.EdgeLength), PatchesFor(mesh, context),

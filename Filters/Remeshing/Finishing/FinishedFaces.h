@@ -28,6 +28,8 @@ struct SurfaceContext
   bool HasCloseLines = false;
   /// Null where vertices may get over lines.
   const SurfacePatches* Patches = nullptr;
+  /// SmoothingDomain::IsRough.
+  bool IsRough = false;
 };
 
 /// What the faces are to be.

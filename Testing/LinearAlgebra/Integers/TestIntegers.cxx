@@ -8,8 +8,12 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <vector>
 
 using namespace DirectionFields;
 
@@ -124,6 +128,60 @@ TEST(IntegerElimination, LeavesBoundedVariablesFree)
   EXPECT_TRUE(elimination.IsFree(sum));
   EXPECT_TRUE(elimination.IsInteger(sum));
   EXPECT_EQ(elimination.Resolve(2), (IntegerSum{ { 0, 1 }, { 1, 1 }, { sum, -1 } }));
+}
+
+/// As defined: each time the others move to where the energy is least, here by a solution of the
+/// equations from the start.
+TEST(IntegerRounding, IsGreedyToTheEnd)
+{
+  constexpr Eigen::Index count = 100;
+  std::mt19937 engine(7);
+  const auto random = [&]() { return engine() / 4294967296.0 - 0.5; };
+  const Eigen::MatrixXd some = Eigen::MatrixXd::NullaryExpr(
+    count, count, [&](Eigen::Index, Eigen::Index) { return random(); });
+  const Eigen::MatrixXd matrix =
+    some * some.transpose() + 0.5 * Eigen::MatrixXd::Identity(count, count);
+  const Eigen::VectorXd relaxed =
+    Eigen::VectorXd::NullaryExpr(count, [&](Eigen::Index) { return 8.0 * random(); });
+  Eigen::VectorXd expected = relaxed;
+  std::vector<Eigen::Index> left(count);
+  std::iota(left.begin(), left.end(), 0);
+  std::vector<Eigen::Index> done;
+  while (!left.empty())
+  {
+    const auto next = std::min_element(left.begin(), left.end(),
+      [&](Eigen::Index i, Eigen::Index j)
+      {
+        return std::abs(expected[i] - std::nearbyint(expected[i])) <
+          std::abs(expected[j] - std::nearbyint(expected[j]));
+      });
+    expected[*next] = std::nearbyint(expected[*next]);
+    done.push_back(*next);
+    left.erase(next);
+    // A (x - relaxed) vanishes in the rows that are left.
+    const auto size = static_cast<Eigen::Index>(left.size());
+    const Eigen::MatrixXd own = Eigen::MatrixXd::NullaryExpr(
+      size, size, [&](Eigen::Index i, Eigen::Index j) { return matrix(left[i], left[j]); });
+    const Eigen::VectorXd side = Eigen::VectorXd::NullaryExpr(size,
+      [&](Eigen::Index i)
+      {
+        double sum = 0.0;
+        for (const Eigen::Index j : done)
+        {
+          sum -= matrix(left[i], j) * (expected[j] - relaxed[j]);
+        }
+        return sum;
+      });
+    const Eigen::VectorXd way = own.ldlt().solve(side);
+    for (Eigen::Index i = 0; i < size; ++i)
+    {
+      expected[left[i]] = relaxed[left[i]] + way[i];
+    }
+  }
+  Eigen::VectorXd x = relaxed;
+  RoundGreedily(matrix.llt().matrixL(), x);
+  EXPECT_EQ(x, expected);
+  EXPECT_NE(x, relaxed.array().round().matrix());
 }
 
 TEST(IntegerRounding, OfManyVariablesGivesIntegersNearTheMinimum)
