@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <random>
 
@@ -67,6 +68,11 @@ TEST(ParallelSweep, IsAsOneVertexAfterTheOther)
     vertices.resize(vertices.size() - 100 * (seed % 2));
     const auto visit = [&](std::vector<double>& values, Index v)
     {
+      // Long enough for the other threads to begin meanwhile.
+      const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(3);
+      while (std::chrono::steady_clock::now() < end)
+      {
+      }
       double sum = 0.0;
       for (const Index f : faces.FacesAt(v))
       {

@@ -232,10 +232,10 @@ TEST(MapFolds, AreTheSameForAnyNumberOfThreads)
     for (const int number : { 1, 2, 3 })
     {
       Mapped mapped(example, 12.0);
-      for (unsigned k = 0; k < 9; ++k)
+      for (unsigned k = 0; k < 24; ++k)
       {
-        const Complex middle = std::polar(0.4 + 0.01 * k * seed, 0.7 * k);
-        mapped.Scramble(Vector3(middle.real(), middle.imag(), 0.0), 0.06, 0.7, 9 * seed + k);
+        const Complex middle = std::polar(0.15 + 0.025 * k, (2.4 + 0.02 * seed) * k);
+        mapped.Scramble(Vector3(middle.real(), middle.imag(), 0.0), 0.03, 0.7, 24 * seed + k);
       }
       folded += mapped.CountFlipped();
       Threads threads(number);
