@@ -223,6 +223,7 @@ std::vector<Index> FaceEdits::PolygonOf(Index f, Index g) const
     }
     // From the head through the first face to the tail, and back through the second one.
     std::vector<Index> polygon;
+    polygon.reserve(size + otherSize - 2);
     for (int k = 0; k < size; ++k)
     {
       polygon.push_back(face[(c + 1 + k) % size]);
@@ -231,10 +232,14 @@ std::vector<Index> FaceEdits::PolygonOf(Index f, Index g) const
     {
       polygon.push_back(other[(at + k) % otherSize]);
     }
-    std::vector<Index> sorted = polygon;
-    std::sort(sorted.begin(), sorted.end());
-    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end() ? polygon
-                                                                            : std::vector<Index>();
+    for (auto corner = polygon.begin(); corner != polygon.end(); ++corner)
+    {
+      if (std::find(corner + 1, polygon.end(), *corner) != polygon.end())
+      {
+        return {};
+      }
+    }
+    return polygon;
   }
   return {};
 }
