@@ -20,6 +20,15 @@ constexpr double OnLine = 1e-6;
 /// A triangle this near to a face is below it.
 constexpr double Near = 0.25;
 
+/// Whether a face looks to about the same side as the triangle of a patch below it.
+bool LiesOn(const SurfacePatch& patch, const FaceMesh& mesh, const Faces::Face& face)
+{
+  constexpr double least = 0.8;
+  const Index t = patch.Places.Find(MiddleOf(mesh.Points, face)).Triangle;
+  const Vector3 area = AreaVector(mesh.Points, face);
+  return t != None && patch.Normals[t].dot(area) >= least * patch.Normals[t].norm() * area.norm();
+}
+
 /// Tells which edges of the triangles are parts of lines.
 class Walls
 {
@@ -129,7 +138,21 @@ std::vector<Index> SurfacePatches::OfFaces(const FaceMesh& mesh, const ClosestPo
   {
     most = std::max(most, edge.Line);
   }
-  return RegionsOfFaces(mesh, this->Patch, closest, std::vector<char>(most + 1, 1));
+  std::vector<Index> patches =
+    RegionsOfFaces(mesh, this->Patch, closest, std::vector<char>(most + 1, 1));
+  std::vector<char> hasFaces(this->All.size(), 0);
+  for (const Index patch : patches)
+  {
+    hasFaces[patch] = 1;
+  }
+  for (std::size_t f = 0; f < patches.size(); ++f)
+  {
+    const Index below = this->Patch[closest[f]];
+    const bool isMissing =
+      hasFaces[below] == 0 && LiesOn(this->All[below], mesh, mesh.Cells.Corners[f]);
+    patches[f] = isMissing ? below : patches[f];
+  }
+  return patches;
 }
 
 std::vector<Index> SurfacePatches::OfVertices(

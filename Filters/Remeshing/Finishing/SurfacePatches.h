@@ -20,7 +20,8 @@ public:
   SurfacePatches(const PreparedSurface& surface, const FeatureLines& features, double edgeLength);
 
   const std::vector<SurfacePatch>& GetAll() const { return this->All; }
-  /// The patch of each face: that of most faces which the edges of lines enclose with it.
+  /// The patch of each face: that of most faces which the edges of lines enclose with it. Where a
+  /// patch had no faces, since an edge of a line is missing around it, it has those that lie on it.
   /// @param surface all triangles that are used
   std::vector<Index> OfFaces(const FaceMesh& mesh, const ClosestPoints& surface) const;
   /// The patch of each vertex; None for those on lines, and where faces of others are.
