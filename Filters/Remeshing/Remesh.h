@@ -284,7 +284,7 @@ private:
   /// from the surface than that.
   RemeshResult MakeForError(const RemeshOptions& given, double error, double gradation,
     const std::vector<Vector3>& directions, const Progress& progress);
-  /// Makes a mesh, of many accidental features without them if that is a good one. Throws Stopped.
+  /// Makes a mesh, of many accidental features without them if that is as good. Throws Stopped.
   void Make(const RemeshOptions& options, const std::vector<Vector3>& directions,
     const Progress& progress, RemeshResult& result);
   /// What the user is told where accidental features are left out; empty where there are few.
@@ -292,8 +292,10 @@ private:
     const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress);
   /// Makes a mesh, and others where that one loses thin parts or has faces that are of no use.
   /// Throws Stopped.
-  void MakeRounds(const RemeshOptions& options, const std::vector<Vector3>& directions,
-    const Progress& progress, RemeshResult& result);
+  /// @param without a mesh without the features of these options, or null. Returns false after the
+  ///                first mesh where that is not better.
+  bool MakeRounds(const RemeshOptions& options, const std::vector<Vector3>& directions,
+    const RemeshResult* without, const Progress& progress, RemeshResult& result);
   /// Makes a mesh with soft features, and one without where that one is bad. Returns the options of
   /// the better one.
   RemeshOptions MakeFirst(const RemeshOptions& options, const std::vector<Vector3>& directions,

@@ -102,16 +102,35 @@ constexpr double BeforeFirst = 0.2;
 constexpr double FewMeetingPoints = 100.0;
 constexpr double PointsPerFace = 0.05;
 
-/// Whether more than a hundredth of the faces are triangles where quads are wanted, nearly flat,
-/// folded or turned over.
-bool HasManyBadFaces(const RemeshResult& mesh, Element element)
+/// The part of the faces that are triangles where quads are wanted, nearly flat, folded or turned
+/// over.
+double PartOfBadFaces(const RemeshResult& mesh, Element element)
 {
-  constexpr double most = 0.01;
   const FaceQuality quality = QualityOf(mesh.Points, mesh.Faces);
   const auto bad = (element == Element::Quads ? mesh.Triangles : 0) + mesh.TurnedFaces +
     std::count_if(quality.ScaledJacobian.begin(), quality.ScaledJacobian.end(),
       [](double each) { return each < LeastUsable; });
-  return static_cast<double>(bad) > most * static_cast<double>(mesh.Faces.size());
+  const auto all = static_cast<double>(std::max<std::size_t>(1, mesh.Faces.size()));
+  return static_cast<double>(bad) / all;
+}
+
+/// Whether a mesh without accidental features is taken before one with them is made.
+bool IsGoodWithout(const RemeshResult& mesh, Element element)
+{
+  constexpr double fewBad = 0.01;
+  constexpr double closeEnough = 1.5;
+  return StandingOf(mesh).Farthest < closeEnough * mesh.EdgeLength &&
+    PartOfBadFaces(mesh, element) <= fewBad;
+}
+
+/// Whether a mesh with accidental features, before any rounds, is better than the best one without.
+bool IsBetterThanWithout(const RemeshResult& with, const RemeshResult& without, Element element)
+{
+  const MeshStanding standing = StandingOf(with);
+  const MeshStanding other = StandingOf(without);
+  return standing.MissedHoles <= other.MissedHoles && standing.KeptParts >= other.KeptParts &&
+    standing.Farthest < std::max(with.EdgeLength, AboutAsClose * other.Farthest) &&
+    PartOfBadFaces(with, element) < PartOfBadFaces(without, element);
 }
 }
 
@@ -143,8 +162,8 @@ RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
   return without;
 }
 
-void Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& directions,
-  const Progress& progress, RemeshResult& result)
+bool Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& directions,
+  const RemeshResult* without, const Progress& progress, RemeshResult& result)
 {
   const std::vector<double> wanted = given.Sizing.empty()
     ? std::vector<double>()
@@ -153,6 +172,10 @@ void Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& 
   ThinParts thin(*this->Input, wanted);
   const RemeshOptions options =
     this->MakeFirst(given, directions, thin, progress.Part(0.0, AfterFirst), result);
+  if (without && !IsBetterThanWithout(result, *without, given.Element))
+  {
+    return false;
+  }
   const double edgeLength = result.EdgeLength;
   RemeshResult last;
   bool isLastTaken = true;
@@ -214,6 +237,7 @@ void Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& 
       result = std::move(other);
     }
   }
+  return true;
 }
 
 std::string Remesh::AboutAccidental(
@@ -233,8 +257,7 @@ std::string Remesh::AboutAccidental(
   {
     return {};
   }
-  const AccidentalFeatures accidental(
-    this->Cache->GetGeometry(), this->Cache->GetFeatures(), options.FeatureAngle);
+  const AccidentalFeatures accidental(this->Cache->GetGeometry(), options.FeatureAngle);
   return accidental.IsAny ? accidental.Sentence() : std::string();
 }
 
@@ -243,21 +266,22 @@ void Remesh::Make(const RemeshOptions& options, const std::vector<Vector3>& dire
 {
   const std::string sentence =
     this->AboutAccidental(options, directions, progress.Part(0.0, BeforeFirst));
-  if (!sentence.empty())
+  if (sentence.empty())
   {
-    // Tips of cones stay.
-    RemeshOptions without = options;
-    without.FeatureAngle = 180.0;
-    without.KeepSoftFeatures = false;
-    this->MakeRounds(without, directions, progress, result);
-    if (StandingOf(result).Farthest < result.EdgeLength &&
-      !HasManyBadFaces(result, options.Element))
-    {
-      result.Notes.push_back(sentence);
-      return;
-    }
-    result = RemeshResult();
+    this->MakeRounds(options, directions, nullptr, progress, result);
+    return;
   }
-  this->MakeRounds(options, directions, progress, result);
+  // Tips of cones stay.
+  RemeshOptions withoutFeatures = options;
+  withoutFeatures.FeatureAngle = 180.0;
+  withoutFeatures.KeepSoftFeatures = false;
+  RemeshResult without;
+  this->MakeRounds(withoutFeatures, directions, nullptr, progress, without);
+  if (IsGoodWithout(without, options.Element) ||
+    !this->MakeRounds(options, directions, &without, progress, result))
+  {
+    result = std::move(without);
+    result.Notes.push_back(sentence);
+  }
 }
 }

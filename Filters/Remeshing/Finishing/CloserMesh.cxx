@@ -17,7 +17,6 @@ constexpr double Closer = 0.8;
 /// not much farther away.
 constexpr double Better = 2.0;
 constexpr double LeastGain = 0.05;
-constexpr double AboutAsClose = 1.15;
 }
 
 double LeastQuality(const std::vector<Vector3>& points, const std::vector<Faces::Face>& faces)

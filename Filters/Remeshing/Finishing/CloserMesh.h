@@ -12,6 +12,8 @@ namespace DirectionFields::Internal
 {
 /// Faces below this scaled Jacobian are of no use to a solver.
 constexpr double LeastUsable = 0.1;
+/// A mesh is about as close to the surface as another one if it is farther by this factor at most.
+constexpr double AboutAsClose = 1.15;
 
 /// What a mesh of a surface is judged by, beside others of it.
 struct MeshStanding

@@ -80,8 +80,7 @@ std::vector<std::string> AffordableFeatures::Sentences() const
   };
 }
 
-AccidentalFeatures::AccidentalFeatures(
-  const SurfaceGeometry& geometry, const std::vector<char>& isFeature, double angle)
+AccidentalFeatures::AccidentalFeatures(const SurfaceGeometry& geometry, double angle)
   : Wanted(angle)
 {
   constexpr std::size_t bands = 6;
@@ -93,7 +92,7 @@ AccidentalFeatures::AccidentalFeatures(
   for (Index e = 0; e < geometry.Mesh.GetNumberOfEdges(); ++e)
   {
     const double times = std::abs(dihedral[e]) * 180.0 / Pi / angle;
-    if (isFeature[e] == 0 || !(times > 1.0))
+    if (!(times > 1.0))
     {
       continue;
     }

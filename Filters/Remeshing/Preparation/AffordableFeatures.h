@@ -36,15 +36,14 @@ struct AffordableFeatures
 };
 
 /// Features that may be no edges of a shape but how coarsely a bent surface is cut into triangles:
-/// it bends at its edges by all angles. Of the features' length more than 2 % are in each of the
-/// six bands, an eighth wide, from the wanted angle to twice that. Edges of a shape have a few
-/// angles.
+/// it bends at its edges by all angles. Of the length of all edges that are sharper than the wanted
+/// angle more than 2 % are in each of the six bands, an eighth wide, from that angle to twice that.
+/// Edges of a shape have a few angles. Features that are too short to be kept count as well, since
+/// chance decides which ones are long.
 struct AccidentalFeatures
 {
-  /// @param isFeature not 0 for each edge that is a feature
-  /// @param angle     the wanted one, in degrees
-  AccidentalFeatures(
-    const SurfaceGeometry& geometry, const std::vector<char>& isFeature, double angle);
+  /// @param angle the wanted one, in degrees
+  AccidentalFeatures(const SurfaceGeometry& geometry, double angle);
 
   /// What the user is told where they are left out.
   std::string Sentence() const;

@@ -88,9 +88,7 @@ namespace
 {
 Internal::AccidentalFeatures AccidentalOf(const Surface& surface)
 {
-  const SurfaceGeometry geometry(surface);
-  const std::vector<char> all(geometry.Mesh.GetNumberOfEdges(), 1);
-  return { geometry, all, 40.0 };
+  return { SurfaceGeometry(surface), 40.0 };
 }
 }
 
@@ -121,22 +119,39 @@ TEST(AccidentalFeatures, AreLeftOutWhereFacesAlongThemAreBad)
     { return note.find("No edges are features") != std::string::npos; }));
 }
 
-TEST(AccidentalFeatures, ThinPartsComeBackBeforeAMeshWithoutThemIsJudged)
+namespace
 {
-  // Limbs of a quarter of the width are lost at first, and kept by smaller faces then.
+/// A ball with limbs whose width is a part of the usual one.
+RemeshResult MeshOfThinLimbs(double part, Index faces)
+{
   Surface thin = Meshes::BallWithLimbs();
   for (Vector3& point : thin.Points)
   {
     Index along = 0;
     const double far = point.cwiseAbs().maxCoeff(&along);
-    const double narrower = 1.0 - 0.75 * std::clamp((far - 1.1) / 0.3, 0.0, 1.0);
+    const double narrower = 1.0 - (1.0 - part) * std::clamp((far - 1.1) / 0.3, 0.0, 1.0);
     const double kept = point[along];
     point *= narrower;
     point[along] = kept;
   }
   RemeshOptions options;
-  options.NumberOfFaces = 3000;
-  const RemeshResult mesh = Remesh(std::make_shared<Surface>(thin)).Compute(options);
+  options.NumberOfFaces = faces;
+  return Remesh(std::make_shared<Surface>(thin)).Compute(options);
+}
+}
+
+TEST(AccidentalFeatures, ThinPartsComeBackBeforeAMeshWithoutThemIsJudged)
+{
+  // The limbs are lost at first, and kept by smaller faces then.
+  const RemeshResult mesh = MeshOfThinLimbs(0.25, 3000);
   EXPECT_LE(mesh.Triangles + mesh.TurnedFaces, 30);
+  EXPECT_LT(std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh), mesh.EdgeLength);
+}
+
+TEST(AccidentalFeatures, AreToldByThoseThatAreTooShortToBeKeptAsWell)
+{
+  // Of this few faces only long features are kept, which have not all of the angles.
+  const RemeshResult mesh = MeshOfThinLimbs(0.4, 1000);
+  EXPECT_LE(mesh.Triangles + mesh.TurnedFaces, 10);
   EXPECT_LT(std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh), mesh.EdgeLength);
 }
