@@ -267,8 +267,10 @@ private:
   static constexpr double AfterShrinkings = 0.96;
 
   /// Throws std::invalid_argument, its text a sentence for the user, for lengths of edges that are
-  /// no positive numbers, or that need more faces than a mesh can have.
+  /// no positive numbers, that need more faces than a mesh can have, or that are longer than the
+  /// surface.
   void RequirePossible(const RemeshOptions& options) const;
+  void RequireShort(const RemeshOptions& options) const;
   /// Options with the lengths that another source of sizes asks for, and the error that these are
   /// for. Throws MeshError, and std::invalid_argument for values that are no function.
   RemeshOptions WithSizes(const RemeshOptions& given, double& error) const;

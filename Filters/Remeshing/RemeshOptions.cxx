@@ -3,6 +3,8 @@
 
 #include "Remesh.h"
 
+#include "Mesh/MergePoints.h"
+#include "Preparation/SurfaceUnit.h"
 #include "Preparation/WantedSizes.h"
 #include "Sizes/BoundarySizes.h"
 #include "Sizes/ErrorSizes.h"
@@ -106,6 +108,63 @@ double EdgeLengthFor(double area, const RemeshOptions& options)
   return std::sqrt(options.Element == Element::Quads ? face : 4.0 / std::sqrt(3.0) * face);
 }
 
+namespace
+{
+/// Of the components; a surface in several parts has the faces of each.
+double LargestArea(const Surface& surface)
+{
+  const MergedMesh merged = MergedMesh::AcrossSeams(surface);
+  const TriangleMesh& mesh = merged.Mesh;
+  const std::vector<Vector3> positions = mesh.Positions(surface.Points);
+  double largest = 0.0;
+  for (const TriangleMesh::Component& component : mesh.GetComponents())
+  {
+    double area = 0.0;
+    for (Index t = component.FirstTriangle; t < component.EndTriangle; ++t)
+    {
+      const Vector3& origin = positions[mesh.Tail(3 * t)];
+      area += 0.5 *
+        (positions[mesh.Head(3 * t)] - origin)
+          .cross(positions[mesh.Tail(3 * t + 2)] - origin)
+          .norm();
+    }
+    largest = std::max(largest, component.IsCover ? 0.5 * area : area);
+  }
+  return largest;
+}
+}
+
+void Remesh::RequireShort(const RemeshOptions& options) const
+{
+  // Two for each edge of a box: fewer show no shape.
+  constexpr Index fewFaces = 24;
+  const bool areLengths = options.SizingIsLength && !options.Sizing.empty();
+  const double shortest = areLengths
+    ? *std::min_element(options.Sizing.begin(), options.Sizing.end())
+    : options.EdgeLength;
+  const double extent = this->Unit * Extent(*this->Given);
+  if (!(extent > 0.0) || !(shortest > extent))
+  {
+    return;
+  }
+  const double largest = LargestArea(*this->Given);
+  if (!(largest > 0.0))
+  {
+    return;
+  }
+  RemeshOptions few;
+  few.NumberOfFaces = fewFaces;
+  few.Element = options.Element;
+  const std::string possible = Figure(this->Unit * EdgeLengthFor(largest, few));
+  throw std::invalid_argument(areLengths ? "Edges as long as the Sizing Array says, " +
+        Figure(shortest) + " at the shortest, are longer than the whole surface, which is " +
+        Figure(extent) + " from corner to corner. Lengths of " + possible +
+        " leave room for 24 faces; Calculator makes them."
+                                         : "An Edge Length of " + Figure(shortest) +
+        " is longer than the whole surface, which is " + Figure(extent) +
+        " from corner to corner. One of " + possible + " leaves room for 24 faces.");
+}
+
 void Remesh::RequirePossible(const RemeshOptions& options) const
 {
   // More has no map, and would take more memory than there is.
@@ -115,6 +174,7 @@ void Remesh::RequirePossible(const RemeshOptions& options) const
   {
     return;
   }
+  this->RequireShort(options);
   const std::size_t points = this->Given->Points.size();
   const RelativeSizes sizes = areLengths
     ? SizesFor(*this->Given, options.Sizing, this->Unit)

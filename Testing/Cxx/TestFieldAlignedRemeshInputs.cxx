@@ -195,8 +195,16 @@ std::vector<Case> SizeCases()
         r.Filter->SetEdgeLength(1e-6);
       },
       Outcome::Error, { "1e-06 needs about 1e+12 faces", "Lengths of 0.0001 and more" } },
-    { "lengths far above the square", [](Run& r) { r.Sizes(Lengths, 10.0, 10.0); },
-      Outcome::Warning, { "too small for faces of the size asked for", "edge length of" } },
+    { "lengths far above the square", [](Run& r) { r.Sizes(Lengths, 10.0, 10.0); }, Outcome::Error,
+      { "10 at the shortest", "longer than the whole surface, which is 1.41",
+        "room for 24 faces" } },
+    { "an edge length far above the square",
+      [](Run& r)
+      {
+        r.Filter->SetSizeMode(vtkFieldAlignedRemesh::EDGE_LENGTH);
+        r.Filter->SetEdgeLength(10.0);
+      },
+      Outcome::Error, { "10 is longer than the whole surface", "One of 0.204 leaves room" } },
     { "relative 0", [](Run& r) { r.Sizes(Relative, 0.0, 0.0); }, Outcome::Warning,
       { "At 169 points", "no positive number", "count as 1" } },
     { "one relative -1", [](Run& r) { r.Sizes(Relative, 1.0, -1.0); }, Outcome::Warning,
