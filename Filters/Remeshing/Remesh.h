@@ -101,7 +101,9 @@ struct RemeshOptions
   DirectionFields::BoundarySpacing BoundarySpacing = DirectionFields::BoundarySpacing::Free;
   /// Faces are smaller where limbs and tips are so thin that a mesh of the wanted size would lose
   /// them: the mesh is made anew then, up to three times, and a note says where. The other faces
-  /// get larger for it; there may be a quarter more than wanted.
+  /// get larger for it; there may be a quarter more than wanted. Likewise down to .55 of the length
+  /// at borders of regions that are arcs, so that these are a thousandth of the surface's diagonal
+  /// from the mesh.
   bool KeepThinParts = true;
   /// Sharp edges become edges of the new mesh, and tips of cones, whose angles sum up to less than
   /// 260 degrees, vertices. The boundary always becomes edges.
@@ -292,6 +294,8 @@ private:
   /// What the user is told where accidental features are left out; empty where there are few.
   std::string AboutAccidental(
     const RemeshOptions& options, const std::vector<Vector3>& directions, const Progress& progress);
+  /// How long edges may be where borders of regions bend, see LengthsAtBorders: even sizes only.
+  std::vector<double> LengthsAtArcs(const RemeshOptions& options) const;
   /// Makes a mesh, and others where that one loses thin parts or has faces that are of no use.
   /// Throws Stopped.
   /// @param without a mesh without the features of these options, or null. Returns false after the

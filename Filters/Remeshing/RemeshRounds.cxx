@@ -10,6 +10,7 @@
 #include "Preparation/PreparedField.h"
 #include "Preparation/WantedSizes.h"
 #include "Quality/FaceQuality.h"
+#include "Sizes/BorderSizes.h"
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,15 @@ MeshStanding StandingOf(const RemeshResult& mesh)
     Negligible * mesh.EdgeLength, mesh.RegionsShown.Regions - lost + static_cast<Index>(points) };
 }
 
+/// A sentence may be empty.
+void AddSentence(const std::string& sentence, std::vector<std::string>& notes)
+{
+  if (!sentence.empty())
+  {
+    notes.push_back(sentence);
+  }
+}
+
 /// The part of the progress in which the surface is looked at.
 constexpr double BeforeFirst = 0.2;
 /// Accidental features that meet or end at more points than these, and than one in twenty faces,
@@ -134,6 +144,17 @@ bool IsBetterThanWithout(const RemeshResult& with, const RemeshResult& without, 
 }
 }
 
+std::vector<double> Remesh::LengthsAtArcs(const RemeshOptions& options) const
+{
+  if (!options.KeepThinParts || options.Regions.empty() || !options.Sizing.empty())
+  {
+    return {};
+  }
+  const double area =
+    RelativeArea(*this->Input, std::vector<double>(this->Input->Points.size(), 1.0));
+  return LengthsAtBorders(*this->Input, options.Regions, EdgeLengthFor(area, options));
+}
+
 RemeshOptions Remesh::MakeFirst(const RemeshOptions& options,
   const std::vector<Vector3>& directions, const ThinParts& thin, const Progress& progress,
   RemeshResult& result)
@@ -169,7 +190,7 @@ bool Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& 
     ? std::vector<double>()
     : ClampedSizes(given.Sizing, this->Input->Points.size());
   const double smallest = wanted.empty() ? 1.0 : *std::min_element(wanted.begin(), wanted.end());
-  ThinParts thin(*this->Input, wanted);
+  ThinParts thin(*this->Input, wanted, this->LengthsAtArcs(given));
   const RemeshOptions options =
     this->MakeFirst(given, directions, thin, progress.Part(0.0, AfterFirst), result);
   if (without && !IsBetterThanWithout(result, *without, given.Element))
@@ -201,7 +222,7 @@ bool Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& 
     RemeshResult smaller;
     this->MakeOnce(
       options, directions, thin, 1.0, progress.Part(afterRound(k), afterRound(k + 1)), smaller);
-    smaller.Notes.push_back(thin.Sentence(this->Origin, this->Unit));
+    AddSentence(thin.Sentence(this->Origin, this->Unit), smaller.Notes);
     last = std::move(smaller);
     isLastTaken = IsCloser(StandingOf(last), StandingOf(result));
     if (isLastTaken)
@@ -228,10 +249,7 @@ bool Remesh::MakeRounds(const RemeshOptions& given, const std::vector<Vector3>& 
     RemeshResult other;
     this->MakeOnce(options, directions, thin, OtherLengths[k],
       progress.Part(afterTrial(k), afterTrial(k + 1)), other);
-    if (!thin.GetLengths().empty())
-    {
-      other.Notes.push_back(thin.Sentence(this->Origin, this->Unit));
-    }
+    AddSentence(thin.Sentence(this->Origin, this->Unit), other.Notes);
     if (IsCloser(StandingOf(other), StandingOf(result)))
     {
       result = std::move(other);

@@ -220,7 +220,16 @@ bool ThinParts::Shrink(
 std::string ThinParts::Sentence(const Vector3& origin, double unit) const
 {
   const Surface& surface = this->Given;
-  if (this->Lengths.empty())
+  const auto isShorter = [&](Index p)
+  { return this->Lengths[p] < (this->Longest.empty() ? Any : this->Longest[p]); };
+  Index shortest = None;
+  for (Index p = 0; p < static_cast<Index>(this->Lengths.size()); ++p)
+  {
+    shortest = isShorter(p) && (shortest == None || this->Lengths[p] < this->Lengths[shortest])
+      ? p
+      : shortest;
+  }
+  if (shortest == None)
   {
     return {};
   }
@@ -229,7 +238,7 @@ std::string ThinParts::Sentence(const Vector3& origin, double unit) const
   ForEachEdge(surface,
     [&](Index p, Index q)
     {
-      if (this->Lengths[p] < Any && this->Lengths[q] < Any)
+      if (isShorter(p) && isShorter(q))
       {
         parts.Join(p, q);
       }
@@ -237,13 +246,12 @@ std::string ThinParts::Sentence(const Vector3& origin, double unit) const
   Index count = 0;
   for (Index p = 0; p < static_cast<Index>(this->Lengths.size()); ++p)
   {
-    count += this->Lengths[p] < Any && parts.Find(p) == p ? 1 : 0;
+    count += isShorter(p) && parts.Find(p) == p ? 1 : 0;
   }
-  const auto least = std::min_element(this->Lengths.begin(), this->Lengths.end());
-  const Vector3 place = unit * surface.Points[least - this->Lengths.begin()] + origin;
-  return "Edges are shorter, down to " + Figure(unit * *least) + ", at " + std::to_string(count) +
-    (count == 1 ? " place" : " places") + " where limbs or tips would be lost, as at (" +
-    Figure(place[0]) + ", " + Figure(place[1]) + ", " + Figure(place[2]) +
-    "). Keep Thin Parts off makes them as long as elsewhere.";
+  const Vector3 place = unit * surface.Points[shortest] + origin;
+  return "Edges are shorter, down to " + Figure(unit * this->Lengths[shortest]) + ", at " +
+    std::to_string(count) + (count == 1 ? " place" : " places") +
+    " where limbs or tips would be lost, as at (" + Figure(place[0]) + ", " + Figure(place[1]) +
+    ", " + Figure(place[2]) + "). Keep Thin Parts off makes them as long as elsewhere.";
 }
 }

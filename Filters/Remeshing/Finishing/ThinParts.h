@@ -53,11 +53,16 @@ class ThinParts
 {
 public:
   /// The surface has to outlive this.
-  /// @param sizes wanted at each point relative to elsewhere; empty for the same everywhere
-  explicit ThinParts(const Surface& surface, std::vector<double> sizes = {})
+  /// @param sizes   wanted at each point relative to elsewhere; empty for the same everywhere
+  /// @param longest lengths of edges at each point for another reason, infinite for any; empty for
+  ///                any everywhere
+  explicit ThinParts(
+    const Surface& surface, std::vector<double> sizes = {}, const std::vector<double>& longest = {})
     : Given(surface)
     , Sizes(std::move(sizes))
     , Thickness(surface)
+    , Longest(longest)
+    , Lengths(longest)
   {
   }
 
@@ -76,7 +81,7 @@ public:
   /// may be as long as they are, and empty if that is everywhere.
   const std::vector<double>& GetLengths() const { return this->Lengths; }
 
-  /// Tells the user where edges are shorter. Empty where none are.
+  /// Tells the user where edges are shorter at thin parts. Empty where none are.
   /// @param origin place around which the surface is given here
   /// @param unit of the surface
   std::string Sentence(const Vector3& origin, double unit) const;
@@ -85,6 +90,7 @@ private:
   const Surface& Given;
   std::vector<double> Sizes;
   Thicknesses Thickness;
+  std::vector<double> Longest;
   std::vector<double> Lengths;
   /// Of lengths at lost parts in their thickness.
   double Share = 1.0;
