@@ -22,10 +22,18 @@ namespace DirectionFields
 {
 namespace
 {
+/// Whether lengths are for a number of faces: then they may change where others have to, as where
+/// thin parts have smaller faces.
+bool AreForNumber(const RemeshOptions& options)
+{
+  return options.SizeSource != SizeSource::Sizing && !options.UseEdgeLength &&
+    !(options.MaximumError > 0.0);
+}
+
 /// Sizes that are lengths are the same as sizes relative to a length.
 void TakeLengths(RelativeSizes&& sizes, RemeshOptions& options, std::vector<std::string>& notes)
 {
-  options.UseEdgeLength = true;
+  options.UseEdgeLength = !AreForNumber(options);
   options.EdgeLength = sizes.EdgeLength;
   options.Sizing = std::move(sizes.Sizes);
   notes.insert(notes.end(), sizes.Notes.begin(), sizes.Notes.end());

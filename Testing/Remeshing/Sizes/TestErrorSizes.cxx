@@ -255,3 +255,24 @@ TEST(ErrorSizes, SayWhereADistanceIsMissed)
   EXPECT_GT(mesh.MaximumDistance, 1.1 * options.MaximumError);
   EXPECT_TRUE(isSaid);
 }
+
+/// Smaller faces at thin parts make the others larger, as without sizes: bodies flatter than faces
+/// are wide have the number asked for, not many times as many.
+TEST(ErrorSizes, ThinPartsKeepTheNumberOfFaces)
+{
+  const auto flat = [](const Surface& body, double width, double height)
+  {
+    const Eigen::Matrix3d linear = Vector3(1.0, width, height).asDiagonal();
+    return std::make_shared<Surface>(Meshes::Transformed(body, linear, Vector3::Zero()));
+  };
+  const auto ratio = [](std::shared_ptr<const Surface> surface, Index faces)
+  {
+    RemeshOptions options;
+    options.NumberOfFaces = faces;
+    options.SizeSource = SizeSource::Curvature;
+    const RemeshResult mesh = Remesh(std::move(surface)).Compute(options);
+    return static_cast<double>(mesh.Faces.size()) / static_cast<double>(faces);
+  };
+  EXPECT_NEAR(ratio(flat(Meshes::Potato(3), 0.3, 0.1), 500), 1.0, 0.1);
+  EXPECT_NEAR(ratio(flat(Meshes::Icosphere(3), 0.3, 0.03), 120), 1.0, 0.1);
+}
