@@ -151,7 +151,7 @@ TEST(AccidentalFeatures, ThinPartsComeBackBeforeAMeshWithoutThemIsJudged)
 TEST(AccidentalFeatures, AreToldByThoseThatAreTooShortToBeKeptAsWell)
 {
   // Of this few faces only long features are kept, which have not all of the angles.
-  const RemeshResult mesh = MeshOfThinLimbs(0.4, 1000);
+  const RemeshResult mesh = MeshOfThinLimbs(0.4, 700);
   EXPECT_LE(mesh.Triangles + mesh.TurnedFaces, 10);
   EXPECT_LT(std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh), mesh.EdgeLength);
 }
