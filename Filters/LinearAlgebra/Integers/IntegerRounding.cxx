@@ -35,8 +35,6 @@ public:
   {
   }
 
-  Eigen::Index GetSize() const { return this->Left; }
-
   Eigen::VectorXd Column(Eigen::Index k) const
   {
     Eigen::VectorXd column = this->Former.col(k).head(this->Left);

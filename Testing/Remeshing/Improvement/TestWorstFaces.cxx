@@ -100,6 +100,23 @@ TEST(WorstFaces, DoNotCutOffARidge)
   }
 }
 
+/// On a rough surface the noise decides how far the middles are: the same faces stay as they are.
+TEST(WorstFaces, AreNotMovedForTheirDistanceOnARoughSurface)
+{
+  constexpr double slope = 1.2;
+  Grid grid(Roof(slope), [&](double x) { return -slope * std::abs(x); });
+  grid.Domain.IsRough = true;
+  const VertexStars stars(grid.Cover, static_cast<Index>(grid.Points.size()));
+  MovableFaces faces(stars, grid.Domain, grid.Points);
+  const std::vector<Vector3> before = grid.Points;
+  EXPECT_GT(grid.LeastQuality(), 0.5);
+  ImproveWorstFaces(faces);
+  EXPECT_EQ(grid.Points, before);
+  grid.Domain.IsRough = false;
+  ImproveWorstFaces(faces);
+  EXPECT_NE(grid.Points, before);
+}
+
 TEST(WorstFaces, AreUnfolded)
 {
   Grid grid(Roof(0.0), [](double) { return 0.0; });
