@@ -4,6 +4,7 @@
 #include "Eigenpairs/DeflatedGradients.h"
 
 #include "Matrices/VectorOperations.h"
+#include "Support/Free.h"
 #include "Support/Threads.h"
 
 #include <algorithm>
@@ -135,7 +136,6 @@ DeflatedGradients::DeflatedGradients(
   {
     section->resize(size);
   }
-  this->Tested.resize(deflated.Vectors.size());
 }
 
 void DeflatedGradients::Prepare(double shift)
@@ -161,6 +161,7 @@ void DeflatedGradients::Prepare(double shift)
     factors.Real[b] = byMatrix ? 1.0f : 0.0f;
     factors.Imaginary[b] = byMatrix ? static_cast<float>(shift) : 1.0f;
   }
+  this->Tested.resize(vectors.size());
   ParallelFor(this->Deflated.Rows(), PieceRows,
     [&](Index begin, Index end)
     {
@@ -188,22 +189,20 @@ void DeflatedGradients::Prepare(double shift)
   this->InverseAdjoint = this->Inverse.adjoint();
 }
 
-DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHandSide,
+DeflatedGradients::Outcome DeflatedGradients::Solve(const ResidualOfSection& rightHandSide,
   double shift, double reduction, int mostSteps, SolveCounter& cycles, ComplexVector& solution)
 {
-  const auto rows = static_cast<Index>(rightHandSide.size());
+  const Index rows = rightHandSide.Rows();
+  const double size = rightHandSide.Norm;
   Outcome outcome;
   Resize(solution, rows);
-  const double size = std::sqrt(ParallelSum<double>(rows, PieceRows, 0.0,
-    [&](Index begin, Index end)
-    { return rightHandSide.segment(begin, end - begin).squaredNorm(); }));
   if (!(size > 0.0) || !std::isfinite(size))
   {
     solution.setZero();
     return outcome;
   }
   this->Prepare(shift);
-  const double first = this->Begin(rightHandSide, size);
+  const double first = this->Begin(rightHandSide);
   double previous = 0.0;
   for (; outcome.Steps < mostSteps; ++outcome.Steps)
   {
@@ -227,6 +226,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
       break;
     }
   }
+  Free(this->Tested);
   ParallelFor(rows, PieceRows,
     [&](Index begin, Index end)
     {
@@ -238,7 +238,7 @@ DeflatedGradients::Outcome DeflatedGradients::Solve(const ComplexVector& rightHa
   return outcome;
 }
 
-double DeflatedGradients::Begin(const ComplexVector& rightHandSide, double size)
+double DeflatedGradients::Begin(const ResidualOfSection& rightHandSide)
 {
   const Index rows = this->Finest.Rows();
   float* const t = this->Solution.data();
@@ -247,7 +247,7 @@ double DeflatedGradients::Begin(const ComplexVector& rightHandSide, double size)
     SumRows(rows,
       [&](Index v, FewSums& sums)
       {
-        const Complex value = rightHandSide[v] / size;
+        const Complex value = rightHandSide[v] / rightHandSide.Norm;
         sums.Add(this->Deflated.Vectors, v, static_cast<float>(value.real()),
           static_cast<float>(value.imag()));
       })
@@ -256,7 +256,7 @@ double DeflatedGradients::Begin(const ComplexVector& rightHandSide, double size)
     [&](Index v, FewSums& sums)
     {
       const CompactComplex value =
-        CompactComplex(rightHandSide[v] / size) - outside.Times(this->Tested, v);
+        CompactComplex(rightHandSide[v] / rightHandSide.Norm) - outside.Times(this->Tested, v);
       r[2 * v] = value.real();
       r[2 * v + 1] = value.imag();
       t[2 * v] = 0.0f;

@@ -143,11 +143,11 @@ Projected Project(
   return sum;
 }
 
-/// The linear combination of the basis vectors.
-ComplexVector LinearCombination(
-  const SectionBlock& block, const Sections& sections, const Eigen::VectorXcd& coefficients)
+/// sum = the linear combination of the basis vectors
+void SetLinearCombination(const SectionBlock& block, const Sections& sections,
+  const Eigen::VectorXcd& coefficients, ComplexVector& sum)
 {
-  ComplexVector sum = Uninitialized(block.Rows());
+  Resize(sum, block.Rows());
   ParallelFor(block.Rows(), PieceRows,
     [&](Index begin, Index end)
     {
@@ -165,7 +165,6 @@ ComplexVector LinearCombination(
         sum[v] = value;
       }
     });
-  return sum;
 }
 
 /// t = a t + b s for vectors and products.
@@ -228,7 +227,6 @@ public:
     , Terms(SumOfMagnitudes(operators.Energy, this->U.Vector) /
         std::sqrt(
           std::max(RealDot(this->U.Vector, this->U.Mass), std::numeric_limits<double>::min())))
-    , Residual(Uninitialized(nested.Block.Rows()))
   {
     this->Best.Residual = std::numeric_limits<double>::infinity();
     this->Cycles.Spend(nested.Work);
@@ -241,6 +239,7 @@ public:
     {
       this->Cycles.Report();
     } while (this->MeasureU() && !this->IsDone() && this->Step());
+    this->KeepBest();
     if (this->Best.Vector.size() > 0)
     {
       SetFirst(this->Best.Vector, this->Block.Vectors);
@@ -252,8 +251,8 @@ public:
   }
 
 private:
-  /// Scales u to unit length and finds its value, its residual vector and how large that is. False
-  /// where they are not finite.
+  /// Scales u to unit length and finds its value and how large its residual is. False where they
+  /// are not finite.
   bool MeasureU()
   {
     const Index rows = this->Block.Rows();
@@ -279,14 +278,13 @@ private:
         {
           vector->segment(begin, end - begin) *= perLength;
         }
-        auto rest = this->Residual.segment(begin, end - begin);
         const auto energy = u.Energy.segment(begin, end - begin);
-        rest = value * u.Mass.segment(begin, end - begin) - energy;
-        return Figures{ energy.squaredNorm(), rest.squaredNorm() };
+        const auto mass = u.Mass.segment(begin, end - begin);
+        return Figures{ energy.squaredNorm(), (value * mass - energy).squaredNorm() };
       });
     this->Value = value;
-    this->Relative =
-      RelativeResidual(std::sqrt(squares.Other), std::sqrt(squares.Energy), this->Terms);
+    this->ResidualNorm = std::sqrt(squares.Other);
+    this->Relative = RelativeResidual(this->ResidualNorm, std::sqrt(squares.Energy), this->Terms);
     return std::isfinite(this->Relative);
   }
 
@@ -307,8 +305,9 @@ private:
     if (this->Relative < this->Best.Residual)
     {
       this->Best.Value = this->Value;
-      Copy(this->U.Vector, this->Best.Vector);
       this->Best.Residual = this->Relative;
+      this->Best.Vector = ComplexVector();
+      this->IsBest = true;
     }
     return this->Best.Residual <= this->RequiredResidual() || this->CyclesLeft() <= 0 ||
       this->Cycles.GetCount() - this->GoodCycles >= MostSlowCycles || this->IsTooMuchWork();
@@ -336,6 +335,17 @@ private:
 
   int CyclesLeft() const { return this->Settings.MaximumIterations - this->Cycles.GetCount(); }
 
+  /// Lays u aside, which is about to be replaced, if it is the best so far: copies would take more
+  /// memory.
+  void KeepBest()
+  {
+    if (this->IsBest)
+    {
+      this->Best.Vector = std::move(this->U.Vector);
+      this->IsBest = false;
+    }
+  }
+
   /// False where the space of the step has no Ritz vector.
   bool Step()
   {
@@ -349,8 +359,9 @@ private:
       (StepWork + (this->Space ? SpaceWork + SpaceWorkOfSection * this->Space->Size() : 0.0)));
     const int mostSteps = this->Space ? MostInnerStepsInSpace : MostInnerSteps;
     ComplexVector correction;
-    const DeflatedGradients::Outcome outcome = this->Gradients.Solve(this->Residual, -this->Value,
-      reduction, std::min(this->CyclesLeft(), mostSteps), this->Cycles, correction);
+    const DeflatedGradients::Outcome outcome =
+      this->Gradients.Solve({ this->U, this->Value, this->ResidualNorm }, -this->Value, reduction,
+        std::min(this->CyclesLeft(), mostSteps), this->Cycles, correction);
     this->IsLong = !this->Space && outcome.Steps >= MostInnerSteps;
     if (!this->Space && (outcome.Indefinite || this->Slow >= FewSlowSteps))
     {
@@ -365,6 +376,7 @@ private:
     {
       return false;
     }
+    this->KeepBest();
     this->U = this->Space->First(this->Block);
     const int known = std::min(this->Space->Size(), Width);
     this->Values.head(known) = this->Space->GetValues().head(known);
@@ -375,7 +387,7 @@ private:
   void BeginSpace()
   {
     this->Space.emplace(this->Matrices);
-    this->Space->Add(std::move(this->U.Vector));
+    this->Space->Add(Copied(this->U.Vector));
     for (int b = 1; b < Width; ++b)
     {
       this->Space->Add(Section(this->Block, b));
@@ -402,13 +414,18 @@ private:
     {
       return false;
     }
-    const Eigen::VectorXcd c = ritz.Vectors.col(0);
-    this->U.Set(this->Matrices, LinearCombination(this->Block, sections, c));
+    Eigen::VectorXcd c = ritz.Vectors.col(0);
     if (this->Last.Vector.size() > 0)
     {
       AddTo(t, c[Width], this->Last, c[Width + 1]);
+      c[Width] = 1.0;
     }
+    // The next u takes the storage of the last step, since the iteration needs most memory here.
+    ComplexVector next = std::move(this->Last.Vector);
+    SetLinearCombination(this->Block, { &this->U, &t }, c, next);
     this->Last = std::move(t);
+    this->KeepBest();
+    this->U.Set(this->Matrices, std::move(next));
     return true;
   }
 
@@ -422,11 +439,10 @@ private:
   SectionProducts U;
   /// ‖|A| |u|‖ for the first u, of unit length.
   double Terms;
-  /// r = theta M u - A u
-  ComplexVector Residual;
   /// theta = u^* A u / u^* M u
   double Value = 0.0;
-  /// The relative size of the residual, and that before the last step.
+  /// ‖theta M u - A u‖, its relative size, and that before the last step.
+  double ResidualNorm = 0.0;
   double Relative = 0.0;
   double Before = std::numeric_limits<double>::infinity();
   /// The last step; empty before the first one.
@@ -438,7 +454,9 @@ private:
   int GoodCycles = 0;
   /// The space of all steps, where u and the last one do not suffice.
   std::optional<RitzSpace> Space;
+  /// The vector is not there yet while u is the best so far.
   Eigenpair Best;
+  bool IsBest = false;
   /// The best residuals after so much work; empty where there is no limit.
   struct Mark
   {

@@ -245,6 +245,16 @@ TEST(JacobiDavidson, TheEigenvalueIsNearlyKnownBeforeSingleSectionsAre)
   }
 }
 
+/// A section whose residual is b, for any value.
+SectionProducts WithResidual(const ComplexVector& b)
+{
+  SectionProducts products;
+  products.Vector = b;
+  products.Energy = -b;
+  products.Mass = ComplexVector::Zero(b.size());
+  return products;
+}
+
 TEST(JacobiDavidson, AnIndefiniteMatrixIsShownByASection)
 {
   const System system(Potato(5), 4, 0.0);
@@ -263,8 +273,9 @@ TEST(JacobiDavidson, AnIndefiniteMatrixIsShownByASection)
     const double shift = part * smallest.Value;
     SolveCounter cycles;
     ComplexVector solution;
+    const ComplexVector b = RandomVector(none.Rows(), 3);
     const DeflatedGradients::Outcome outcome =
-      gradients.Solve(RandomVector(none.Rows(), 3), -shift, 1e-5, 100, cycles, solution);
+      gradients.Solve({ WithResidual(b), shift, b.norm() }, -shift, 1e-5, 100, cycles, solution);
     const double form = solution.dot(system.Matrices.Energy * solution).real() -
       shift * solution.dot(system.Matrices.Mass * solution).real();
     EXPECT_EQ(outcome.Indefinite, part > 1.0);
@@ -308,7 +319,7 @@ TEST(JacobiDavidson, WhatIsLeftOutOfAnEquationIsExact)
   const double reduction = 1e-4;
   ComplexVector solution;
   SolveCounter cycles;
-  gradients.Solve(b, shift, reduction, 100, cycles, solution);
+  gradients.Solve({ WithResidual(b), -shift, b.norm() }, shift, reduction, 100, cycles, solution);
   const Eigen::VectorXd lumped =
     Eigen::Map<const Eigen::VectorXf>(finest.LumpedMass.data(), rows).cast<double>();
   const auto times = [&](const Eigen::MatrixXcd& x) -> Eigen::MatrixXcd
