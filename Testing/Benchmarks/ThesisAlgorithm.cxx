@@ -76,7 +76,8 @@ ThesisAlgorithm::ThesisAlgorithm(const Surface& surface, int degree)
     const double scale = 2.0 * Pi * degree / geometry.Lengths.ComponentArea[c];
     const ComplexVector u = InverseIterations(both, Shift * scale);
     const double lambda = u.dot(both.Energy * u).real();
-    this->Residual = std::max(this->Residual, RelativeResidual(both.Energy, both.Mass, u, lambda));
+    this->Residual =
+      std::max(this->Residual, RelativeResidual(both.Energy, SectionProducts(both, u), lambda));
     if (c == 0)
     {
       this->Eigenvalue = PerSquare(lambda, geometry.Lengths.Unit[c]);

@@ -23,11 +23,9 @@ double RelativeResidual(double residual, double energy, double terms)
   return residual / energy;
 }
 
-double RelativeResidual(
-  const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda)
+double RelativeResidual(const SparseMatrix& energy, const SectionProducts& u, double lambda)
 {
-  const ComplexVector au = Product(energy, u);
-  const ComplexVector mu = Product(mass, u);
-  return RelativeResidual((au - lambda * mu).norm(), au.norm(), SumOfMagnitudes(energy, u));
+  return RelativeResidual(
+    (u.Energy - lambda * u.Mass).norm(), u.Energy.norm(), SumOfMagnitudes(energy, u.Vector));
 }
 }

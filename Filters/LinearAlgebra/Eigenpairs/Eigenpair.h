@@ -4,6 +4,7 @@
 #ifndef DirectionFields_Eigenpair_h
 #define DirectionFields_Eigenpair_h
 
+#include "Matrices/OperatorProducts.h"
 #include "Matrices/WorkLimit.h"
 #include "Progress.h"
 #include "Types.h"
@@ -84,8 +85,9 @@ private:
 /// to rounding; there the residual is 0 if it is no more than rounding, 1e-14 ‖|A| |u|‖, itself.
 /// @param residual, energy, terms the three norms
 double RelativeResidual(double residual, double energy, double terms);
-double RelativeResidual(
-  const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& u, double lambda);
+/// @param energy the matrix A
+/// @param u      with its products
+double RelativeResidual(const SparseMatrix& energy, const SectionProducts& u, double lambda);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "Eigenpairs/Lanczos.h"
 
 #include "Eigenpairs/HermitianSpectrum.h"
+#include "Matrices/OperatorProducts.h"
 #include "SparseCholesky/SupernodalCholesky.h"
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace DirectionFields::Internal
 {
@@ -38,11 +40,6 @@ constexpr double TellingResidual = 1e-5;
 constexpr double Tightening = 0.1;
 /// The rounding errors of a factorization, relative to u^* diag(A) u.
 constexpr double Rounding = 1e-14;
-
-double RayleighQuotient(const ComplexVector& u, const ComplexVector& au, const ComplexVector& mu)
-{
-  return u.dot(au).real() / u.dot(mu).real();
-}
 
 Eigenpair DenseEigenpair(
   const SparseMatrix& energy, const SparseMatrix& mass, const ComplexVector& start)
@@ -88,12 +85,12 @@ public:
     }
     const int j = this->Dimension;
     ComplexVector w = this->Factor.Solve(this->MassBasis.col(j));
-    const double size = std::sqrt(std::abs(w.dot(this->Mass * w).real()));
     this->Projected.col(j).setZero();
     this->Projected.col(j).head(j + 1) = this->Orthogonalize(w, j + 1);
-    ComplexVector massW = this->Mass * w;
+    ComplexVector massW = Product(this->Mass, w);
     double norm = std::sqrt(std::max(0.0, w.dot(massW).real()));
-    if (norm <= 1e-14 * size)
+    // The part of w that was in the space is as long as its coefficients.
+    if (norm <= 1e-14 * std::hypot(norm, this->Projected.col(j).norm()))
     {
       // The space is invariant: the remainder of w is rounding. The iteration continues in any
       // other direction.
@@ -103,7 +100,7 @@ public:
         w[k] = std::polar(1.0, 2.4 * static_cast<double>(k) * static_cast<double>(j + 1));
       }
       this->Orthogonalize(w, j + 1);
-      massW = this->Mass * w;
+      massW = Product(this->Mass, w);
       const double other = std::sqrt(w.dot(massW).real());
       w /= other;
       massW /= other;
@@ -183,11 +180,19 @@ private:
 /// Scales the vector to u^* M u = 1 and fills in the other figures.
 void Measure(const SparseMatrix& energy, const SparseMatrix& mass, Eigenpair& pair)
 {
-  const ComplexVector massVector = mass * pair.Vector;
+  SectionProducts u;
+  u.Vector = std::move(pair.Vector);
+  u.Energy = Product(energy, u.Vector);
+  u.Mass = Product(mass, u.Vector);
+  const double perLength = 1.0 / std::sqrt(u.Vector.dot(u.Mass).real());
+  for (ComplexVector* vector : { &u.Vector, &u.Energy, &u.Mass })
+  {
+    *vector *= perLength;
+  }
   // A is positive semi-definite: values below zero are rounding.
-  pair.Value = std::max(0.0, RayleighQuotient(pair.Vector, energy * pair.Vector, massVector));
-  pair.Vector /= std::sqrt(pair.Vector.dot(massVector).real());
-  pair.Residual = RelativeResidual(energy, mass, pair.Vector, pair.Value);
+  pair.Value = std::max(0.0, u.Vector.dot(u.Energy).real());
+  pair.Residual = RelativeResidual(energy, u, pair.Value);
+  pair.Vector = std::move(u.Vector);
 }
 
 /// Factors A plus the smallest multiple of M that makes it definite, at least NextToNothing, which
@@ -242,6 +247,14 @@ Eigenpair Iterate(const SparseMatrix& energy, const SparseMatrix& mass, const Co
   {
     progress.Report(FractionDone(solves));
     space.Expand();
+    // The start can hide the smallest pair behind the next one for some steps, and where lambda = 0
+    // on very thin triangles a small residual comes before a good vector.
+    const bool mayEnd =
+      solves >= FewestSolves && space.Rise() <= MostRise * std::min(required, LoosestTolerance);
+    if (!mayEnd && solves < mostSolves)
+    {
+      continue;
+    }
     candidate.Vector = space.Best();
     candidate.Iterations = solves;
     Measure(energy, mass, candidate);
@@ -249,10 +262,7 @@ Eigenpair Iterate(const SparseMatrix& energy, const SparseMatrix& mass, const Co
     {
       best = candidate;
     }
-    // The start can hide the smallest pair behind the next one for some steps, and where lambda = 0
-    // on very thin triangles a small residual comes before a good vector.
-    if (best.Residual <= required && solves >= FewestSolves &&
-      space.Rise() <= MostRise * std::min(required, LoosestTolerance))
+    if (best.Residual <= required)
     {
       const bool tells = required <= TellingResidual && required == settings.Tolerance &&
         best.Value >= settings.NextToNothing();
