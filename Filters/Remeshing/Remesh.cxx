@@ -217,6 +217,13 @@ void ReportExtraction(const Request& request, const std::vector<ExtractedMesh>& 
       "smoothed copy, and their points lie on the surface that came in. Where they are to be "
       "regular, smooth the surface before.");
   }
+  if (request.Field.GetSurface().AreFeaturesInNoise())
+  {
+    result.Notes.push_back(
+      "Features are the lines along which the surface bends as a whole: more than a tenth of its "
+      "edges are sharp, as noise and coarse triangles make them. Curves that are given, as those of "
+      "Feature Edges, are kept all the same.");
+  }
   const WantedSizes& sizes = request.Sizes;
   SizeAdvice advice(sizes.EdgeLength, DegreeOf(request.Options.Element));
   if (sizes.EdgeLength > Noticeably * sizes.LengthForArea)

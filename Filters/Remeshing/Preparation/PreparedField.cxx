@@ -23,7 +23,7 @@ PreparedField::PreparedField(const Surface& input, int degree, KeptEdges kept,
   , Given(given)
   , Own(std::move(own))
   , Prepared(input, degree, this->Kept, this->Lengths, progress.Part(0.0, PreparingShare))
-  , InputTriangles(this->Prepared.GetTriangles())
+  , InputTriangles(this->Prepared.GetGivenTriangles())
   , IsFeature(this->Prepared.FindFeatures(this->Kept.Features))
   , IsFrameless(FramelessVertices(this->GetGeometry(), degree, this->IsFeature))
   , IsCorner(SharpCorners(this->GetGeometry(), degree, this->IsFeature, this->Lengths.Face).IsEnd)

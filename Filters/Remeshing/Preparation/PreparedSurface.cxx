@@ -6,14 +6,15 @@
 #include "Charts/FeatureLines.h"
 #include "Mesh/MergePoints.h"
 #include "OwnField/SharpCorners.h"
+#include "Preparation/ChosenSide.h"
 #include "Preparation/RegionBorders.h"
-#include "Preparation/Roughness.h"
 #include "Preparation/SurfaceUnit.h"
 #include "Refinement/FlatFlips.h"
 #include "Refinement/LongEdges.h"
 #include "Refinement/SmoothedPoints.h"
 #include "Refinement/SplitTriangle.h"
 #include "Refinement/Thinning.h"
+#include "SoftFeatures/Roughness.h"
 #include "SoftFeatures/SoftFeatures.h"
 #include "Support/SortedEnds.h"
 
@@ -23,54 +24,9 @@
 
 namespace DirectionFields::Internal
 {
-namespace
-{
-/// Which triangles of a mesh a surface consists of: all, but of a double cover one side of each,
-/// chosen such that the line between the two sides is short. The front's own line may be jagged.
-std::vector<char> ChosenSide(const TriangleMesh& mesh, const std::vector<Vector3>& points)
-{
-  constexpr int mostSweeps = 200;
-  std::vector<char> isChosen(mesh.GetNumberOfTriangles());
-  std::vector<Index> covered;
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-  {
-    isChosen[t] = mesh.IsFront(t) ? 1 : 0;
-    if (mesh.IsFront(t) && mesh.Mirror(3 * t) != None)
-    {
-      covered.push_back(t);
-    }
-  }
-  bool hasChanged = true;
-  for (int k = 0; k < mostSweeps && hasChanged; ++k)
-  {
-    hasChanged = false;
-    for (const Index front : covered)
-    {
-      const Index back = mesh.Mirror(3 * front) / 3;
-      const Index t = isChosen[front] != 0 ? front : back;
-      // By how much the line becomes shorter if the triangle is taken from the other side.
-      double shorter = 0.0;
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-      {
-        const Index twin = mesh.Twin(h);
-        const double length =
-          (points[mesh.Point(mesh.Head(h))] - points[mesh.Point(mesh.Tail(h))]).norm();
-        shorter += twin == None ? 0.0 : (isChosen[twin / 3] != 0 ? -length : length);
-      }
-      if (shorter > 0.0)
-      {
-        std::swap(isChosen[front], isChosen[back]);
-        hasChanged = true;
-      }
-    }
-  }
-  return isChosen;
-}
-}
-
 PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdges& kept,
   const WorkingLengths& lengths, const Progress& progress)
-  : IsDecimated(!lengths.Decimated.empty())
+  : AreFeaturesFixed(!lengths.Decimated.empty())
   , HasHard(kept.HasHard())
   , Points(kept.Points)
 {
@@ -88,7 +44,7 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
   {
     own.push_back(kept.Regions[this->Used[t].Input]);
   }
-  if (this->IsDecimated)
+  if (this->AreFeaturesFixed)
   {
     const bool isCut = surface->Points.size() > input.Points.size();
     if (isCut)
@@ -100,7 +56,8 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
     this->Stairs = DropStairs(geometry, isHard, lengths.Face);
     AddCurves(geometry.Mesh, kept.Curves, this->GetOriginals(), isHard);
     progress.Report(0.3);
-    surface->Triangles = this->Decimated(geometry, kept, isHard, lengths, progress.Part(0.3, 0.9));
+    surface->Triangles =
+      this->Decimated(geometry, kept, isHard, lengths, *surface, progress.Part(0.3, 0.9));
     this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
     this->IsNoisy = Internal::IsRough(*this->Geometry);
   }
@@ -111,16 +68,18 @@ PreparedSurface::PreparedSurface(const Surface& input, int degree, const KeptEdg
     std::vector<char> isHard = EdgesBetween(this->Geometry->Mesh, own);
     this->Stairs = DropStairs(*this->Geometry, isHard, lengths.Face);
     AddCurves(this->Geometry->Mesh, kept.Curves, this->GetOriginals(), isHard);
-    AllFeatures features;
-    if (this->IsNoisy || kept.SoftRoom > 0.0)
-    {
-      // Which of them are too short for a mesh depends on the wanted length.
-      KeptEdges ofAnyLength = kept;
-      ofAnyLength.Features.ShortestChain = 0.0;
-      features = this->FindAll(*this->Geometry, ofAnyLength, isHard, lengths);
-    }
+    // Which of them are too short for a mesh depends on the wanted length.
+    KeptEdges ofAnyLength = kept;
+    ofAnyLength.Features.ShortestChain = 0.0;
+    const AllFeatures features = this->FindAll(*this->Geometry, ofAnyLength, isHard, lengths);
+    this->AreFeaturesFixed = this->IsNoisy || this->IsInNoise;
     this->Paths = FeaturePaths(this->Geometry->Mesh,
-      this->IsNoisy ? features.All : std::vector<char>(), isHard, features.Soft.IsRim);
+      this->AreFeaturesFixed ? features.All : std::vector<char>(), isHard, features.Soft.IsRim);
+    if (this->IsInNoise)
+    {
+      this->SmoothLines(this->Geometry->Mesh, features.All, isHard, *surface);
+      this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+    }
   }
   this->Refine(*surface, kept.Features, lengths);
   this->SplitInSharpCorners(*surface, degree, kept.Features, lengths.Face);
@@ -180,6 +139,14 @@ std::vector<Vector3> PreparedSurface::GetGivenPositions() const
     positions[v] = this->GivenPoints[this->Geometry->Mesh.Point(static_cast<Index>(v))];
   }
   return positions;
+}
+
+void PreparedSurface::SmoothLines(const TriangleMesh& mesh, const std::vector<char>& isFeature,
+  const std::vector<char>& isHard, Surface& surface)
+{
+  constexpr int steps = 8;
+  this->GivenPoints = surface.Points;
+  surface.Points = WithSmoothLines(mesh, std::move(surface.Points), isFeature, isHard, steps);
 }
 
 void PreparedSurface::Smooth(const std::vector<char>& isFeature, int steps)
@@ -253,10 +220,14 @@ PreparedSurface::UsedTriangle PreparedSurface::UsedTriangle::Of(
 
 std::vector<Triangle> PreparedSurface::Decimated(const SurfaceGeometry& geometry,
   const KeptEdges& kept, const std::vector<char>& isHard, const WorkingLengths& lengths,
-  const Progress& progress)
+  Surface& surface, const Progress& progress)
 {
   const TriangleMesh& mesh = geometry.Mesh;
   const AllFeatures features = this->FindAll(geometry, kept, isHard, lengths);
+  if (this->IsInNoise)
+  {
+    this->SmoothLines(mesh, features.All, isHard, surface);
+  }
   progress.Report(0.15);
   const Decimation::Limits limits = DecimationLimits(
     geometry, this->Continued(lengths.Decimated), lengths.HasNeedles, this->StayAt(mesh));
@@ -273,12 +244,13 @@ AllFeatures PreparedSurface::FindAll(const SurfaceGeometry& geometry, const Kept
     FindAllFeatures(geometry, kept.Features, isHard, lengths.Face, kept.SoftRoom);
   this->HasSoftFeatures = !features.Soft.IsRim.empty();
   this->DoRimsNeedRoom = features.Soft.DependsOnRoom;
+  this->IsInNoise = features.AreInNoise;
   return features;
 }
 
 std::vector<char> PreparedSurface::FindFeatures(const FeatureSettings& settings) const
 {
-  if (!this->IsDecimated && !this->IsNoisy)
+  if (!this->AreFeaturesFixed)
   {
     return Internal::FindFeatures(*this->Geometry, settings, this->FindHardAndSoft());
   }
@@ -406,9 +378,9 @@ std::vector<ClosestPoints> PreparedSurface::LinesOf(
   return lines;
 }
 
-std::vector<ClosestPoints::Corners> PreparedSurface::GetTriangles() const
+std::vector<ClosestPoints::Corners> PreparedSurface::CornersOn(
+  const std::vector<Vector3>& points) const
 {
-  const std::vector<Vector3>& points = this->Prepared->Points;
   std::vector<ClosestPoints::Corners> triangles;
   triangles.reserve(this->Used.size());
   for (const UsedTriangle& used : this->Used)
@@ -437,6 +409,12 @@ PreparedSurface::MiddlePoints PreparedSurface::AddMiddles(
       surface.Points.push_back(onPath != None
           ? surface.Points[onPath]
           : Vector3(0.5 * surface.Points[ends[0]] + 0.5 * surface.Points[ends[1]]));
+      if (!this->GivenPoints.empty())
+      {
+        this->GivenPoints.push_back(onPath != None
+            ? this->GivenPoints[onPath]
+            : Vector3(0.5 * this->GivenPoints[ends[0]] + 0.5 * this->GivenPoints[ends[1]]));
+      }
       this->Middles.push_back(ends);
     }
   }

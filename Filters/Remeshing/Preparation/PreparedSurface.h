@@ -106,6 +106,8 @@ public:
 
   /// Not 0 for each edge of the prepared surface that is a feature.
   std::vector<char> FindFeatures(const FeatureSettings& settings) const;
+  /// Whether they were told from noise (FeaturesInNoise).
+  bool AreFeaturesInNoise() const { return this->IsInNoise; }
   /// Whether any of them is soft.
   bool HasSoft() const { return this->HasSoftFeatures; }
   /// Whether soft features would be others with another room.
@@ -160,8 +162,16 @@ public:
   /// Whether edges were split since they were long.
   bool IsRefined() const { return this->HasLongSplit; }
 
-  /// The triangles of the input, as far as they are used, wound consistently.
-  std::vector<ClosestPoints::Corners> GetTriangles() const;
+  /// The triangles of the input, as far as they are used, wound consistently; smoothed as it is.
+  std::vector<ClosestPoints::Corners> GetTriangles() const
+  {
+    return this->CornersOn(this->Prepared->Points);
+  }
+  /// The same where they were before any smoothing.
+  std::vector<ClosestPoints::Corners> GetGivenTriangles() const
+  {
+    return this->CornersOn(this->GivenPoints.empty() ? this->Prepared->Points : this->GivenPoints);
+  }
   /// Their points.
   std::vector<Triangle> GetUsedTriangles() const
   {
@@ -214,11 +224,16 @@ private:
   std::vector<char> StayAt(const TriangleMesh& mesh) const;
   /// Returns the triangles that remain.
   std::vector<Triangle> Decimated(const SurfaceGeometry& geometry, const KeptEdges& kept,
-    const std::vector<char>& isHard, const WorkingLengths& lengths, const Progress& progress);
+    const std::vector<char>& isHard, const WorkingLengths& lengths, Surface& surface,
+    const Progress& progress);
   AllFeatures FindAll(const SurfaceGeometry& geometry, const KeptEdges& kept,
     const std::vector<char>& isHard, const WorkingLengths& lengths);
   /// Of the features those that are kept whatever the settings say; empty for none.
   std::vector<char> FindHardAndSoft() const;
+  std::vector<ClosestPoints::Corners> CornersOn(const std::vector<Vector3>& points) const;
+  /// Noise lets features turn to and fro, which their lines in the field do not.
+  void SmoothLines(const TriangleMesh& mesh, const std::vector<char>& isFeature,
+    const std::vector<char>& isHard, Surface& surface);
   /// Adds the middles of edges.
   MiddlePoints AddMiddles(Surface& surface, const std::vector<char>& isSplit);
   /// Puts points in the middles of edges. Returns whether there were any.
@@ -231,8 +246,10 @@ private:
   /// Returns whether any edge was split.
   bool SplitBetweenFrameless(Surface& surface, int degree, const FeatureSettings& settings);
 
-  bool IsDecimated = false;
+  /// Features are those found before edges were collapsed or split.
+  bool AreFeaturesFixed;
   bool IsNoisy = false;
+  bool IsInNoise = false;
   bool HasLongSplit = false;
   bool HasHard = false;
   bool HasSoftFeatures = false;

@@ -49,4 +49,37 @@ std::vector<Vector3> SmoothedPoints(const SurfaceGeometry& geometry, std::vector
   }
   return points;
 }
+
+std::vector<Vector3> WithSmoothLines(const TriangleMesh& mesh, std::vector<Vector3> points,
+  const std::vector<char>& isFeature, const std::vector<char>& isHard, int steps)
+{
+  std::vector<char> isFixed(mesh.GetNumberOfVertices(), 0);
+  std::vector<std::vector<Index>> neighbours(mesh.GetNumberOfVertices());
+  for (Index e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Index h = mesh.HalfEdge(e);
+    if (mesh.Twin(h) == None || (!isHard.empty() && isHard[e] != 0))
+    {
+      isFixed[mesh.Tail(h)] = isFixed[mesh.Head(h)] = 1;
+    }
+    if (isFeature[e] != 0)
+    {
+      neighbours[mesh.Tail(h)].push_back(mesh.Head(h));
+      neighbours[mesh.Head(h)].push_back(mesh.Tail(h));
+    }
+  }
+  for (int k = 0; k < steps; ++k)
+  {
+    const std::vector<Vector3> old = points;
+    for (Index v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      if (neighbours[v].size() == 2 && isFixed[v] == 0)
+      {
+        points[mesh.Point(v)] = 0.5 * old[mesh.Point(v)] +
+          0.25 * (old[mesh.Point(neighbours[v][0])] + old[mesh.Point(neighbours[v][1])]);
+      }
+    }
+  }
+  return points;
+}
 }

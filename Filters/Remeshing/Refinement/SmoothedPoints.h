@@ -17,6 +17,13 @@ namespace DirectionFields::Internal
 /// @param steps     at least 0; waves of about as many edges as its root vanish
 std::vector<Vector3> SmoothedPoints(const SurfaceGeometry& geometry, std::vector<Vector3> points,
   const std::vector<char>& isFeature, int steps);
+
+/// The points of a surface with those along features moved, in each step, half the way to the mean
+/// of their two neighbours there. Places where features meet or end, the boundary, and hard edges
+/// stay.
+/// @param isHard empty for none
+std::vector<Vector3> WithSmoothLines(const TriangleMesh& mesh, std::vector<Vector3> points,
+  const std::vector<char>& isFeature, const std::vector<char>& isHard, int steps);
 }
 
 #endif

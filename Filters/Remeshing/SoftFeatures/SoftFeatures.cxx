@@ -6,7 +6,9 @@
 #include "Features/EdgeChains.h"
 #include "Geometry/DihedralAngles.h"
 #include "Refinement/LongEdges.h"
+#include "SoftFeatures/FeaturesInNoise.h"
 #include "SoftFeatures/LineRoom.h"
+#include "SoftFeatures/Roughness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -396,7 +398,14 @@ AllFeatures FindAllFeatures(const SurfaceGeometry& geometry, const FeatureSettin
   // within a factor of two share them.
   FeatureSettings ofAnyLength = settings;
   ofAnyLength.ShortestChain = 0.0;
-  AllFeatures features{ FindFeatures(geometry, ofAnyLength, isHard), {} };
+  AllFeatures features;
+  features.AreInNoise = settings.AreKept && HasNoise(geometry);
+  features.All = features.AreInNoise ? FeaturesInNoise(geometry, settings)
+                                     : FindFeatures(geometry, ofAnyLength, isHard);
+  for (std::size_t e = 0; features.AreInNoise && e < isHard.size(); ++e)
+  {
+    features.All[e] = features.All[e] != 0 || isHard[e] != 0 ? 1 : 0;
+  }
   features.Soft = FindSoftFeatures(geometry, features.All, { settings, face, room });
   std::vector<char> stays = isHard;
   if (!features.Soft.IsRim.empty())

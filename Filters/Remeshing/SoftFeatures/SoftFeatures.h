@@ -56,9 +56,12 @@ struct AllFeatures
 {
   std::vector<char> All;
   SoftFeatures Soft;
+  /// Whether they are told from noise (HasNoise).
+  bool AreInNoise = false;
 };
 
-/// As FindFeatures, with soft features if they are wanted.
+/// As FindFeatures, or FeaturesInNoise where the surface has noise, with soft features if they are
+/// wanted.
 /// @param face, room as SoftFeatureSettings; no room for no soft features
 AllFeatures FindAllFeatures(const SurfaceGeometry& geometry, const FeatureSettings& settings,
   const std::vector<char>& isHard, double face, double room);

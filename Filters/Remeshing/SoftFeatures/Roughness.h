@@ -12,6 +12,10 @@ namespace DirectionFields::Internal
 /// and more than a quarter, are sharp but no features of the usual settings. Takes time linear in
 /// the edges.
 bool IsRough(const SurfaceGeometry& geometry);
+
+/// Whether more than a tenth are, as with noise of a fifth of the edges: what is a feature then is
+/// told by FeaturesInNoise.
+bool HasNoise(const SurfaceGeometry& geometry);
 }
 
 #endif

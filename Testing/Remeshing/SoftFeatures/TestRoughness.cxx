@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Preparation/Roughness.h"
+#include "SoftFeatures/Roughness.h"
 
 #include "Meshes/Surfaces.h"
 #include "Preparation/PreparedSurface.h"
+#include "SoftFeatures/FeaturesInNoise.h"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +31,11 @@ TEST(Roughness, IsThatOfNoiseAndNotOfFacetsOrEdges)
 TEST(Roughness, MakesNoFeaturesWhereEdgesAreSplit)
 {
   constexpr FeatureSettings sharp{ true, 40.0, 0.5, 0.0 };
-  const Surface surface = Meshes::Roughened(Meshes::Icosphere(3), 1.2, 7);
+  const Surface surface = Meshes::Roughened(Meshes::FlatlySubdivided(Meshes::Cube(), 4), 0.4, 7);
   const SurfaceGeometry geometry(surface);
   WorkingLengths lengths;
   lengths.Face = 0.1;
-  lengths.Split.assign(surface.Points.size(), 0.15);
+  lengths.Split.assign(surface.Points.size(), 0.05);
   lengths.MostMiddles = 10000;
   // Edges that are long are split only beside a hub, for which a surface is split that is not of planes.
   const PreparedSurface whole(surface, 4, sharp, lengths);
@@ -44,18 +45,21 @@ TEST(Roughness, MakesNoFeaturesWhereEdgesAreSplit)
   const Index before = geometry.Mesh.GetNumberOfTriangles();
   EXPECT_LT(whole.GetGeometry().Mesh.GetNumberOfTriangles(), 2 * before);
   EXPECT_GT(prepared.GetGeometry().Mesh.GetNumberOfTriangles(), 2 * before);
-  const auto lengthOf = [](const SurfaceGeometry& of, const std::vector<char>& isFeature)
+  const auto lengthOf = [](const SurfaceGeometry& of, const std::vector<Vector3>& positions,
+                          const std::vector<char>& isFeature)
   {
     double length = 0.0;
     for (std::size_t e = 0; e < isFeature.size(); ++e)
     {
       const Index h = of.Mesh.HalfEdge(static_cast<Index>(e));
-      const Vector3 edge = of.Positions[of.Mesh.Head(h)] - of.Positions[of.Mesh.Tail(h)];
+      const Vector3 edge = positions[of.Mesh.Head(h)] - positions[of.Mesh.Tail(h)];
       length += isFeature[e] != 0 ? edge.norm() : 0.0;
     }
     return length;
   };
-  const double length = lengthOf(geometry, FindFeatures(geometry, sharp));
+  const double length = lengthOf(geometry, geometry.Positions, FeaturesInNoise(geometry, sharp));
   EXPECT_GT(length, 0.0);
-  EXPECT_NEAR(lengthOf(prepared.GetGeometry(), prepared.FindFeatures(sharp)), length, 1e-9);
+  EXPECT_NEAR(
+    lengthOf(prepared.GetGeometry(), prepared.GetGivenPositions(), prepared.FindFeatures(sharp)),
+    length, 1e-9);
 }

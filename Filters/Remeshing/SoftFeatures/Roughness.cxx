@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Direction Fields authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Preparation/Roughness.h"
+#include "SoftFeatures/Roughness.h"
 
 #include "Features/FeatureChains.h"
 #include "Geometry/DihedralAngles.h"
@@ -12,10 +12,12 @@
 
 namespace DirectionFields::Internal
 {
-bool IsRough(const SurfaceGeometry& geometry)
+namespace
 {
-  // Models of few triangles have up to a fifth. A body of fewer edges is its facets.
-  constexpr double leastPart = 0.25;
+/// Whether more edges than a part of them are sharp but no features.
+bool AreSharp(const SurfaceGeometry& geometry, double leastPart)
+{
+  // A body of fewer edges is its facets.
   constexpr Index fewest = 200;
   constexpr double sharp = DefaultFeatureAngle * Pi / 180.0;
   const std::vector<double> dihedral = DihedralAngles(geometry);
@@ -27,5 +29,19 @@ bool IsRough(const SurfaceGeometry& geometry)
   }
   return noise >= fewest &&
     static_cast<double>(noise) > leastPart * static_cast<double>(geometry.Mesh.GetNumberOfEdges());
+}
+}
+
+bool IsRough(const SurfaceGeometry& geometry)
+{
+  // Models of few triangles have up to a fifth.
+  constexpr double leastPart = 0.25;
+  return AreSharp(geometry, leastPart);
+}
+
+bool HasNoise(const SurfaceGeometry& geometry)
+{
+  constexpr double leastPart = 0.1;
+  return AreSharp(geometry, leastPart);
 }
 }
