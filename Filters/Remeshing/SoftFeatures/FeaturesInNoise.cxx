@@ -66,7 +66,6 @@ public:
     this->CountAtVertices();
     this->Bridge(true);
     this->Bridge(false);
-    this->DropDoubled();
     this->DropNoise(FewestEdges);
     this->DropWeakParts();
     return std::move(this->IsFeature);
@@ -125,69 +124,6 @@ private:
     for (const Index e : chain.Edges)
     {
       this->IsFeature[e] = isFeature;
-    }
-  }
-
-  /// Whether features lead from a vertex to another one by fewer edges than a number.
-  bool AreJoined(Index from, Index to, std::size_t edges) const
-  {
-    std::vector<Index> front = { from };
-    std::vector<Index> seen = front;
-    for (std::size_t k = 1; k < edges; ++k)
-    {
-      std::vector<Index> next;
-      for (const Index v : front)
-      {
-        Index h = this->Mesh.Outgoing(v);
-        do
-        {
-          const Index w = this->Mesh.Head(h);
-          if (this->IsFeature[this->Mesh.Edge(h)] != 0 &&
-            std::find(seen.begin(), seen.end(), w) == seen.end())
-          {
-            if (w == to)
-            {
-              return true;
-            }
-            seen.push_back(w);
-            next.push_back(w);
-          }
-          h = this->Mesh.NextOutgoing(h);
-        } while (h != None && h != this->Mesh.Outgoing(v));
-      }
-      front = std::move(next);
-    }
-    return false;
-  }
-
-  /// Of lines that noise has made two of, some edges long, the one that is bent less goes.
-  void DropDoubled()
-  {
-    struct Short
-    {
-      double Excess;
-      EdgeChain Chain;
-    };
-    std::vector<Short> shorts;
-    for (EdgeChain& chain : ChainsOf(this->Mesh, this->IsFeature))
-    {
-      if (chain.Edges.size() < FewestEdges && !chain.IsClosed)
-      {
-        const WideBend wide = this->WideOf(chain);
-        shorts.push_back({ wide.Across - wide.Beside, std::move(chain) });
-      }
-    }
-    std::stable_sort(shorts.begin(), shorts.end(),
-      [](const Short& a, const Short& b) { return a.Excess < b.Excess; });
-    for (const Short& each : shorts)
-    {
-      const EdgeChain& chain = each.Chain;
-      this->Mark(chain, 0);
-      const std::size_t fewer = 2 * FewestEdges - chain.Edges.size();
-      if (!this->AreJoined(chain.Vertices.front(), chain.Vertices.back(), fewer))
-      {
-        this->Mark(chain, 1);
-      }
     }
   }
 

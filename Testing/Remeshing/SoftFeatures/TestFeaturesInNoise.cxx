@@ -84,14 +84,18 @@ TEST(FeaturesInNoise, AreThoseOfTheShape)
 TEST(FeaturesInNoise, AreNoneOnRoundBodies)
 {
   Index byAngle = 0;
+  const Surface thin = Meshes::Torus(60, 10, 1.0, 0.2);
   for (const unsigned seed : { 1U, 2U, 3U })
   {
-    const SurfaceGeometry geometry(Meshes::Roughened(Meshes::Icosphere(4), 0.3, seed));
-    ASSERT_TRUE(HasNoise(geometry));
-    const std::vector<char> isFeature = FeaturesInNoise(geometry, Sharp);
-    EXPECT_EQ(std::count(isFeature.begin(), isFeature.end(), 1), 0);
-    const std::vector<char> simple = FindFeatures(geometry, Sharp);
-    byAngle += static_cast<Index>(std::count(simple.begin(), simple.end(), 1));
+    for (const Surface& body : { Meshes::Icosphere(4), thin })
+    {
+      const SurfaceGeometry geometry(Meshes::Roughened(body, 0.3, seed));
+      ASSERT_TRUE(HasNoise(geometry));
+      const std::vector<char> isFeature = FeaturesInNoise(geometry, Sharp);
+      EXPECT_EQ(std::count(isFeature.begin(), isFeature.end(), 1), 0);
+      const std::vector<char> simple = FindFeatures(geometry, Sharp);
+      byAngle += static_cast<Index>(std::count(simple.begin(), simple.end(), 1));
+    }
   }
   EXPECT_GT(byAngle, 0);
 }
