@@ -66,6 +66,18 @@ double PreparedField::GetAreaLeft() const
   return before > 0.0 ? AreaOf(mesh, this->GetGeometry().Positions) / before : 1.0;
 }
 
+double PreparedField::PartMoved() const
+{
+  const std::vector<Vector3> before = this->Prepared.GetGivenPositions();
+  const std::vector<Vector3>& after = this->GetGeometry().Positions;
+  Index moved = 0;
+  for (std::size_t v = 0; v < after.size(); ++v)
+  {
+    moved += (after[v] - before[v]).norm() > this->Lengths.Face ? 1 : 0;
+  }
+  return static_cast<double>(moved) / static_cast<double>(std::max<std::size_t>(1, after.size()));
+}
+
 Index PreparedField::CountNeedless() const
 {
   const TriangleMesh& mesh = this->GetGeometry().Mesh;
@@ -103,27 +115,46 @@ void PreparedField::SmoothForField(const Progress& progress)
 {
   constexpr int firstSteps = 4;
   constexpr int mostRounds = 6;
+  // Singularities of noise go at once, those of a shape together with it. So a round that moves a
+  // larger part of the vertices by more than a face is undone, unless it takes away the noise of a
+  // rough surface.
+  constexpr double mostMoved = 0.05;
+  constexpr double mostLeft = 0.6;
   int steps = firstSteps;
   // Singularities of a shape are on surfaces that are not rough.
   constexpr Index fewNeedless = 32;
   Index most = this->Prepared.IsRough() ? std::min(fewNeedless, this->Lengths.MostNeedless)
                                         : this->Lengths.MostNeedless;
-  for (int k = 0; k < mostRounds; ++k)
+  Index needless = this->CountNeedless();
+  for (int k = 0; k < mostRounds && needless > most; ++k)
   {
-    const Index needless = this->CountNeedless();
-    if (needless <= most)
-    {
-      return;
-    }
-    most = this->Lengths.MostNeedless;
-    this->Needless = std::max(this->Needless, needless);
+    const std::shared_ptr<const Surface> surface = this->Prepared.GetSurface();
+    const std::vector<char> isFeature = this->IsFeature;
+    const std::vector<char> isFrameless = this->IsFrameless;
+    const std::vector<Complex> section = this->Section;
+    const FieldMatching matching = this->Matching;
     this->Prepared.Smooth(this->IsFeature, steps);
-    steps *= 4;
     this->IsFeature = this->Prepared.FindFeatures(this->Kept.Features);
     this->IsFrameless = FramelessVertices(this->GetGeometry(), this->Degree, this->IsFeature);
     this->Section = this->ComputeField(
       progress.Part(static_cast<double>(k) / mostRounds, (k + 1.0) / mostRounds));
     this->Matching = FieldMatching(this->GetGeometry(), this->Degree, this->Section);
+    const Index left = this->CountNeedless();
+    const bool isNoise = this->Prepared.IsRough() &&
+      static_cast<double>(left) <= mostLeft * static_cast<double>(needless);
+    if (!isNoise && this->PartMoved() > mostMoved)
+    {
+      this->Prepared.MoveTo(surface);
+      this->IsFeature = isFeature;
+      this->IsFrameless = isFrameless;
+      this->Section = section;
+      this->Matching = matching;
+      return;
+    }
+    this->Needless = std::max(this->Needless, needless);
+    needless = left;
+    most = this->Lengths.MostNeedless;
+    steps *= 4;
   }
 }
 

@@ -88,8 +88,11 @@ private:
   /// The given field, along features that it crosses, and continued to places where none is given.
   std::vector<Complex> GivenField(const Progress& progress);
   /// Smooths the surface, more and more, until its field has few singularities that it does not
-  /// need: those of noise are no shape that the faces could show.
+  /// need: those of noise are no shape that the faces could show. It stops before that where the
+  /// shape itself would go.
   void SmoothForField(const Progress& progress);
+  /// The part of the vertices that smoothing has moved by more than a face.
+  double PartMoved() const;
   /// By how much there are more singularities, away from features, than all together make up.
   Index CountNeedless() const;
 

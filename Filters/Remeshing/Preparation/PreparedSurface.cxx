@@ -157,8 +157,7 @@ void PreparedSurface::Smooth(const std::vector<char>& isFeature, int steps)
   }
   const auto smooth = std::make_shared<Surface>(*this->Prepared);
   smooth->Points = SmoothedPoints(*this->Geometry, std::move(smooth->Points), isFeature, steps);
-  this->Geometry = std::make_unique<const SurfaceGeometry>(*smooth);
-  this->Prepared = smooth;
+  this->MoveTo(smooth);
 }
 
 Surface PreparedSurface::CutOpen(const Surface& input, const MergedMesh& merged)

@@ -96,6 +96,12 @@ public:
   std::vector<Vector3> GetGivenPositions() const;
   /// Smooths it, but for its boundary and features.
   void Smooth(const std::vector<char>& isFeature, int steps);
+  /// Moves its points to where they are on a surface that differs from it in nothing else.
+  void MoveTo(const std::shared_ptr<const Surface>& surface)
+  {
+    this->Prepared = surface;
+    this->Geometry = std::make_unique<const SurfaceGeometry>(*surface);
+  }
   /// Of each of its points the one that it is a copy of, or itself.
   std::vector<Index> GetOriginals() const;
   const Repairs& GetRepairs() const { return this->Repaired; }

@@ -4,11 +4,14 @@
 #include "SoftFeatures/Roughness.h"
 
 #include "Meshes/Surfaces.h"
+#include "Preparation/PreparedField.h"
 #include "Preparation/PreparedSurface.h"
 #include "SoftFeatures/FeaturesInNoise.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace DirectionFields;
@@ -62,4 +65,53 @@ TEST(Roughness, MakesNoFeaturesWhereEdgesAreSplit)
   EXPECT_NEAR(
     lengthOf(prepared.GetGeometry(), prepared.GetGivenPositions(), prepared.FindFeatures(sharp)),
     length, 1e-9);
+}
+
+namespace
+{
+/// A ball with a bump as high as its radius at each corner of an icosahedron.
+Surface BallWithBumps()
+{
+  Surface ball = Meshes::Icosphere(4);
+  const std::vector<Vector3> tips = Meshes::Icosahedron().Points;
+  for (Vector3& point : ball.Points)
+  {
+    double radius = 1.0;
+    for (const Vector3& tip : tips)
+    {
+      const double angle = std::acos(std::clamp(point.dot(tip.normalized()), -1.0, 1.0));
+      radius += std::exp(-16.0 * angle * angle);
+    }
+    point *= radius;
+  }
+  return ball;
+}
+}
+
+TEST(Roughness, IsSmoothedAwayButNotBumpsThatFacesCanShow)
+{
+  const Surface ball = BallWithBumps();
+  WorkingLengths lengths;
+  lengths.Face = 0.12;
+  lengths.MostNeedless = 20;
+  const auto needless = [&](const Surface& surface, double& moved)
+  {
+    const PreparedField field(
+      surface, 6, KeptEdges({ false, 40.0, 0.0, 0.0 }), lengths, {}, ShapeAlignment(), Progress());
+    const std::vector<Vector3> given = field.GetSurface().GetGivenPositions();
+    std::vector<double> distances;
+    for (std::size_t v = 0; v < given.size(); ++v)
+    {
+      distances.push_back((given[v] - field.GetGeometry().Positions[v]).norm());
+    }
+    std::sort(distances.begin(), distances.end());
+    moved = distances[distances.size() * 95 / 100];
+    return field.GetNeedless();
+  };
+  double moved = 0.0;
+  // Four steps move it by less than a face, and sixteen more by up to a third of its radius.
+  EXPECT_GT(needless(ball, moved), 20);
+  EXPECT_LT(moved, lengths.Face);
+  EXPECT_GT(needless(Meshes::Roughened(Meshes::Icosphere(4), 1.0, 7), moved), 20);
+  EXPECT_GT(moved, 0.05);
 }
