@@ -10,6 +10,7 @@
 #include "Extraction/MeshExtraction.h"
 #include "FaceMesh/FaceCounts.h"
 #include "Finishing/FaceSources.h"
+#include "Finishing/GivenPlaces.h"
 #include "Finishing/JoinedFaces.h"
 #include "Finishing/MeshAdvice.h"
 #include "Finishing/SurfacePatches.h"
@@ -160,6 +161,10 @@ FinishedMesh Finish(const Request& request, const FeatureLines& features,
   const WantedSizes& sizes = request.Sizes;
   FinishedMesh finished;
   field.GetSeams().Equalize(extracted);
+  if (field.GetNeedless() > 0)
+  {
+    MoveToGiven(field.GetSurface(), extracted);
+  }
   finished.Faces = JoinFaces(extracted, field.GetSeams(),
     FindTurns(field.GetGeometry(), features, sizes.HalfLengths()), finished.OpenSeams);
   if (request.Cut)
