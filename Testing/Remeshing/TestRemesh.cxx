@@ -468,3 +468,21 @@ TEST(Remesh, LargeSurfaceIsRemeshedOnFewerTrianglesAndLiesOnIt)
   EXPECT_EQ(next.Points, anew.Points);
   EXPECT_EQ(next.Faces, anew.Faces);
 }
+
+TEST(Remesh, TrianglesHaveFewIrregularVerticesAndBadFaces)
+{
+  Surface bump = Meshes::Square(40, 2.0);
+  for (Vector3& point : bump.Points)
+  {
+    const double squared = (point - Vector3(1.0, 1.0, 0.0)).squaredNorm();
+    point[2] = 1.5 * std::exp(-80.0 * squared);
+  }
+  RemeshOptions options;
+  options.Element = Element::Triangles;
+  options.NumberOfFaces = 1000;
+  const RemeshResult mesh = Remesh(std::make_shared<Surface>(bump)).Compute(options);
+  EXPECT_EQ(Meshes::FlawOf(mesh), "");
+  EXPECT_EQ(mesh.Quads, 0);
+  EXPECT_LE(mesh.IrregularVertices, 8);
+  EXPECT_GT(Meshes::LeastQuality(mesh), 0.3);
+}

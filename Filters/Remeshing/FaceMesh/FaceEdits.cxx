@@ -27,10 +27,12 @@ int PlaceOf(const Faces::Face& face, Index v)
 }
 }
 
-FaceEdits::FaceEdits(VertexStars& faces, std::vector<Rule> rules, const MovableFaces* places)
+FaceEdits::FaceEdits(
+  VertexStars& faces, std::vector<Rule> rules, const MovableFaces* places, int degree)
   : Cells(faces)
   , Rules(std::move(rules))
   , Places(places)
+  , AreTriangles(degree == 6)
 {
 }
 
@@ -103,9 +105,10 @@ int FaceEdits::GrowthBy(const Edit& edit) const
     {
       continue;
     }
-    const bool becomesTriangle = Faces::Size(face) == 4 && (own + 2) % 4 != other;
+    const bool isTriangle = Faces::Size(face) == 3;
+    const bool becomesTriangle = !isTriangle && (own + 2) % 4 != other;
     more -= becomesTriangle ? 1 : 2;
-    grown += becomesTriangle ? PerTriangle : Faces::Size(face) == 3 ? -PerTriangle : 0;
+    grown += becomesTriangle ? PerTriangle : isTriangle && !this->AreTriangles ? -PerTriangle : 0;
     for (const Index w : face)
     {
       grown += w != None && w != goes && w != stays && !becomesTriangle ? this->Growth(w, -1) : 0;
@@ -132,7 +135,8 @@ std::vector<FaceEdits::Edit> FaceEdits::Find(Index v) const
       {
         const int other = Faces::Size(this->Cells.Face(g));
         const int diagonals = size + other == 6 ? 2 : size + other == 7 ? 5 : 3;
-        for (int diagonal = 0; diagonal < diagonals; ++diagonal)
+        // The first one of two triangles makes a quad of them.
+        for (int diagonal = this->AreTriangles ? 1 : 0; diagonal < diagonals; ++diagonal)
         {
           edits.push_back({ f, g, diagonal });
         }

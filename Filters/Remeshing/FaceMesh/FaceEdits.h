@@ -10,9 +10,9 @@
 
 namespace DirectionFields::Internal
 {
-/// Local edits of quads, and of the few triangles among them, that keep the topology: edges are
-/// turned, vertices merged, quads cut. Feature and boundary edges are kept or merged with the next
-/// edge of the same line.
+/// Local edits of quads, and of the few triangles among them, or of triangles alone, that keep the
+/// topology: edges are turned, vertices merged, quads cut. Feature and boundary edges are kept or
+/// merged with the next edge of the same line.
 class FaceEdits
 {
 public:
@@ -35,7 +35,9 @@ public:
     bool IsLocked = false;
   };
   /// @param places  tell which vertices lines need to stay close; null for none
-  FaceEdits(VertexStars& faces, std::vector<Rule> rules, const MovableFaces* places = nullptr);
+  /// @param degree  4 where faces are to be quads, 6 where all are triangles and stay so
+  FaceEdits(VertexStars& faces, std::vector<Rule> rules, const MovableFaces* places = nullptr,
+    int degree = 4);
 
   /// One edit: two faces with a common edge whose polygon is cut along another diagonal, a vertex
   /// that is merged with another one along an edge or the diagonal of a quad, or a quad that is cut
@@ -77,6 +79,7 @@ private:
   VertexStars& Cells;
   std::vector<Rule> Rules;
   const MovableFaces* Places;
+  bool AreTriangles;
 };
 }
 

@@ -23,7 +23,8 @@ double AngleAt(const std::vector<Vector3>& points, const Faces::Face& face, Inde
 
 /// The wanted number of faces at a vertex on lines: the number for which there is room in each
 /// sector between them.
-Index FacesBetweenLines(const VertexStars& faces, const std::vector<Vector3>& points, Index v)
+Index FacesBetweenLines(
+  const VertexStars& faces, const std::vector<Vector3>& points, Index v, int degree)
 {
   const std::vector<Index>& star = faces.At(v);
   std::vector<char> isSeen(star.size(), 0);
@@ -55,14 +56,14 @@ Index FacesBetweenLines(const VertexStars& faces, const std::vector<Vector3>& po
         }
       }
     }
-    sum += std::max<Index>(1, static_cast<Index>(std::lround(angle / (0.5 * Pi))));
+    sum += std::max<Index>(1, static_cast<Index>(std::lround(angle * degree / (2.0 * Pi))));
   }
   return sum;
 }
 }
 
 std::vector<FaceEdits::Rule> RulesFor(const VertexStars& faces, const MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices)
+  const std::vector<FaceMesh::Vertex>& vertices, int degree)
 {
   std::vector<FaceEdits::Rule> rules(faces.GetNumberOfVertices());
   for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
@@ -72,16 +73,16 @@ std::vector<FaceEdits::Rule> RulesFor(const VertexStars& faces, const MovableFac
     rule.IsBoundary = vertices[v].IsBoundary;
     rule.IsOnLine = rule.IsBoundary || !places.IsOnSurface(v);
     rule.IsLocked =
-      !rule.IsOnLine && index != 0 && static_cast<Index>(faces.At(v).size()) == 4 - index;
+      !rule.IsOnLine && index != 0 && static_cast<Index>(faces.At(v).size()) == degree - index;
     rule.IsFree = !rule.IsOnLine && !rule.IsLocked;
     rule.MayLeaveLine = !places.IsOnSurface(v) && places.IsFree(v);
-    rule.Target = rule.IsLocked ? 4 - index : 4;
+    rule.Target = rule.IsLocked ? degree - index : degree;
   }
   for (Index v = 0; v < faces.GetNumberOfVertices(); ++v)
   {
     if (rules[v].IsOnLine && !faces.At(v).empty())
     {
-      rules[v].Target = FacesBetweenLines(faces, places.GetPoints(), v);
+      rules[v].Target = FacesBetweenLines(faces, places.GetPoints(), v, degree);
     }
   }
   return rules;

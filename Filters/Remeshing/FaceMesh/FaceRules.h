@@ -11,11 +11,12 @@
 
 namespace DirectionFields::Internal
 {
-/// The wanted number of faces at each vertex, and the edits that are allowed there: inside four,
-/// unless a singularity of the field explains another number; on lines the number for which there
-/// is room in each sector between them.
+/// The wanted number of faces at each vertex, and the edits that are allowed there: inside four, or
+/// six of triangles alone, unless a singularity of the field explains another number; on lines the
+/// number for which there is room in each sector between them.
+/// @param degree 4 for quads, 6 for triangles
 std::vector<FaceEdits::Rule> RulesFor(const VertexStars& faces, const MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices);
+  const std::vector<FaceMesh::Vertex>& vertices, int degree = 4);
 
 /// The same rules, but vertices whose number of faces a singularity explains may have others.
 std::vector<FaceEdits::Rule> WithoutLocks(std::vector<FaceEdits::Rule> rules);

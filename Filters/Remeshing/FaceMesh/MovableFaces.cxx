@@ -339,6 +339,27 @@ double MovableFaces::Distance(const Faces::Face& face) const
   return answer.Triangle != None ? std::sqrt(answer.SquaredDistance) / length : 1.0;
 }
 
+double MovableFaces::DistanceFrom(
+  const std::vector<Index>& vertices, Index v, const Vector3& place) const
+{
+  std::vector<ClosestPoints::Corners> triangles;
+  for (const Index w : vertices)
+  {
+    for (const Index f : this->Cells.At(w))
+    {
+      const Faces::Face& face = this->Cells.Face(f);
+      for (int c = 2; c < Faces::Size(face); ++c)
+      {
+        triangles.push_back(
+          { this->Points[face[0]], this->Points[face[c - 1]], this->Points[face[c]] });
+      }
+    }
+  }
+  const ClosestPoints::Answer answer = ClosestPoints(std::move(triangles)).Find(place);
+  return answer.Triangle != None ? std::sqrt(answer.SquaredDistance) / this->Domain.EdgeLength[v]
+                                 : 1.0;
+}
+
 bool MovableFaces::MayLeaveLine(Index v, Index before, Index after) const
 {
   const Index line = this->Domain.Line[v];

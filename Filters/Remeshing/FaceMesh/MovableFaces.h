@@ -126,6 +126,8 @@ public:
   bool MayLeaveLine(Index v, Index before, Index after) const;
   /// The largest one of the faces at a vertex.
   double LargestDistance(Index v) const;
+  /// How far a place is from the faces at vertices, in lengths of edges at a vertex.
+  double DistanceFrom(const std::vector<Index>& vertices, Index v, const Vector3& place) const;
 
 private:
   const ClosestPoints& SurfaceAt(Index v) const

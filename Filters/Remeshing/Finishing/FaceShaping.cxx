@@ -19,15 +19,16 @@ void Improve(VertexStars& stars, MovableFaces& movable,
 {
   const int before = 2 * settings.Steps / 3;
   RelaxFaces(movable, before, progress.Part(0.1, 0.4));
-  if (settings.AreQuads)
+  if (settings.EditsFaces)
   {
-    OptimizeValences(stars, movable, vertices, progress.Part(0.4, 0.5));
+    OptimizeValences(stars, movable, vertices, settings.Degree, progress.Part(0.4, 0.5));
   }
   RelaxFaces(movable, settings.Steps - before, progress.Part(0.5, 0.7));
   ImproveFaces(movable, progress.Part(0.7, 0.9));
-  if (settings.AreQuads && settings.RepairsFaces)
+  if (settings.EditsFaces && settings.RepairsFaces)
   {
-    RepairQuality(stars, movable, vertices, settings.MayMakeTriangles, progress.Part(0.9, 1.0));
+    RepairQuality(stars, movable, vertices, settings.MayMakeTriangles, settings.Degree,
+      progress.Part(0.9, 1.0));
   }
 }
 }

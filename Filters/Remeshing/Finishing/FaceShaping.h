@@ -19,8 +19,10 @@ struct ShapingSettings
 {
   /// Steps in which the vertices move; 0 only joins triangles.
   int Steps = 0;
-  /// The field is of degree 4: faces may be changed.
-  bool AreQuads = true;
+  /// Of the field: 4 or 6.
+  int Degree = 4;
+  /// Faces may be changed.
+  bool EditsFaces = true;
   /// Bad faces are repaired.
   bool RepairsFaces = true;
   /// Quads may become triangles where faces get better.

@@ -113,7 +113,7 @@ public:
     , HasCloseLines(wanted.Steps > 0 && context.HasCloseLines)
   {
     this->Settings.Steps = wanted.Steps;
-    this->Settings.AreQuads = wanted.AreQuads;
+    this->Settings.Degree = wanted.AreQuads ? 4 : 6;
     this->Settings.IsRough = context.IsRough;
     this->Settings.MostStraying =
       context.HasCloseLines && !wanted.IsPure ? Close.MostStraying : 0.0;
@@ -134,7 +134,8 @@ public:
 private:
   void MakeRegular(const Progress& progress)
   {
-    this->Settings.RepairsFaces = false;
+    // Quads are repaired once their triangles are joined.
+    this->Settings.RepairsFaces = !this->Wanted.AreQuads;
     this->Settings.MayMakeTriangles = true;
     this->Shape(this->Settings, progress.Part(0.0, 0.4));
     this->Settings.RepairsFaces = true;
@@ -171,7 +172,7 @@ private:
       return;
     }
     ShapingSettings following = this->Settings;
-    following.AreQuads = false;
+    following.EditsFaces = false;
     following.Joins.reset();
     this->Shape(following, progress.Part(0.8, 0.9));
     this->BringLinesCloser(this->Wanted.IsPure ? 0 : LineCutRounds, progress.Part(0.9, 1.0));
@@ -287,7 +288,7 @@ void SpaceAndImprove(FaceMesh& mesh, const std::vector<BoundaryLine>& lines,
   SpaceBoundary(mesh, context.Input, lines, context.Sizes, true);
   ShapingSettings following;
   following.Steps = FollowingSteps * wanted.Steps;
-  following.AreQuads = wanted.AreQuads;
+  following.Degree = wanted.AreQuads ? 4 : 6;
   following.IsRough = context.IsRough;
   following.MayMakeTriangles = !wanted.IsPure;
   ShapeFaces(mesh, following, context.Triangles, context.Lines,

@@ -28,7 +28,8 @@ constexpr double LeastGain = 0.03;
 /// Centers of faces are at most this far from the surface, in lengths of edges, unless they were
 /// before.
 constexpr double FarthestMiddle = 0.35;
-/// First edits that are followed by a second one.
+/// First edits that are followed by a second one. Of triangles, which have more edits, those gain
+/// little.
 constexpr std::size_t MostPairs = 6;
 constexpr int Moves = 6;
 /// Number of edits that look best after a few moves and are tried thoroughly.
@@ -38,12 +39,13 @@ class FaceRepairs
 {
 public:
   FaceRepairs(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules,
-    bool mayMakeTriangles)
+    bool mayMakeTriangles, int degree)
     : Cells(faces)
     , Places(places)
-    , Edits(faces, std::move(rules), &places)
+    , Edits(faces, std::move(rules), &places, degree)
     , IsNearHub(FindVerticesNearHubs(faces, places))
-    , MayMakeTriangles(mayMakeTriangles)
+    , AreTriangles(degree == 6)
+    , MayMakeTriangles(mayMakeTriangles || degree == 6)
   {
   }
 
@@ -56,20 +58,25 @@ public:
       { return static_cast<std::size_t>(v) < this->IsNearHub.size() && this->IsNearHub[v] != 0; });
   }
 
-  double Quality(Index f) const { return this->Places.Quality(this->Cells.Face(f)); }
+  double Quality(Index f) const
+  {
+    const double quality = this->Places.Quality(this->Cells.Face(f));
+    return this->AreTriangles && this->IsFolded(f) ? -std::abs(quality) : quality;
+  }
 
   bool Repair(Index f)
   {
     const std::size_t start = this->Cells.GetChanges().size();
     std::vector<Trial> trials;
     this->GrownBefore = 0;
+    this->RememberFolds(f);
     this->TryAll(this->CornersOf({ f }), {}, start, 0.0, trials);
     const auto isBetter = [](const Trial& a, const Trial& b) { return a.Gain > b.Gain; };
     std::stable_sort(trials.begin(), trials.end(), isBetter);
     const bool isEnough = !trials.empty() && trials.front().IsMended;
     if (!isEnough)
     {
-      const std::size_t count = std::min(trials.size(), MostPairs);
+      const std::size_t count = this->AreTriangles ? 0 : std::min(trials.size(), MostPairs);
       double best = trials.empty() ? 0.0 : trials.front().Gain;
       for (std::size_t k = 0; k < count; ++k)
       {
@@ -115,6 +122,54 @@ private:
     int Grown;
     double Gain;
   };
+
+  /// Whether a triangle looks to the other side than the faces around most of its corners.
+  bool IsFolded(Index f) const
+  {
+    const Faces::Face& face = this->Cells.Face(f);
+    const std::vector<Vector3>& points = this->Places.GetPoints();
+    const Vector3 area = AreaVector(points, face);
+    int against = 0;
+    for (int c = 0; c < Faces::Size(face); ++c)
+    {
+      against += area.dot(this->Places.NormalAt(face[c], points)) < 0.0 ? 1 : 0;
+    }
+    return against > 1;
+  }
+
+  /// Of triangles only their vertices tell which are folded: edits need not mend the ones that are
+  /// there before them.
+  void RememberFolds(Index f)
+  {
+    this->Before.clear();
+    if (!this->AreTriangles)
+    {
+      return;
+    }
+    constexpr int rings = 3;
+    std::vector<Index> vertices = this->CornersOf({ f });
+    for (int k = 0; k < rings; ++k)
+    {
+      vertices = this->CornersOf(this->FacesAround(vertices));
+    }
+    for (const Index v : vertices)
+    {
+      this->Before.emplace_back(v, this->Places.LeastQuality(v));
+    }
+  }
+
+  double LeastBefore(const std::vector<Index>& vertices) const
+  {
+    double least = 1.0;
+    for (const Index v : vertices)
+    {
+      const auto found =
+        std::lower_bound(this->Before.begin(), this->Before.end(), std::pair(v, -2.0));
+      least =
+        found != this->Before.end() && found->first == v ? std::min(least, found->second) : least;
+    }
+    return least;
+  }
 
   std::vector<Index> CornersOf(const std::vector<Index>& faces) const
   {
@@ -264,6 +319,7 @@ private:
     {
       before.Add(this->Places.Quality(face));
     }
+    before.Least = std::min(before.Least, this->LeastBefore(touched));
     if (before.Missing - PerGrowth * grown < least)
     {
       return {};
@@ -291,6 +347,11 @@ private:
     for (std::size_t k = 0; isThorough && isGood && k < around.size(); ++k)
     {
       farthest = std::max(farthest, this->Places.Distance(around[k]));
+    }
+    for (std::size_t k = 0; this->AreTriangles && isThorough && isGood && k < touched.size(); ++k)
+    {
+      isGood = !this->Cells.At(touched[k]).empty() ||
+        this->Places.DistanceFrom(touched, touched[k], places[k]) <= FarthestMiddle;
     }
     for (std::size_t k = 0; k < touched.size(); ++k)
     {
@@ -324,18 +385,22 @@ private:
   MovableFaces& Places;
   FaceEdits Edits;
   std::vector<char> IsNearHub;
+  bool AreTriangles;
   bool MayMakeTriangles;
+  /// Vertices around the face that is repaired, ascending, and their least qualities before that.
+  std::vector<std::pair<Index, double>> Before;
   /// The penalty of the edits that are already applied.
   int GrownBefore = 0;
 };
 }
 
 void RepairQuality(VertexStars& faces, MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles, const Progress& progress)
+  const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles, int degree,
+  const Progress& progress)
 {
   // A singularity is better than a bad face, but not the other way round.
-  FaceRepairs repairs(
-    faces, places, WithoutLocks(RulesFor(faces, places, vertices)), mayMakeTriangles);
+  FaceRepairs repairs(faces, places, WithoutLocks(RulesFor(faces, places, vertices, degree)),
+    mayMakeTriangles, degree);
   Index left = MostAnyway + faces.GetNumberOfFaces() / OneOf;
   // Nothing was found for a face, and nothing has changed around it since.
   std::vector<char> isHopeless;

@@ -19,8 +19,9 @@ namespace DirectionFields::Internal
 /// time in proportion to the bad faces; where there are many only the worst are treated. Throws
 /// Stopped.
 /// @param mayMakeTriangles whether quads may become triangles
+/// @param degree           4 for quads, 6 for triangles
 void RepairQuality(VertexStars& faces, MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles,
+  const std::vector<FaceMesh::Vertex>& vertices, bool mayMakeTriangles, int degree = 4,
   const Progress& progress = {});
 }
 

@@ -25,14 +25,18 @@ constexpr double Least = 0.2;
 constexpr int Moves = 6;
 /// Middles of faces are to be as near the surface as this, in lengths of edges.
 constexpr double FarthestMiddle = 0.5;
+constexpr double FarthestMiddleOfTriangle = 0.3;
+/// And triangles to the vertices that have gone, as a tip of three that goes is lost.
+constexpr double FarthestGone = 0.2;
 
 class Cleanup
 {
 public:
-  Cleanup(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules)
+  Cleanup(VertexStars& faces, MovableFaces& places, std::vector<FaceEdits::Rule> rules, int degree)
     : Cells(faces)
     , Places(places)
-    , Edits(faces, std::move(rules), &places)
+    , AreTriangles(degree == 6)
+    , Edits(faces, std::move(rules), &places, degree)
     , IsHopeless(faces.GetNumberOfVertices(), 0)
     , IsNearHub(FindVerticesNearHubs(faces, places))
   {
@@ -41,8 +45,9 @@ public:
   bool IsSeed(Index v) const
   {
     const std::vector<Index>& star = this->Cells.At(v);
-    const bool hasTriangle = std::any_of(
-      star.begin(), star.end(), [&](Index f) { return Faces::Size(this->Cells.Face(f)) == 3; });
+    const bool hasTriangle = !this->AreTriangles &&
+      std::any_of(
+        star.begin(), star.end(), [&](Index f) { return Faces::Size(this->Cells.Face(f)) == 3; });
     return this->IsHopeless[v] == 0 && this->IsNearHub[v] == 0 &&
       (hasTriangle || this->Edits.Irregularity(v) > 0);
   }
@@ -158,7 +163,8 @@ private:
     {
       after = std::min(after, this->Cells.At(v).empty() ? 1.0 : this->Places.LeastQuality(v));
     }
-    if (after >= std::max(before, Least) && this->AreNear(touched))
+    if (after >= std::max(before, Least) && this->AreNear(touched) &&
+      this->KeepTips(touched, start))
     {
       return true;
     }
@@ -174,11 +180,30 @@ private:
   {
     return std::all_of(touched.begin(), touched.end(),
       [&](Index v)
-      { return this->Cells.At(v).empty() || this->Places.LargestDistance(v) <= FarthestMiddle; });
+      {
+        return this->Cells.At(v).empty() ||
+          this->Places.LargestDistance(v) <=
+          (this->AreTriangles ? FarthestMiddleOfTriangle : FarthestMiddle);
+      });
+  }
+
+  /// Whether the places of vertices that have gone are near the faces.
+  bool KeepTips(const std::vector<Index>& touched, const std::vector<Vector3>& places) const
+  {
+    for (std::size_t k = 0; this->AreTriangles && k < touched.size(); ++k)
+    {
+      if (this->Cells.At(touched[k]).empty() &&
+        this->Places.DistanceFrom(touched, touched[k], places[k]) > FarthestGone)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   VertexStars& Cells;
   MovableFaces& Places;
+  bool AreTriangles;
   FaceEdits Edits;
   /// Nothing was found for a vertex, and nothing has changed around it since.
   std::vector<char> IsHopeless;
@@ -191,9 +216,9 @@ private:
 }
 
 void OptimizeValences(VertexStars& faces, MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices, const Progress& progress)
+  const std::vector<FaceMesh::Vertex>& vertices, int degree, const Progress& progress)
 {
-  Cleanup cleanup(faces, places, RulesFor(faces, places, vertices));
+  Cleanup cleanup(faces, places, RulesFor(faces, places, vertices, degree), degree);
   bool hasChanged = true;
   for (int k = 0; k < Passes && hasChanged; ++k)
   {

@@ -19,7 +19,7 @@ namespace DirectionFields::Internal
 /// vertices whose valence their singularity explains. Takes time in proportion to the irregular
 /// vertices. Throws Stopped.
 void OptimizeValences(VertexStars& faces, MovableFaces& places,
-  const std::vector<FaceMesh::Vertex>& vertices, const Progress& progress = {});
+  const std::vector<FaceMesh::Vertex>& vertices, int degree = 4, const Progress& progress = {});
 }
 
 #endif

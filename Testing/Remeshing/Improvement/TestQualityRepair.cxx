@@ -75,7 +75,7 @@ struct Plate
     edges.push_back({ { middle, tail + 1 }, 1 });
   }
 
-  Faces Mended(bool mayMakeTriangles)
+  Faces Mended(bool mayMakeTriangles, int degree = 4)
   {
     constexpr double size = Cells;
     const std::array<Vector3, 4> corner = { Vector3(0.0, 0.0, 0.0), Vector3(size, 0.0, 0.0),
@@ -97,7 +97,7 @@ struct Plate
     VertexStars stars(
       this->Mesh.Cells, static_cast<Index>(this->Mesh.Points.size()), this->Mesh.LineEdges);
     MovableFaces places(stars, domain, this->Mesh.Points);
-    RepairQuality(stars, places, this->Mesh.Vertices, mayMakeTriangles);
+    RepairQuality(stars, places, this->Mesh.Vertices, mayMakeTriangles, degree);
     return stars.Compressed();
   }
 
@@ -189,5 +189,25 @@ TEST(QualityRepair, MakeNoTrianglesWhereAllAreToBeQuads)
     {
       EXPECT_TRUE(mayMakeTriangles || Faces::Size(face) == 4);
     }
+  }
+}
+
+TEST(QualityRepair, TrianglesWithoutAreaGoAndNoQuadsCome)
+{
+  Plate plate;
+  const std::vector<Faces::Face> quads = plate.Mesh.Cells.Corners;
+  plate.Mesh.Cells = Faces();
+  for (const Faces::Face& quad : quads)
+  {
+    plate.AddFace({ quad[0], quad[1], quad[2], None });
+    plate.AddFace({ quad[0], quad[2], quad[3], None });
+  }
+  plate.AddFlatTriangle(2, 0.4);
+  const Faces mended = plate.Mended(false, 6);
+  plate.ExpectCover(mended);
+  EXPECT_GT(plate.LeastQuality(mended), 0.3);
+  for (const Faces::Face& face : mended.Corners)
+  {
+    EXPECT_EQ(Faces::Size(face), 3);
   }
 }

@@ -78,7 +78,7 @@ struct Square
   }
 
   /// Cleans up, with indices of singularities at some vertices.
-  Faces Cleaned(VertexStars& stars, std::vector<int> index = {})
+  Faces Cleaned(VertexStars& stars, std::vector<int> index = {}, int degree = 4)
   {
     const double size = Cells;
     const Vector3 a = Vector3::Zero();
@@ -100,7 +100,7 @@ struct Square
       vertices[v].IsBoundary = this->IsBoundary[v] != 0;
       vertices[v].SingularityIndex = index[v];
     }
-    OptimizeValences(stars, movable, vertices);
+    OptimizeValences(stars, movable, vertices, degree);
     return stars.Compressed();
   }
 
@@ -252,4 +252,33 @@ TEST(ValenceOptimization, LeavesWhatTheFieldExplains)
   const std::map<std::size_t, int> before = ValencesOf(stars, turned);
   turned.Cleaned(stars, index);
   EXPECT_EQ(ValencesOf(stars, turned), before);
+}
+
+TEST(ValenceOptimization, TrianglesStayAndGetSixAroundEachVertex)
+{
+  std::vector<Index> all;
+  for (Index k = 0; k < Cells * Cells; ++k)
+  {
+    all.push_back(k);
+  }
+  Square square(all);
+  // The diagonal of a cell in the middle is turned.
+  const std::size_t first = 2 * (Cells * Cells / 2 + Cells / 2);
+  Faces::Face& lower = square.Cover.Corners[first];
+  Faces::Face& upper = square.Cover.Corners[first + 1];
+  const Faces::Face turned = { lower[0], lower[1], upper[2], None };
+  upper = { lower[1], lower[2], upper[2], None };
+  lower = turned;
+  VertexStars stars(square.Cover, square.CountPoints(), square.GetLineEdges());
+  const Faces cleaned = square.Cleaned(stars, {}, 6);
+  ExpectDisk(cleaned);
+  EXPECT_EQ(cleaned.Corners.size(), static_cast<std::size_t>(2 * Cells * Cells));
+  for (const Faces::Face& face : cleaned.Corners)
+  {
+    EXPECT_EQ(Faces::Size(face), 3);
+  }
+  for (Index v = 0; v < square.CountPoints(); ++v)
+  {
+    EXPECT_TRUE(square.IsBoundary[v] != 0 || stars.At(v).size() == 6) << v;
+  }
 }
