@@ -122,7 +122,7 @@ TEST(AccidentalFeatures, AreLeftOutWhereFacesAlongThemAreBad)
 namespace
 {
 /// A ball with limbs whose width is a part of the usual one.
-RemeshResult MeshOfThinLimbs(double part, Index faces)
+RemeshResult MeshOfThinLimbs(double part, Index faces, bool keepsThinParts = true)
 {
   Surface thin = Meshes::BallWithLimbs();
   for (Vector3& point : thin.Points)
@@ -136,6 +136,7 @@ RemeshResult MeshOfThinLimbs(double part, Index faces)
   }
   RemeshOptions options;
   options.NumberOfFaces = faces;
+  options.KeepThinParts = keepsThinParts;
   return Remesh(std::make_shared<Surface>(thin)).Compute(options);
 }
 }
@@ -154,4 +155,14 @@ TEST(AccidentalFeatures, AreToldByThoseThatAreTooShortToBeKeptAsWell)
   const RemeshResult mesh = MeshOfThinLimbs(0.4, 700);
   EXPECT_LE(mesh.Triangles + mesh.TurnedFaces, 10);
   EXPECT_LT(std::max(mesh.MaximumDistance, mesh.MaximumDistanceToMesh), mesh.EdgeLength);
+}
+
+TEST(AccidentalFeatures, AreLeftOutOfMeshesThatAreBadWithoutThemAndWorseWithThem)
+{
+  // Too few faces for the limbs: neither mesh is good.
+  const RemeshResult mesh = MeshOfThinLimbs(0.5, 700, false);
+  EXPECT_GT(mesh.Triangles + mesh.TurnedFaces, 7);
+  EXPECT_TRUE(std::any_of(mesh.Notes.begin(), mesh.Notes.end(),
+    [](const std::string& note)
+    { return note.find("No edges are features") != std::string::npos; }));
 }
