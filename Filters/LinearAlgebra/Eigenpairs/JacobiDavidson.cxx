@@ -143,43 +143,37 @@ Projected Project(
   return sum;
 }
 
-/// sum = the linear combination of the basis vectors
-void SetLinearCombination(const SectionBlock& block, const Sections& sections,
-  const Eigen::VectorXcd& coefficients, ComplexVector& sum)
+/// The rows begin to end - 1 of the linear combination of the basis vectors.
+ComplexVector LinearCombination(const SectionBlock& block, const Sections& sections,
+  const Eigen::VectorXcd& coefficients, Index begin, Index end)
 {
-  Resize(sum, block.Rows());
-  ParallelFor(block.Rows(), PieceRows,
-    [&](Index begin, Index end)
+  ComplexVector sum(end - begin);
+  for (Index v = begin; v < end; ++v)
+  {
+    Complex value = 0.0;
+    for (int b = 1; b < Width; ++b)
     {
-      for (Index v = begin; v < end; ++v)
-      {
-        Complex value = 0.0;
-        for (int b = 1; b < Width; ++b)
-        {
-          value += coefficients[b - 1] * SectionValue(block.Vectors, v, b);
-        }
-        for (std::size_t k = 0; k < sections.size(); ++k)
-        {
-          value += coefficients[Width - 1 + k] * sections[k]->Vector[v];
-        }
-        sum[v] = value;
-      }
-    });
+      value += coefficients[b - 1] * SectionValue(block.Vectors, v, b);
+    }
+    for (std::size_t k = 0; k < sections.size(); ++k)
+    {
+      value += coefficients[Width - 1 + k] * sections[k]->Vector[v];
+    }
+    sum[v - begin] = value;
+  }
+  return sum;
 }
 
-/// t = a t + b s for vectors and products.
-void AddTo(SectionProducts& t, const Complex& a, const SectionProducts& s, const Complex& b)
+/// t = a t + b s in the rows begin to end - 1 of vectors and products.
+void AddTo(SectionProducts& t, const Complex& a, const SectionProducts& s, const Complex& b,
+  Index begin, Index end)
 {
-  ParallelFor(static_cast<Index>(t.Vector.size()), PieceRows,
-    [&](Index begin, Index end)
-    {
-      for (const auto member :
-        { &SectionProducts::Vector, &SectionProducts::Energy, &SectionProducts::Mass })
-      {
-        auto part = (t.*member).segment(begin, end - begin);
-        part = a * part + b * (s.*member).segment(begin, end - begin);
-      }
-    });
+  for (const auto member :
+    { &SectionProducts::Vector, &SectionProducts::Energy, &SectionProducts::Mass })
+  {
+    auto part = (t.*member).segment(begin, end - begin);
+    part = a * part + b * (s.*member).segment(begin, end - begin);
+  }
 }
 
 /// Replaces the first of four sections by u.
@@ -414,15 +408,21 @@ private:
     {
       return false;
     }
-    Eigen::VectorXcd c = ritz.Vectors.col(0);
-    if (this->Last.Vector.size() > 0)
-    {
-      AddTo(t, c[Width], this->Last, c[Width + 1]);
-      c[Width] = 1.0;
-    }
+    const Eigen::VectorXcd c = ritz.Vectors.col(0);
+    const bool isFirst = this->Last.Vector.size() == 0;
     // The next u takes the storage of the last step, since the iteration needs most memory here.
+    Resize(this->Last.Vector, this->Block.Rows());
+    ParallelFor(this->Block.Rows(), PieceRows,
+      [&](Index begin, Index end)
+      {
+        const ComplexVector part = LinearCombination(this->Block, sections, c, begin, end);
+        if (!isFirst)
+        {
+          AddTo(t, c[Width], this->Last, c[Width + 1], begin, end);
+        }
+        this->Last.Vector.segment(begin, end - begin) = part;
+      });
     ComplexVector next = std::move(this->Last.Vector);
-    SetLinearCombination(this->Block, { &this->U, &t }, c, next);
     this->Last = std::move(t);
     this->KeepBest();
     this->U.Set(this->Matrices, std::move(next));
